@@ -58,6 +58,27 @@ class LightsTest : public test::WindowFixture {
     }
 };
 
+// Numbers with their units, also the longer one of a directional light.
+TEST_F(LightsTest, FieldsHaveRoomForTheirTexts) {
+    action(ActionId::LightsPanel)->trigger();
+    LightFields& fields = panel().fields();
+    const auto fits = [](const QWidget& field, const QString& text, int around) {
+        return field.fontMetrics().horizontalAdvance(text) + around <= field.width();
+    };
+    panel().lights().setCurrentRow(0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        fields.position(axis).setValue(-12.345);
+        const auto* edit = fields.position(axis).findChild<QLineEdit*>();
+        EXPECT_TRUE(comes([&] { return fits(*edit, QStringLiteral("-12.345 m"), 0); })) << edit->width();
+    }
+    ASSERT_TRUE(comes([&] { return light(1).position == rtcore::Vec3{-12.345F, -12.345F, -12.345F}; }));
+    ask(window->session(), QStringLiteral("light kind 1 directional"));
+    ASSERT_TRUE(comes([&] { return light(1).kind == rtcore::LightKind::Directional; }));
+    fields.power().unit().setCurrentIndex(1);
+    constexpr int kArrow = 16; // pixels
+    EXPECT_TRUE(comes([&] { return fits(fields.power().unit(), QStringLiteral("W/m²"), kArrow); }));
+}
+
 TEST_F(LightsTest, FieldsOfTheSelectedLightReachTheServer) {
     action(ActionId::LightsPanel)->trigger();
     LightFields& fields = panel().fields();

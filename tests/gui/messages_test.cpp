@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTranslator>
 
 namespace {
 
@@ -188,6 +189,29 @@ TEST(Messages, AnOfferIsRead) {
     EXPECT_EQ(text(*unit), "A unit is taken for 0.0254 m (usual for .wrl).");
     EXPECT_FALSE(readUnitOffer(QStringLiteral("+z is taken for up")));
 }
+
+#ifdef RT_TRANSLATED
+// Each language has its own word order and plurals.
+TEST(Messages, AreTranslatedAsAWhole) {
+    const QStringList names{
+        QStringLiteral("texture 'x and y' is missing; its material is plain"),
+        QStringLiteral("2 textures are missing, so their materials are plain: 'a' and 'b'"),
+        QStringLiteral("9 textures are missing, so their materials are plain: 'a', 'b' and 7 more")};
+    const QStringList units{
+        QStringLiteral("0.01 m are taken for a unit (usual for OBJ files); 'units' sets another"),
+        QStringLiteral("0.01 m are taken for a unit (usual for such files); 'units' sets another")};
+    for (const QString& each : names) EXPECT_EQ(text(warningsText({each})), text(each));
+    QTranslator czech;
+    ASSERT_TRUE(czech.load(QStringLiteral(":/translations/gui_cs.qm")));
+    QCoreApplication::installTranslator(&czech);
+    EXPECT_EQ(text(warningsText({names[0]})), "chybí textura 'x and y'; její materiál je jednobarevný");
+    EXPECT_TRUE(warningsText({names[1]}).endsWith(QStringLiteral("'a' a 'b'")));
+    EXPECT_TRUE(warningsText({names[2]}).endsWith(QStringLiteral("'a', 'b' a další (7)")));
+    EXPECT_TRUE(readUnitOffer(units[0])->endsWith(QStringLiteral("(obvyklé pro soubory OBJ).")));
+    EXPECT_TRUE(readUnitOffer(units[1])->endsWith(QStringLiteral("(obvyklé pro takové soubory).")));
+    QCoreApplication::removeTranslator(&czech);
+}
+#endif
 
 TEST(Messages, AreReadLineByLine) {
     const QList<Message> messages =

@@ -259,6 +259,21 @@ TEST_F(PanelsTest, AWordStandsForZero) {
     EXPECT_EQ(focus.text(), QStringLiteral("Automatic"));
 }
 
+TEST(ValueBoxes, ShowAnExponentOnlyWhereItHelps) {
+    ValueBox box(-1e15, 1e15);
+    for (const auto& [value, shown] : {std::pair{100000., "100000"},
+                                       {-20000., "-20000"},
+                                       {0.0001, "0.0001"},
+                                       {0.1, "0.1"},
+                                       {0., "0"},
+                                       {4.5e12, "4.5E+12"},
+                                       {2e-9, "2E-09"}}) {
+        box.setValue(value);
+        EXPECT_EQ(box.text().toUpper(), QLatin1String(shown)); // E or e, by the language
+        EXPECT_EQ(box.value(), value);
+    }
+}
+
 TEST_F(PanelsTest, NumbersAndChoicesAreSetToo) {
     open();
     auto& key = field<ValueBox>("exposure.key");

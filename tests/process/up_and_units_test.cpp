@@ -62,6 +62,30 @@ TEST_F(UpAndUnits, UnitsDecideWhatALensBlurs) {
     EXPECT_NE(picture("m.scn", small), picture("m.scn", lens));
 }
 
+// What nobody said is told to people: the image may lie on its side.
+TEST_F(UpAndUnits, AGuessIsTold) {
+    const auto told = [&](const std::string& scene, const Names& options) {
+        Names arguments{file(scene), "-o", file("a.ppm"), "-w", "8", "-h", "8"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const test::ProgramResult result = test::renderer(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+        EXPECT_EQ(result.output.find("guessed"), std::string::npos);
+        return result.error;
+    };
+    writeScene("said.scn", "up = \"+z\"\nmetresPerUnit = 0.01\n");
+    const std::string lines = "--progress=plain";
+    EXPECT_NE(
+        told("room.obj", {lines}).find("room.obj: +y is up (guessed: usual for OBJ files); one unit is "),
+        std::string::npos);
+    const std::string unitOnly = told("room.obj", {lines, "--up=+z"});
+    EXPECT_NE(unitOnly.find("room.obj: +z is up (as you say); one unit is "), std::string::npos) << unitOnly;
+    EXPECT_NE(unitOnly.find("guessed"), std::string::npos);
+    for (const auto& [scene, options] :
+         {std::pair{"room.obj", Names{lines, "--up=+z", "--units=cm"}}, std::pair{"said.scn", Names{lines}},
+          std::pair{"room.obj", Names{"--progress=none"}}, std::pair{"room.obj", Names{"--progress=json"}}})
+        EXPECT_EQ(told(scene, options).find("guessed"), std::string::npos) << options.back();
+}
+
 TEST_F(UpAndUnits, WrongOnesAreRefused) {
     for (const char* option :
          {"--up=z", "--up=up", "--units=parsecs", "--units=0", "--units=-1", "--units=nan"}) {

@@ -280,6 +280,33 @@ TEST_F(PageModules, BothWaysOfDecodingKeepEachPixel) {
     EXPECT_EQ(told["equal"], (Json{true, true, true}));
 }
 
+// Fields in another unit than the bridge's: what is not typed goes back as it came.
+TEST_F(PageModules, FieldsShowAnotherUnit) {
+    const Json told = with("fields.js", R"((() => {
+        const sent = [], send = (value) => sent.push(value), how = { unit: "m", scale: () => 0.0010000000474974513, min: 0 };
+        const type = (made, text, at = 0) => {
+            const box = made.element.querySelectorAll("input")[at];
+            const shown = box.value;
+            box.value = text;
+            box.dispatchEvent(new Event("change"));
+            return shown;
+        };
+        const size = m.numeric("Size", send, { ...how, slider: false }), place = m.vector("Position", send, how);
+        const power = m.measured("Power", [["lm", 1], ["W", 1 / 683]], send);
+        size.show(95.23500061035156, true);
+        place.show([0.10000000149011612, 1234.5677490234375, -3], true);
+        power.show(800, true);
+        const unit = power.element.querySelector("select"), shown = [type(size, "0.3"), type(place, "2", 2), type(power, "683")];
+        unit.selectedIndex = 1;
+        unit.dispatchEvent(new Event("change"));
+        shown.push(type(power, "2"));
+        return { shown, sent, labels: [size, place].map(({ element }) => element.querySelector("label, .label").textContent) };
+    })())");
+    EXPECT_EQ(told["shown"], (Json{"0.095235", "-0.003", "800", "1.1713"}));
+    EXPECT_EQ(told["sent"], (Json{300, {0.10000000149011612, 1234.5677490234375, 2000}, 683, 1366}));
+    EXPECT_EQ(told["labels"], (Json{"Size\u00a0m", "Position\u00a0m"}));
+}
+
 TEST_F(PageModules, EachTextIsInBothLanguages) {
     const Json english = with("texts_en.js", "m.default"), czech = with("texts_cs.js", "m.default");
     for (const auto& [key, text] : english.items()) {

@@ -16,21 +16,41 @@ QString kindOf(const QString& warning) {
     return QString(warning).replace(names, QStringLiteral("…"));
 }
 
+// Quoted names, or the first ones of many.
+QString namesText(const QString& names) {
+    static const QRegularExpression more(QStringLiteral("^(.*') and (\\d+) more$"));
+    static const QRegularExpression two(QStringLiteral("^(.*') and ('[^']*')$"));
+    if (const auto found = more.match(names); found.hasMatch())
+        return tr("%1 and %2 more").arg(found.captured(1), found.captured(2));
+    if (const auto found = two.match(names); found.hasMatch())
+        return tr("%1 and %2").arg(found.captured(1), found.captured(2));
+    return names;
+}
+
 // Without the folders of the file, and in the user's language as far as it is known.
 QString warningText(QString warning) {
     static const QRegularExpression folders(QStringLiteral("^/(?:[^:]*/)?(?=[^/:]*: )"));
     static const QRegularExpression missing(
         QStringLiteral("(\\d+) textures are missing, so their materials are plain: (.*)$"));
+    static const QRegularExpression one(
+        QStringLiteral("texture ('[^']*') is missing; its material is plain$"));
     warning.remove(folders);
-    const QRegularExpressionMatch found = missing.match(warning);
-    if (!found.hasMatch()) return warning;
-    return warning.left(found.capturedStart()) +
-           tr("%1 textures are missing, so their materials are plain: %2")
-               .arg(found.captured(1), found.captured(2));
+    if (const auto found = missing.match(warning); found.hasMatch())
+        return warning.left(found.capturedStart()) +
+               tr("%1 textures are missing, so their materials are plain: %2")
+                   .arg(found.captured(1), namesText(found.captured(2)));
+    if (const auto found = one.match(warning); found.hasMatch())
+        return warning.left(found.capturedStart()) +
+               tr("texture %1 is missing; its material is plain").arg(found.captured(1));
+    return warning;
 }
 
 // Why something was guessed so.
 QString reasonText(const QString& why) {
+    static const QRegularExpression files(QStringLiteral("^usual for (.*) files$"));
+    if (why == QLatin1String("usual for such files")) return tr("usual for such files");
+    if (const auto found = files.match(why); found.hasMatch())
+        return tr("usual for %1 files").arg(found.captured(1));
     if (why.startsWith(QLatin1String("usual for "))) return tr("usual for %1").arg(why.mid(10));
     if (why == QLatin1String("by its shape")) return tr("by its shape");
     return why == QLatin1String("by its size") ? tr("by its size") : why;

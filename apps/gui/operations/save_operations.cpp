@@ -149,7 +149,8 @@ void SaveOperations::onPacked(const Answer& answer, const QString& folder) {
     if (!more.isEmpty()) context_.notice.explain(more, {});
 }
 
-void SaveOperations::confirmOutside(const QString& files, const QString& folder) {
+void SaveOperations::confirmOutside(QString files, const QString& folder) {
+    files.replace(QLatin1String("', a link to '"), tr("', a link to '"));
     auto* box = plainBox(QMessageBox::Question, tr("Pack files from elsewhere"),
                          tr("The scene names files outside of its folder. With them, the pack "
                             "shows them to all who get it:\n\n%1")

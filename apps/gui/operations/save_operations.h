@@ -47,7 +47,7 @@ class SaveOperations : public QObject {
     void pack();
     void packInto(const QString& folder, bool outside);
     void onPacked(const Answer& answer, const QString& folder);
-    void confirmOutside(const QString& files, const QString& folder);
+    void confirmOutside(QString files, const QString& folder);
     void showPackProgress();
     void ask(const Then& go);
     bool wouldLose() const;

@@ -3,6 +3,7 @@
 #include "gui/models/plain_text.h"
 #include "gui/panels/power_field.h"
 #include "gui/panels/value_box.h"
+#include "gui/view/plain_widgets.h"
 
 #include "common/commands/command_lines.h"
 
@@ -14,7 +15,9 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -29,6 +32,7 @@ namespace {
 namespace command = app::command;
 
 constexpr double kFar = 1e9, kMostDegrees = 180;
+constexpr int kFrame = 14; ///< pixels around the text of a field
 constexpr float kUsualTemperature = 4000;
 
 rtcore::Colour tintOf(const rtcore::LightDescription& light) { return tintedLight(light).intensity; }
@@ -95,6 +99,17 @@ QWidget* LightFields::row(const QString& label, std::initializer_list<QWidget*> 
     return widget;
 }
 
+QWidget* LightFields::rowBelow(const QString& label, const Vector& fields) {
+    auto* widget = new QWidget;
+    auto* layout = new QGridLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(new PlainLabel(label), 0, 0, 1, -1);
+    for (ValueBox* field : fields) layout->addWidget(field, 1, layout->count() - 1);
+    form_->addRow(widget);
+    return widget;
+}
+
 QPushButton* LightFields::button(const QString& text, const QString& tip, const char* step,
                                  std::string (*line)(int)) {
     auto* made = new QPushButton(text);
@@ -129,7 +144,8 @@ LightFields::Vector LightFields::vectorFields(const QString& name, double most) 
         fields.at(i) = new ValueBox(-most, most);
         fields.at(i)->setAccessibleName(name + QLatin1Char(' ') + QChar(kAxes.at(i)));
         fields.at(i)->setToolTip(plainTip(fields.at(i)->accessibleName()));
-        fields.at(i)->setMinimumWidth(48);
+        const int text = fields.at(i)->fontMetrics().horizontalAdvance(QStringLiteral("-12.345 m"));
+        fields.at(i)->setMinimumWidth(text + kFrame);
         fields.at(i)->setButtonSymbols(QAbstractSpinBox::NoButtons);
     }
     return fields;
@@ -155,14 +171,14 @@ void LightFields::onVector(const Vector& fields, const char* step,
 void LightFields::addPlace() {
     position_ = vectorFields(tr("Position"), kFar);
     for (ValueBox* field : position_) field->setSuffix(metres());
-    positionRow_ = row(tr("Position"), {position_[0], position_[1], position_[2]});
+    positionRow_ = rowBelow(tr("Position"), position_);
     onVector(position_, "light move", command::lightMove, &rtcore::Light::position);
     positionButtons_ =
         row({}, {button(tr("Here"), tr("Put the light at the camera"), "light move", command::lightMoveHere),
                  button(tr("Where I look"), tr("Put it before the surface in the middle of the image"),
                         "light move", command::lightMoveSeen)});
     direction_ = vectorFields(tr("Direction"), 1);
-    directionRow_ = row(tr("Direction"), {direction_[0], direction_[1], direction_[2]});
+    directionRow_ = rowBelow(tr("Direction"), direction_);
     onVector(direction_, "light aim", command::lightAim, &rtcore::Light::direction);
     directionButtons_ = row(
         {}, {button(tr("Ahead"), tr("Let it shine as the camera looks"), "light aim", command::lightAimAhead),
@@ -237,6 +253,8 @@ double LightFields::inUnits(double metres) const {
 
 void LightFields::showSize(const rtcore::Light& light) {
     const rtcore::LightTraits& traits = traitsOf(light);
+    static_cast<QLabel*>(form_->labelForField(sizeRow_))
+        ->setText(traits.disc || traits.sides ? tr("Size") : tr("Radius"));
     size_[0]->setMaximum(traits.disc ? kMostDegrees : kFar);
     size_[0]->setSuffix(traits.disc ? degrees() : metres());
     size_[1]->setSuffix(metres());

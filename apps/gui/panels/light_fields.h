@@ -66,6 +66,8 @@ class LightFields : public QWidget {
     void onVector(const Vector& fields, const char* step,
                   std::string (*line)(int, const std::array<float, 3>&), rtcore::Vec3 rtcore::Light::*exact);
     QWidget* row(const QString& label, std::initializer_list<QWidget*> fields);
+    /// Below their label, so that all digits have room.
+    QWidget* rowBelow(const QString& label, const Vector& fields);
     QPushButton* button(const QString& text, const QString& tip, const char* step, std::string (*line)(int));
     void send(const char* step, const std::string& line);
     void showSize(const rtcore::Light& light);

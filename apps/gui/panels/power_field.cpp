@@ -24,6 +24,7 @@ PowerField::PowerField(QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(value_, 1);
     layout->addWidget(unit_);
+    unit_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // which change
     unit_->addItems({QStringLiteral("lm"), QStringLiteral("W")});
     value_->setAccessibleName(tr("Power"));
     unit_->setAccessibleName(tr("Unit of the power"));

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kAllDecimals = 60; ///< QDoubleSpinBox rounds to them
 constexpr double kFirstStep = 0.01;
+constexpr double kLeastPlain = 1e-5, kMostPlain = 1e7; ///< shown without an exponent
 
 } // namespace
 
@@ -22,7 +23,10 @@ ValueBox::ValueBox(double minimum, double maximum, QWidget* parent) : QDoubleSpi
 QString ValueBox::textFromValue(double value) const {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'g', QLocale::FloatingPointShortest);
+    const double size = std::abs(value);
+    // "1E+05" is shorter than "100000", but harder to read.
+    const bool plain = size == 0 || (size >= kLeastPlain && size < kMostPlain);
+    return locale.toString(value, plain ? 'f' : 'g', QLocale::FloatingPointShortest);
 }
 
 QString ValueBox::bare(const QString& text) const {

@@ -970,6 +970,26 @@
         <source>Hide all panels, and show them again</source>
         <translation>Skrýt všechny panely a zase je ukázat</translation>
     </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 a další (%2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>texture %1 is missing; its material is plain</source>
+        <translation>chybí textura %1; její materiál je jednobarevný</translation>
+    </message>
+    <message>
+        <source>usual for such files</source>
+        <translation>obvyklé pro takové soubory</translation>
+    </message>
+    <message>
+        <source>usual for %1 files</source>
+        <translation>obvyklé pro soubory %1</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2867,6 +2887,10 @@ Alt+%2</translation>
     <message>
         <source>Packing: %1 %</source>
         <translation>Balení: %1 %</translation>
+    </message>
+    <message>
+        <source>&apos;, a link to &apos;</source>
+        <translation>&apos;, odkaz na &apos;</translation>
     </message>
 </context>
 <context>

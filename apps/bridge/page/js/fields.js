@@ -2,6 +2,9 @@
 import { button, freshId, make } from "./dom.js";
 import { t } from "./texts.js";
 
+/** What a field is called, and its unit. */
+const caption = (label, unit) => [label, ...(unit ? ["\u00a0", make("span", { className: unit.length > 2 ? "unit" : "unit short" }, unit)] : [])];
+
 /** @returns {Row} `element`, `show(value, enabled)` */
 function row(label, controls, { help, unit, reset } = {}) {
     const id = freshId();
@@ -9,9 +12,9 @@ function row(label, controls, { help, unit, reset } = {}) {
     if (help) for (const control of controls) control.title = help;
     const back = reset && button(reset.text, reset.run, "undo");
     back?.classList.add("reset");
-    const said = make("label", { for: id, title: help }, label, ...(unit ? [make("span", { className: unit.length > 2 ? "unit" : "unit short" }, unit)] : []));
+    const name = make("label", { for: id, title: help }, ...caption(label, unit));
     const field = make("div", { className: "field" }, ...controls);
-    const element = make("div", { className: reset ? "row" : "row wide" }, said, field, ...(back ? [back] : []));
+    const element = make("div", { className: reset ? "row" : "row wide" }, name, field, ...(back ? [back] : []));
     return { element, back };
 }
 
@@ -44,27 +47,31 @@ export function showFocusedAgain() {
 
 const short = (value) => String(Number(Number(value).toPrecision(6)));
 
-/** A typed number counts when it is finished; one that the arrows change, at once. */
-function numberBox(onValue, { min, max, whole, label }) {
+/** Without the digits of the rounding of floats. */
+const unscaled = (shown, scale) => (scale === 1 ? shown : Number((shown / scale).toPrecision(7)));
+
+/** A typed number counts when it is finished; one that the arrows change, at once. What is shown is the value times `scale()`. */
+function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
     const box = make("input", { type: "number", step: whole ? "1" : "any", inputMode: "decimal", "aria-label": label });
     if (min !== undefined) box.min = min;
     if (max !== undefined) box.max = max;
     box.onchange = () => {
-        if (box.value !== "" && box.checkValidity()) onValue(Number(box.value));
+        if (box.value !== "" && box.checkValidity()) onValue(unscaled(Number(box.value), scale()));
         else box.value = box.dataset.shown;
     };
     const show = (value, enabled) => {
-        box.dataset.shown = short(value);
+        box.dataset.shown = short(value * scale());
         if (!isEdited(box)) box.value = box.dataset.shown;
         box.disabled = !enabled;
     };
     return { box, show };
 }
 
-/** A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`: later values of one drag go on. */
+/** A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`: later values of one drag go on.
+ *  Without a slider `scale` may tell how many of the unit that is shown make one of the value's. */
 export function numeric(label, onValue, how = {}) {
     const { min, max, whole, name = label, until = max } = how;
-    const { box, show } = numberBox((value) => onValue(value, false), { min, max, whole, label: how.slider === false ? undefined : name });
+    const { box, show } = numberBox((value) => onValue(value, false), { min, max, whole, scale: how.scale, label: how.slider === false ? undefined : name });
     if (how.slider === false || min === undefined || max === undefined || until - min > 5000) {
         box.removeAttribute("aria-label");
         const { element, back } = row(label, [box], how);
@@ -86,7 +93,17 @@ export function numeric(label, onValue, how = {}) {
     } };
 }
 
-/** Three numbers. */
+/** A number in the one of `units` that is chosen: for each its name, and how many of it make one of the value's. */
+export function measured(label, units, onValue, how = {}) {
+    let value = 0, may = false;
+    const { box, show } = numberBox(onValue, { ...how, scale: () => units[unit.selectedIndex][1] });
+    const unit = make("select", { className: "units", title: how.unitHelp, "aria-label": how.unitName, onchange: () => show(value, may) },
+        ...units.map(([text]) => make("option", {}, text)));
+    const { element } = row(label, [box, unit], how);
+    return { element, show: (now, enabled) => show((value = now), (may = enabled)) };
+}
+
+/** Three numbers. Those that are not typed go as they came, to the last digit. */
 export function vector(label, onValue, how = {}) {
     let now = [0, 0, 0];
     const boxes = ["x", "y", "z"].map((axis, index) => numberBox((value) => {
@@ -94,7 +111,7 @@ export function vector(label, onValue, how = {}) {
         onValue(now);
     }, { ...how, label: label + " " + axis }));
     const field = make("div", { className: "field" }, ...boxes.map(({ box }) => box));
-    const element = make("div", { className: "row wide", role: "group", "aria-label": label }, make("span", { className: "label" }, label), field);
+    const element = make("div", { className: "row vector", role: "group", "aria-label": label }, make("span", { className: "label" }, ...caption(label, how.unit)), field);
     return { element, show(value, enabled) {
         now = value;
         boxes.forEach(({ show }, index) => show(value[index], enabled));

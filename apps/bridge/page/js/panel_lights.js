@@ -1,6 +1,6 @@
 /** Lights: a switch for each, and the fields of the chosen one, as its kind has them. */
 import { button, make, refill } from "./dom.js";
-import { choice, colour, numeric, toggle, vector } from "./fields.js";
+import { choice, colour, measured, numeric, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
 
 const kinds = () => [
@@ -8,7 +8,10 @@ const kinds = () => [
     ["sphere", of("LightFields", "Sphere")], ["rectangle", of("LightFields", "Rectangle")],
 ];
 const hasPlace = (kind) => kind !== "directional";
+const hasRadius = (kind) => hasPlace(kind) && kind !== "rectangle";
 const hasDirection = (kind) => kind === "directional" || kind === "spot" || kind === "rectangle";
+
+const LUMENS_PER_WATT = 683;
 
 export const lightName = (light) => light.name || of("LightFields", "Light %1").replace("%1", light.id);
 
@@ -17,6 +20,9 @@ export function lightsPanel(app) {
 
     const light = () => app.state.lights?.find(({ id }) => id === chosen);
     const edit = (what, keys, goesOn) => app.edit(what + " " + chosen, what, { light: chosen, ...keys }, goesOn);
+
+    /** Of lengths, which come and go in scene units. */
+    const metres = { unit: "m", scale: () => app.state.metresPerUnit ?? 1 };
 
     /** A row of fields: when it is shown, and what it shows of a light. */
     const add = (made, when, show) => {
@@ -37,8 +43,10 @@ export function lightsPanel(app) {
     function addFields() {
         const always = () => true;
         add(choice(of("LightFields", "Kind"), kinds(), (kind) => edit("lightKind", { kind })), always, ({ kind }) => kind);
-        for (const [key, unit, when] of [["lumens", "lm", ({ kind }) => hasPlace(kind)], ["lux", "lx", ({ kind }) => !hasPlace(kind)]])
-            add(numeric(of("LightFields", "Power"), (much) => edit("lightPower", { [key]: much }), { min: 0, slider: false, unit }), when, ({ lumens }) => lumens);
+        const power = { min: 0, unitName: of("PowerField", "Unit of the power"), unitHelp: of("PowerField", "Lumens, or radiant watts of 683 lumens each") };
+        for (const [key, unit, watts, when] of [["lumens", "lm", "W", ({ kind }) => hasPlace(kind)], ["lux", "lx", "W/m²", ({ kind }) => !hasPlace(kind)]])
+            add(measured(of("LightFields", "Power"), [[unit, 1], [watts, 1 / LUMENS_PER_WATT]], (much) => edit("lightPower", { [key]: much }), power),
+                when, ({ lumens }) => lumens);
         add(colour(of("LightFields", "Colour"), (value, goesOn) => edit("lightColour", { colour: value }, goesOn),
             { scaled: true, help: of("LightFields", "Choose a colour; the power stays") }), ({ temperature }) => !temperature, (one) => one.colour);
         add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("lightTemperature", { kelvin: on ? 4000 : null })), always,
@@ -51,7 +59,7 @@ export function lightsPanel(app) {
     }
 
     function addPlaces() {
-        add(vector(of("LightFields", "Position"), (to) => edit("lightMove", { to })), ({ kind }) => hasPlace(kind), ({ position }) => position);
+        add(vector(of("LightFields", "Position"), (to) => edit("lightMove", { to }), metres), ({ kind }) => hasPlace(kind), ({ position }) => position);
         buttons(({ kind }) => hasPlace(kind),
             tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"), () => edit("lightMove", { to: "here" })),
             tipped(of("LightFields", "Where I look"), of("LightFields", "Put it before the surface in the middle of the image"),
@@ -65,12 +73,12 @@ export function lightsPanel(app) {
     }
 
     function addShape() {
-        const sizes = { min: 0, slider: false }, rectangle = ({ kind }) => kind === "rectangle", spot = ({ kind }) => kind === "spot";
-        add(numeric(of("LightFields", "Size"), (radius) => edit("lightSize", { radius }), sizes), ({ kind }) => kind === "sphere", ({ radius }) => radius);
+        const sizes = { min: 0, slider: false, ...metres }, rectangle = ({ kind }) => kind === "rectangle", spot = ({ kind }) => kind === "spot";
+        add(numeric(of("LightFields", "Radius"), (radius) => edit("lightSize", { radius }), sizes), ({ kind }) => hasRadius(kind), ({ radius }) => radius);
         add(numeric(of("LightFields", "Angle under which it is seen"), (angle, goesOn) => edit("lightSize", { angle }, goesOn),
             { min: 0, max: 180, until: 5, unit: "°", help: of("LightFields", "The sun has 0.53°; 0: shadows are sharp") }), ({ kind }) => kind === "directional",
         ({ angle }) => angle);
-        add(numeric(of("Settings", "Width"), (width) => edit("lightSize", { width, height: light().height }), sizes), rectangle, ({ width }) => width);
+        add(numeric(of("LightFields", "Width"), (width) => edit("lightSize", { width, height: light().height }), sizes), rectangle, ({ width }) => width);
         add(numeric(of("LightFields", "Height"), (height) => edit("lightSize", { width: light().width, height }), sizes), rectangle, ({ height }) => height);
         add(numeric(of("LightFields", "Angle of full brightness"),
             (inner, goesOn) => edit("lightAngles", { inner, outer: Math.max(inner, light().outer) }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ inner }) => inner);
