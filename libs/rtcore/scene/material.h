@@ -55,7 +55,7 @@ struct Material {
     std::uint32_t tintsEmission = 0;                     ///< 1: colours of vertices multiply `emission`, too
     std::uint32_t transmissionTexture = kNoTexture;      ///< red: factor on 1 - opacity
     std::uint32_t specularTexture = kNoTexture;          ///< factor on `specular` and `mirror`; no roughness
-    std::uint32_t frontOnly = 0; ///< 1: the back faces of closed surfaces are holes, as those of culled ones
+    std::uint32_t frontOnly = 0; ///< 1: back faces of closed surfaces are holes where it isVeil()
 
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -72,5 +72,8 @@ inline bool isTransparent(const Material& m) { return m.opacity < 1 || hasHoles(
 
 /// What passes is neither bent nor tinted, whatever the surface bounds: it only covers.
 inline bool isVeil(const Material& m) { return m.indexOfRefraction == 1 && m.transmission == kWhite; }
+
+/// The back faces of closed surfaces are holes. Not those of glass, which light leaves through them.
+inline bool isFrontOnly(const Material& m) { return m.frontOnly != 0 && isVeil(m); }
 
 } // namespace rtcore

@@ -129,6 +129,30 @@ TEST_F(MaterialsSeen, LightPassesClosedBlendedSolidsStraight) {
     }
 }
 
+// A cube of 2 around the origin that blends and is seen from outside alone, made glass by the scene, before a
+// wall.
+TEST_F(MaterialsSeen, AnOverrideMakesBlendedSolidsGlass) {
+    QuadsFile file({{1, metallicRoughness("1,1,1,0.05", 0, kBlend)}, {-8, emitting()}});
+    file.scenes = R"("scene":0,"scenes":[{"nodes":[0,1,2,3,4,5,6]}])";
+    std::string text = file.text();
+    const std::string one = R"("nodes":[{"mesh":0},)";
+    std::string six = R"("nodes":[{"mesh":0},)";
+    for (const char* turn : {"0.70710678,0,0,0.70710678", "-0.70710678,0,0,0.70710678", "1,0,0,0",
+                             "0,0.70710678,0,0.70710678", "0,-0.70710678,0,0.70710678"})
+        six += std::string(R"({"mesh":0,"rotation":[)") + turn + "]},";
+    ASSERT_NE(text.find(one), std::string::npos);
+    text.replace(text.find(one), one.size(), six);
+    test::writeText(folder / "m.gltf", text);
+    for (const char* integrator : {"path", "whitted"}) {
+        const Colour seen = see("m.gltf", integrator,
+                                "[camera]\neye = [0, 0, 5]\nforward = [0, 0, -1]\nfov = 6\n"
+                                "[[material]]\nnumber = 1\nopacity = 0\nindexOfRefraction = 1.5\n"
+                                "transmission = [0.5, 0.5, 0.5]\nattenuationDistance = 2\n")
+                                .mean();
+        expectGrey(seen, 0.43F, 0.53F, integrator); // halved on its way, and a part is mirrored
+    }
+}
+
 TEST_F(MaterialsSeen, TransmissionStaysGlass) {
     const std::string glass = ",\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1}}";
     const std::string used = ",\"extensionsUsed\":[\"KHR_materials_transmission\"]";

@@ -196,9 +196,7 @@ Material mapMaterial(const SourceMaterial& source, TextureStore& textures) {
     }
     if (source.unlit) makeUnlit(m, colour);
     coverEmission(source, m);
-    const bool glass = m.opacity < 1 && !isVeil(m);
-    if (source.frontOnly && source.alphaMode == AlphaMode::Blend && isTransparent(m) && !glass)
-        m.frontOnly = 1;
+    if (source.frontOnly && source.alphaMode == AlphaMode::Blend && isTransparent(m)) m.frontOnly = 1;
     conserveEnergy(m);
     return m;
 }

@@ -56,7 +56,7 @@ float opacityOf(const Scene& scene, const Material& material, Vec2 uv) {
 }
 
 bool isCulled(const Scene& scene, const Material& material, const Hit& hit, bool fromInside) {
-    return material.frontOnly != 0 && fromInside && scene.isClosed(hit.triangle);
+    return isFrontOnly(material) && fromInside && scene.isClosed(hit.triangle);
 }
 
 /// Of the vertices, where they multiply the emission.
@@ -121,7 +121,7 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
     s.emission = material.emission;
     if (material.tintsEmission != 0) s.emission *= emissionTint(scene, material, hit);
     s.opacity = material.opacity;
-    if (hasHoles(material) || material.frontOnly != 0)
+    if (hasHoles(material) || isFrontOnly(material))
         s.coverage = coverageAt(scene, textures, hit, s.fromInside);
     if (!textures) return;
     const bool bumps = material.normalTexture != kNoTexture, emits = material.emissionTexture != kNoTexture;
