@@ -31,7 +31,7 @@ std::string remedyFor(const std::string& extension);
 /// Nothing when it is no glTF 2 (.gltf or .glb, by content), or its JSON is damaged.
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path);
 
-/// Why a file that is glTF by its content or its name is read by nobody: its version, or where it is damaged;
+/// Why no reader takes a file that is glTF by its content or its name: its version, or where it is damaged;
 /// what to do, as one sentence without a name. Nothing when it is no glTF, or no reason is found.
 std::optional<std::string> gltfDamage(const std::filesystem::path& path);
 
