@@ -65,7 +65,7 @@ class Ends {
 
 // The length that a format's head states, in bytes of the whole file; 0 where it is not that format.
 
-/// A head of 12 bytes, then chunks, each behind its length and kind.
+/// A head of 12 bytes, then chunks, each behind its length and kind: JSON, binary, and what is passed over.
 std::uint64_t lengthOfGlb(const Ends& file) {
     constexpr std::uint64_t kFirst = 12, kChunkHead = 8;
     if (!file.head.starts_with("glTF") || (file.size >= 8 && file.number(4, 4) != 2)) return 0;
@@ -73,7 +73,8 @@ std::uint64_t lengthOfGlb(const Ends& file) {
     if (file.size < kFirst + kChunkHead) return std::max(stated, kFirst + kChunkHead);
     std::uint64_t at = kFirst;
     int chunks = 0;
-    for (; at < stated && at + kChunkHead <= file.size; ++chunks) at += kChunkHead + file.number(at, 4);
+    for (; chunks < 2 && at < stated && at + kChunkHead <= file.size; ++chunks)
+        at += kChunkHead + file.number(at, 4);
     if (at > file.size) return stated == file.size ? 0 : std::max(at, stated);
     return chunks < 2 ? stated : 0; // a wrong sum of right lengths harms nothing
 }
@@ -106,12 +107,15 @@ std::uint64_t lengthOfFbx(const Ends& file) {
     if (!file.head.starts_with("Kaydara FBX Binary  \0"sv)) return 0;
     const std::size_t wide = file.number(23, 4) >= kWideSince ? 8 : 4;
     const std::uint64_t emptyNode = 3 * wide + 1;
-    for (std::uint64_t at = kFirst;;) {
+    constexpr int kMostNodes = 1000; // programs write a dozen
+    std::uint64_t at = kFirst;
+    for (int nodes = 0; nodes < kMostNodes; ++nodes) {
         if (at + emptyNode > file.size) return at + emptyNode;
         const std::uint64_t end = file.number(at, wide);
         if (end <= at) return 0;
         at = end;
     }
+    return 0;
 }
 
 constexpr std::array kLengths{lengthOfGlb, lengthOfStl, lengthOf3ds, lengthOfLwo, lengthOfB3d, lengthOfFbx};
@@ -168,6 +172,7 @@ std::optional<std::string> missingMark(const Ends& file) {
 } // namespace
 
 std::optional<std::string> cutOff(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) return {};
     const Ends file(path);
     for (const auto& lengthOf : kLengths) {
         const std::uint64_t length = lengthOf(file);
