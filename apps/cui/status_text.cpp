@@ -61,6 +61,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     line("resolution", fmt::format("{} x {}", status.width, status.height));
     line("polygons", fmt::format("{}", status.polygons));
     line("frame time", fmt::format("{:.2f} ms", status.frameSeconds * 1e3));
+    if (status.wholeSeconds > 0) line("whole frame", fmt::format("{:.2f} s", status.wholeSeconds));
     line("frames per second", fmt::format("{:.1f}", status.framesPerSecond));
     if (status.kept > 0) line("new pixels", fmt::format("{:.1f} %", 100 * (1 - status.kept)));
     line("rays per second", fmt::format("{:.2f} million", status.raysPerSecond * 1e-6));
@@ -81,6 +82,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
                    {"height", status.height},
                    {"polygons", status.polygons},
                    {"frameSeconds", status.frameSeconds},
+                   {"wholeSeconds", status.wholeSeconds},
                    {"framesPerSecond", status.framesPerSecond},
                    {"raysPerSecond", status.raysPerSecond},
                    {"kept", sameDigits(status.kept)},

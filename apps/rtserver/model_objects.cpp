@@ -7,6 +7,7 @@
 
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/material_edit.h"
+#include "rtcore/scene/material_textures.h"
 #include "rtcore/scene/metallic_roughness.h"
 #include "rtcore/settings/plain_text.h"
 
@@ -88,11 +89,6 @@ std::string materialText(const rtcore::Scene& scene, std::span<const rtcore::Mat
                          std::size_t index) {
     const rtcore::Material& m = scene.materials[index];
     const rtcore::Material& own = loaded[index];
-    const auto isTexture = [](std::uint32_t texture) { return texture != rtcore::kNoTexture; };
-    const auto hasTextures = [&](const rtcore::Material& of) {
-        return isTexture(of.diffuseTexture) || isTexture(of.alphaTexture) || isTexture(of.normalTexture) ||
-               isTexture(of.emissionTexture);
-    };
     rtcore::MaterialOverride all;
     all.pattern = rtcore::printable(materialName(scene, index));
     const rtcore::TextureMeans means = rtcore::roughnessMeans(scene.model, m);
@@ -108,8 +104,8 @@ std::string materialText(const rtcore::Scene& scene, std::span<const rtcore::Mat
     all.attenuationDistance = m.attenuationDistance;
     all.indexOfRefraction = m.indexOfRefraction;
     all.emission = m.emission;
-    if (hasTextures(own)) {
-        all.textures = hasTextures(m);
+    if (rtcore::hasTextures(own)) {
+        all.textures = rtcore::hasTextures(m);
         all.flipTextures = m.flipTextures != 0;
     }
     std::string text = rtcore::formatMaterial(all);

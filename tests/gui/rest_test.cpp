@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace {
 
@@ -139,6 +140,31 @@ TEST_F(RestTest, WhatIsKeptOverAChangeOfSizeGoesWithTheFirstEditOrMovement) {
     EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "by another client";
     ASSERT_NO_FATAL_FAILURE(keepOne());
     ASSERT_TRUE(ask(window->session(), std::string("set reflections false")).done);
+    EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "an edit of another client";
+}
+
+// Frames of the new size and frames of an edit look alike.
+TEST_F(RestTest, AnEditBeforeTheServerHasTheNewSizeIsSeen) {
+    window->resize(900, 500);
+    ASSERT_NO_FATAL_FAILURE(openByPaths(1 << 20));
+    const auto editOnceAsked = [&](const std::function<void()>& edit) {
+        ASSERT_TRUE(comes([&] { return !window->view().showsLive() && samples() >= 8; }));
+        bool asked = false;
+        const auto connection =
+            QObject::connect(&window->view(), &FrameView::resolutionWanted, &*window, [&] {
+                edit();
+                asked = true;
+            });
+        action(ActionId::LightsPanel)->trigger();
+        while (!asked) QTest::qWait(1);
+        QObject::disconnect(connection);
+    };
+    ASSERT_NO_FATAL_FAILURE(editOnceAsked([&] {
+        window->editor().setSetting(QStringLiteral("shadows"), QStringLiteral("false"));
+        EXPECT_TRUE(window->view().showsLive()) << "at once";
+    }));
+    ASSERT_NO_FATAL_FAILURE(
+        editOnceAsked([&] { window->session().send(std::string("set reflections false")); }));
     EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "an edit of another client";
 }
 

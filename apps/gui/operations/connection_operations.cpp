@@ -174,13 +174,10 @@ void ConnectionOperations::configureServer() {
 // Its key is beside those that move.
 void ConnectionOperations::askToStop() {
     if (question_ != nullptr) return question_->raise();
-    question_ = plainBox(
-        QMessageBox::Question, tr("Stop server"),
+    question_ = plainQuestion(
+        tr("Stop server"),
         tr("End the server “%1”? All windows connected to it lose it.").arg(context_.session.instance()),
-        &context_.window);
-    const QPushButton* stop = question_->addButton(tr("&Stop"), QMessageBox::AcceptRole);
-    question_->setDefaultButton(question_->addButton(QMessageBox::Cancel));
-    connect(stop, &QPushButton::clicked, this, [this] { context_.keeper.stop(); });
+        tr("&Stop"), [this] { context_.keeper.stop(); }, &context_.window);
     question_->open();
 }
 

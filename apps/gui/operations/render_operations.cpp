@@ -48,12 +48,15 @@ void RenderOperations::listen() {
     connect(&context_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
     connect(&context_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
     connect(&context_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
-    connect(&context_.view, &FrameView::resolutionWanted, this, [this] { sizeAsked_.start(); });
+    connect(&context_.view, &FrameView::resolutionWanted, this, [this] {
+        if (!keeps()) edits_ = context_.editor.state().edits;
+        sizeAsked_.start();
+    });
     connect(&context_.editor, &SceneEditor::sending, this, [this] {
-        if (kept_) interrupt();
+        if (keeps()) interrupt();
     });
     connect(&context_.editor, &SceneEditor::stateChanged, this, [this] {
-        if (kept_ && context_.editor.state().edits != edits_) interrupt();
+        if (keeps() && context_.editor.state().edits != edits_) interrupt();
     });
     connect(&rest_, &QTimer::timeout, this, &RenderOperations::renderProgressively);
     connect(&preview_, &PreviewProcess::refined, this, &RenderOperations::onRefined);
@@ -114,8 +117,8 @@ void RenderOperations::onResize() {
     const bool same = before.eye == moment_.view.eye && before.forward == moment_.view.forward &&
                       before.up == moment_.view.up;
     if (!same || context_.view.showsLive()) return interrupt();
+    if (!keeps()) edits_ = context_.editor.state().edits;
     sizeAsked_.invalidate();
-    if (!kept_) edits_ = context_.editor.state().edits;
     kept_ = context_.view.origin();
     beginAgain();
 }

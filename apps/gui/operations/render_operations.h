@@ -33,6 +33,8 @@ class RenderOperations : public QObject {
     void onResize();
     /// The server has been asked for another size, and draws it before it says so.
     bool resizes() const;
+    /// The image stays whatever frames come: it goes when the user or another client edits.
+    bool keeps() const { return kept_ || resizes(); }
     void beginAgain();
     void onStatus();
     void onFrame();
@@ -58,7 +60,7 @@ class RenderOperations : public QObject {
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
     Moment moment_;
     std::optional<PictureOrigin> kept_; ///< of the image that is still shown, of another size
-    int edits_ = 0;                     ///< of the scene when it was kept
+    int edits_ = 0;                     ///< of the scene since which it is kept
     StillQuality rendered_;             ///< of the last image
 };
 

@@ -79,15 +79,13 @@ void SaveOperations::saveTo(const QString& path, const Then& then) {
 
 void SaveOperations::confirmReplacing(const QString& path, const Then& replace) {
     const QString name = QFileInfo(path).fileName();
-    auto* box = plainBox(QMessageBox::Question, tr("Replace a file"),
-                         tr("“%1” was written or changed by hand. Its comments and its layout are lost "
-                            "when it is saved. The old file is kept as “%1~”.")
-                             .arg(name),
-                         &context_.window);
-    const QPushButton* yes = box->addButton(tr("&Replace"), QMessageBox::AcceptRole);
+    QMessageBox* box =
+        plainQuestion(tr("Replace a file"),
+                      tr("“%1” was written or changed by hand. Its comments and its layout are lost "
+                         "when it is saved. The old file is kept as “%1~”.")
+                          .arg(name),
+                      tr("&Replace"), replace, &context_.window);
     const QPushButton* other = box->addButton(tr("Save &as…"), QMessageBox::ActionRole);
-    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
-    connect(yes, &QPushButton::clicked, this, replace);
     connect(other, &QPushButton::clicked, this, [this] { saveAs(); });
     box->open();
 }
@@ -151,15 +149,12 @@ void SaveOperations::onPacked(const Answer& answer, const QString& folder) {
 
 void SaveOperations::confirmOutside(QString files, const QString& folder) {
     files.replace(QLatin1String("', a link to '"), tr("', a link to '"));
-    auto* box = plainBox(QMessageBox::Question, tr("Pack files from elsewhere"),
-                         tr("The scene names files outside of its folder. With them, the pack "
+    const QString text = tr("The scene names files outside of its folder. With them, the pack "
                             "shows them to all who get it:\n\n%1")
-                             .arg(files),
-                         &context_.window);
-    const QPushButton* yes = box->addButton(tr("&Pack them, too"), QMessageBox::AcceptRole);
-    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
-    connect(yes, &QPushButton::clicked, this, [this, folder] { packInto(folder, true); });
-    box->open();
+                             .arg(files);
+    const auto pack = [this, folder] { packInto(folder, true); };
+    plainQuestion(tr("Pack files from elsewhere"), text, tr("&Pack them, too"), pack, &context_.window)
+        ->open();
 }
 
 void SaveOperations::showPackProgress() {

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QPushButton>
 
 namespace gui {
 
@@ -34,6 +35,14 @@ QMessageBox* plainBox(QMessageBox::Icon icon, const QString& title, const QStrin
     box->setTextFormat(Qt::PlainText);
     box->setText(plainText(text));
     box->setAttribute(Qt::WA_DeleteOnClose);
+    return box;
+}
+
+QMessageBox* plainQuestion(const QString& title, const QString& text, const QString& yes,
+                           const std::function<void()>& act, QWidget* parent) {
+    QMessageBox* box = plainBox(QMessageBox::Question, title, text, parent);
+    QObject::connect(box->addButton(yes, QMessageBox::AcceptRole), &QPushButton::clicked, box, act);
+    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     return box;
 }
 

@@ -11,7 +11,8 @@ namespace rtcore {
 /// thread.
 class AppendFile {
   public:
-    /// Makes the file, which must not exist yet. Throws FileError CannotWrite.
+    /// Makes the file, which must not exist yet, nor be a link; links of others on the way to it are refused
+    /// where replaceFile() refuses them. Throws FileError CannotWrite.
     explicit AppendFile(const std::filesystem::path& path);
     ~AppendFile();
     AppendFile(const AppendFile&) = delete;
@@ -24,7 +25,7 @@ class AppendFile {
 
   private:
     std::filesystem::path path_;
-    int file_;
+    int file_ = -1;
     long long size_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "rtcore/platform/append_file.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/output_links_posix.h"
 
 #include <cerrno>
 #include <string>
@@ -24,8 +25,9 @@ namespace {
 
 } // namespace
 
-AppendFile::AppendFile(const std::filesystem::path& path)
-    : path_(path), file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666)) {
+AppendFile::AppendFile(const std::filesystem::path& path) : path_(path) {
+    refuseForeignLinks(path);
+    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
     if (file_ < 0) fail(path_, errno);
 }
 

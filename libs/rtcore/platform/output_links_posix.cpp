@@ -25,6 +25,8 @@ bool isForeignLink(const fs::path& path) {
     return link.st_uid != ::geteuid() && link.st_uid != folder.st_uid;
 }
 
+} // namespace
+
 void refuseForeignLinks(const fs::path& path) {
     fs::path at;
     for (const fs::path& part : path) {
@@ -36,8 +38,6 @@ void refuseForeignLinks(const fs::path& path) {
                                 "choose another name or another folder");
     }
 }
-
-} // namespace
 
 fs::path followLinks(fs::path path) {
     const fs::path shown = path;

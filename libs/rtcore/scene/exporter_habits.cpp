@@ -20,14 +20,20 @@ struct FormatHabit {
     Units units;
 };
 
+constexpr Units kSuch{0.4, 0.2, 0, -1, -2.5};
+
 // Scans come in metres and millimetres; printing knows millimetres alone. What games and simulators read is
-// made in metres. Assimp turns 3DS and ASE, which count z upwards.
+// made in metres. Assimp turns 3DS and ASE, which count z upwards, but not trueSpace, Quick3D and height
+// maps.
 constexpr std::array kFormats{
     FormatHabit{"Stereolithography", "STL files", 2, {0, -0.5, 2, -0.5, -3}},
     FormatHabit{"Stanford", "PLY files", -0.7, {0.3, 0, 0.3, -2, -3}},
     FormatHabit{"Wavefront", "OBJ files", -1.5, {0.4, 0.4, -0.2, -1.2, -2.5}},
     FormatHabit{"AC3D", "AC3D files", -kSure, {3, 0, -1, -0.5, 0}},
-    FormatHabit{"", "such files", -kSure, {0.4, 0.2, 0, -1, -2.5}},
+    FormatHabit{"TrueSpace", "trueSpace files", kSure, kSuch},
+    FormatHabit{"Quick3D", "Quick3D files", kSure, kSuch},
+    FormatHabit{"Heightmap", "height maps of 3D GameStudio", kSure, kSuch},
+    FormatHabit{"", "such files", -kSure, kSuch},
 };
 
 struct ProgramHabit {

@@ -1,5 +1,7 @@
 #include "rtcore/scene/material_override.h"
 
+#include "rtcore/scene/material_textures.h"
+
 #include <algorithm>
 
 namespace rtcore {
@@ -23,8 +25,7 @@ void replace(std::optional<T>& value, const std::optional<T>& later) {
 }
 
 void leaveOutTextures(Material& m) {
-    m.diffuseTexture = m.alphaTexture = m.normalTexture = m.emissionTexture = kNoTexture;
-    m.metallicRoughnessTexture = m.transmissionTexture = m.specularTexture = kNoTexture;
+    for (const auto texture : kMaterialTextures) m.*texture = kNoTexture;
 }
 
 } // namespace

@@ -140,6 +140,116 @@ TEST_F(Refusals, DamageIsNotClaimedForWhatIsNotShown) {
         EXPECT_EQ(said(scenes).find("damaged"), std::string::npos) << scenes << ": " << said(scenes);
 }
 
+std::string number(std::uint32_t value) {
+    std::string bytes;
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xFFU);
+    return bytes;
+}
+
+/// A whole binary glTF of one triangle.
+class Glb {
+  public:
+    std::uint32_t version = 2;
+    std::string json =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"buffers\":[{\"byteLength\":36}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}";
+
+    std::string bytes() const {
+        std::string text = json;
+        while (text.size() % 4 != 0) text += ' ';
+        const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+        const std::string binary(reinterpret_cast<const char*>(corners), sizeof corners);
+        const std::string chunks = number(static_cast<std::uint32_t>(text.size())) + "JSON" + text +
+                                   number(static_cast<std::uint32_t>(binary.size())) + "BIN\0"s + binary;
+        return "glTF" + number(version) + number(static_cast<std::uint32_t>(12 + chunks.size())) + chunks;
+    }
+};
+
+TEST_F(Refusals, SayThatABinaryGltfIsCutOff) {
+    const std::string whole = Glb().bytes();
+    const std::size_t json = whole.find("BIN") - 4, binary = json + 8;
+    for (const std::size_t size : {std::size_t{12}, std::size_t{15}, std::size_t{20}, json / 2, json,
+                                   json + 4, binary, binary + 20, whole.size() - 1}) {
+        const std::string said = refusal("a.glb", whole.substr(0, size));
+        EXPECT_NE(said.find("it is cut off: " + std::to_string(size) + " of at least " +
+                            std::to_string(whole.size()) + " bytes are there; copy it again"),
+                  std::string::npos)
+            << said;
+    }
+    expectSays(refusal("a.glb", whole.substr(0, 6)), "it is cut off: 6 of at least 20 bytes",
+               "copy it again");
+}
+
+TEST_F(Refusals, SayWhereAGltfIsWrong) {
+    const auto says = [&](const std::string& name, const std::string& bytes, const std::string& what) {
+        const std::string said = refusal(name, bytes);
+        EXPECT_NE(said.find(what), std::string::npos) << said << "\nshould say: " << what;
+    };
+    const std::string text = QuadsFile({{0, metallicRoughness("1,1,1,1", 1)}}).text();
+    const std::string third = std::to_string(text.size() / 3);
+    says("a.gltf", text.substr(0, text.size() / 3),
+         "it is cut off: its JSON does not end within " + third + " bytes; copy it again");
+    says("a.gltf", "{\"asset\": {]", "its JSON is damaged at byte 12;");
+    says("a.gltf", "{\"asset\": {\"version\": \"3.0\"}}", "it is glTF 3.0, which is not read");
+    says("a.gltf", "{\"asset\": {}}", "does not say which version of glTF it is");
+    Glb glb;
+    std::string bytes = glb.bytes();
+    says("a.glb", std::string(bytes).replace(12, 4, number(100)), "its JSON is damaged at byte 121;");
+    says("a.glb", std::string(bytes).replace(12, 4, number(100'000)), "first chunk is longer than the file");
+    says("a.glb", std::string(bytes).replace(16, 4, "BIN\0"s), "first chunk holds no JSON");
+    glb.version = 1;
+    says("a.glb", glb.bytes(), "it is glTF 1 in a binary file, which is not read; export it as glTF 2.0");
+    // A wrong sum of right lengths harms nothing.
+    test::writeText(folder / "a.glb", bytes.replace(8, 4, number(100'000)));
+    EXPECT_EQ(see("a.glb", "whitted", kStraight).said.find("cut off"), std::string::npos);
+}
+
+TEST_F(Refusals, SayThatAFileIsCutOff) {
+    const std::string half = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0";
+    const std::string fbx =
+        "Kaydara FBX Binary  \0\x1A\0"s + number(7400) + number(900) + std::string(40, '\0');
+    const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                            "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+                            "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    struct Case {
+        const char* name;
+        std::string bytes, what;
+    };
+    const Case cases[] = {
+        {"a.stl", std::string(80, ' ') + number(10) + std::string(70, '\0'), "154 of at least 584 bytes"},
+        {"b.stl", half, "'endsolid' is missing"},
+        {"a.3ds", "MM" + number(500) + "\2\0\x0A\0\0\0\3\0\0\0=="s + number(400), "of at least 500 bytes"},
+        {"a.fbx", fbx, "71 of at least 913 bytes"},
+        {"a.dae", "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\"><asset>", "'</COLLADA>' is missing"},
+        {"a.3mf", "PK\x03\x04"s + std::string(40, '\0'), "the list of what it holds is missing"},
+        {"a.zae", "PK\x03\x04"s + std::string(40, '\0'), "the list of what it holds is missing"},
+        {"a.ifc", step("IFC2X3").substr(0, 150), "'END-ISO-10303-21' is missing"},
+        {"a.blend", "BLENDER-v248REND" + number(1000), "'ENDB' is missing"},
+    };
+    for (const Case& c : cases) {
+        const std::string said = refusal(c.name, c.bytes);
+        EXPECT_NE(said.find("it is cut off: "), std::string::npos) << c.name << ": " << said;
+        EXPECT_NE(said.find(c.what), std::string::npos) << said << "\nshould say: " << c.what;
+        EXPECT_NE(said.find("; copy it again"), std::string::npos) << said;
+    }
+    const std::string said = refusal("a.ply", ply);
+    EXPECT_NE(said.find("it ends after 1 of the 2 elements 'face' that its head promises"), std::string::npos)
+        << said;
+}
+
+TEST_F(Refusals, WhatIsLeftOfAFileIsShownWithAWarning) {
+    const std::string bones = "version 1\nnodes\n0 \"root\" -1\nend\nskeleton\ntime 0\n0 0 0 0 0 0 0\nend\n";
+    const std::string triangle = "a.bmp\n0 0 0 0 0 0 1 0 0\n0 1 0 0 0 0 1 1 0\n0 0 1 0 0 0 1 0 1\n";
+    const auto said = [&](const std::string& end) {
+        test::writeText(folder / "a.smd", bones + "triangles\n" + triangle + triangle + end);
+        return see("a.smd", "whitted", kStraight).said;
+    };
+    EXPECT_NE(said("").find("it is cut off: 'end' is missing at its end; copy it again"), std::string::npos);
+    EXPECT_EQ(said("end\n").find("cut off"), std::string::npos);
+}
+
 TEST_F(Refusals, TheSharedCasesAreRight) {
     const char* const folderOfScenes = std::getenv("RT_TEST_SCENES");
     if (folderOfScenes == nullptr ||

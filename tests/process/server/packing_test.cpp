@@ -200,6 +200,15 @@ INSTANTIATE_TEST_SUITE_P(
                "/home/mine.obj'"}),
     [](const auto& attack) { return attack.param.name; });
 
+TEST_F(Packing, TakesFilesWhoseNamesHoldLineEnds) {
+    fs::copy_file(folder() / "got/tile.png", folder() / "got/ti\nle.png");
+    write("a\nb.gltf", gltfWith("ti\\nle.png"));
+    write("a.scn", "version = 2\nmodel = \"a\\nb.gltf\"\n");
+    startWith("a.scn");
+    ASSERT_EQ(cui({"pack", "packed"}).exitCode, 0);
+    EXPECT_EQ(packedNames("packed"), "a.scn model/a\nb.gltf model/ti\nle.png ");
+}
+
 TEST_F(Packing, WhatIsNoImageAndNoPartOfTheModelIsLeftOutAndNamed) {
     write("notes.txt", kSecret);
     write("letter.txt", kSecret);

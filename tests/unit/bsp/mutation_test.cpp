@@ -2,6 +2,7 @@
 #include "bsp_support.h"
 
 #include "rtcore/io/bsp/bsp_version2.h"
+#include "rtcore/scene/material_textures.h"
 
 #include <chrono>
 #include <cmath>
@@ -178,10 +179,8 @@ class Walker {
         sum_ += texels.front().r + texels.back().g;
     }
     void useMaterial(const rtcore::Material& m) {
-        for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture,
-                                      m.metallicRoughnessTexture}) {
-            if (t != rtcore::kNoTexture) useTexture(model_.textures[t]);
-        }
+        for (const auto texture : rtcore::kMaterialTextures)
+            if (m.*texture != rtcore::kNoTexture) useTexture(model_.textures[m.*texture]);
         sum_ += static_cast<double>(model_.name(m.nameOffset).size());
     }
     void useTree(const rtcore::KdTree& tree) {

@@ -60,6 +60,15 @@ TEST(StatusText, SaysHowManyPixelsAreNewWhereOthersAreKept) {
     EXPECT_NE(cui::statusJson("cow", 7, status).find("\"kept\":0.979,"), std::string::npos);
 }
 
+TEST(StatusText, SaysWhatAWholeFrameTakesWhileLiveOnesAreShown) {
+    ipc::Status status;
+    EXPECT_EQ(cui::statusText("cow", 7, status).find("whole frame"), std::string::npos) << "none yet";
+    status.frameSeconds = 0.03;
+    status.wholeSeconds = 31.5;
+    EXPECT_NE(cui::statusText("cow", 7, status).find("whole frame: 31.50 s\n"), std::string::npos);
+    EXPECT_NE(cui::statusJson("cow", 7, status).find("\"wholeSeconds\":31.5,"), std::string::npos);
+}
+
 TEST(ListText, NamesLivingAndDead) {
     const std::vector<ipc::Instance> instances{{"cow", true, 12, {}}, {"nave", false, 0, {}}};
     EXPECT_EQ(cui::listText(instances), "cow  process 12\nnave  dead; 'CUI free' removes it\n");

@@ -20,7 +20,9 @@ TEST(ImportReport, SurvivesTheWay) {
     addFile(report, "/a b/ c.png ");
     addImage(report, "/a b/d.png");
     addFile(report, "/a b/c.obj");
-    EXPECT_EQ(report.files.size(), 3U);
+    addFile(report, "/a\nfile x/\\n\\");
+    addImage(report, "/a\n\n\\.png");
+    EXPECT_EQ(report.files.size(), 5U);
     EXPECT_EQ(readReport("alive\nalive\n" + writeReport(report)), report);
 }
 

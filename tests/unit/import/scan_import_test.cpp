@@ -221,7 +221,6 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
     EXPECT_TRUE(isRead("a.ply", text));
     EXPECT_TRUE(isRead("a.txt", text)) << "the content counts";
     const std::vector<std::array<const char*, 2>> changes{
-        {"binary_little_endian", "ascii"},
         {"element face", "element tristrips"},
         {"made by a test", "TextureFile a.png"},
         {"uchar int", "float int"},
@@ -237,6 +236,10 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
         {"element face", "element vertex 0\nelement face"}};
     for (const auto& change : changes)
         EXPECT_FALSE(isRead("a.ply", changed(text, change[0], change[1]))) << change[1];
+    const std::string lines =
+        changed(text.substr(0, text.find("end_header") + 11), "binary_little_endian", "ascii") +
+        "0 0 0\n1 0 0\n1 1 0\n\n0 1 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3";
+    EXPECT_FALSE(isRead("a.ply", lines)) << "a whole file of text";
     const std::string stl = test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}});
     EXPECT_TRUE(isRead("a.stl", stl));
     EXPECT_FALSE(isRead("a.raw", stl)) << "nothing in it says what it is";
@@ -305,7 +308,7 @@ TEST(ScanImport, APlyHeadThatDoesNotEndIsAnError) {
             EXPECT_THROW(isRead("a.ply", text.substr(0, size)), FileError) << size;
     }
     EXPECT_THROW(isRead("a.ply", changed(whole, "end_header", "end_of_header")), FileError);
-    EXPECT_FALSE(isRead("a.ply", ofText + "\n"));
+    EXPECT_THROW(isRead("a.ply", ofText + "\n"), FileError) << "promises vertices";
     EXPECT_FALSE(isRead("a.ply", ofWindows + "\r\n"));
     EXPECT_FALSE(isRead("a.obj", "plywood"));
     expectComplaint(head, "its head does not end within 191 bytes; it is damaged: copy or export it again");

@@ -1,4 +1,5 @@
 /// Who may do what with a file that was replaced, which links are followed, and what is kept of old ones.
+#include "rtcore/platform/append_file.h"
 #include "rtcore/platform/backups.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
@@ -202,6 +203,28 @@ TEST_F(ReplacedFileOfAnother, IsNotReachedByLinksThatOthersPutWhereAllMayWrite) 
         EXPECT_EQ(textIn(folder / "mine/precious"), "mine");
         fs::remove(folder / "mine/new");
     }
+}
+
+TEST_F(ReplacedFileOfAnother, IsNotMadeByAppendingBehindLinksThatOthersPut) {
+    fs::create_directory(folder / "all");
+    fs::create_directory(folder / "mine");
+    const fs::path link = folder / "all/logs";
+    const auto append = [&] { rtcore::AppendFile(link / "log").append("line\n"); };
+    for (const mode_t mode : {01777, 0777, 01757}) {
+        ASSERT_EQ(::chmod((folder / "all").c_str(), mode), 0);
+        fs::create_symlink(folder / "mine", link);
+        ASSERT_EQ(::lchown(link.c_str(), kNobody, kNobody), 0);
+        EXPECT_NE(refusalOf(append).find("another user put"), std::string::npos);
+        EXPECT_FALSE(fs::exists(folder / "mine/log"));
+        ASSERT_EQ(::lchown(link.c_str(), 0, 0), 0);
+        EXPECT_EQ(refusalOf(append), "") << "one's own is followed";
+        fs::remove(folder / "mine/log");
+        fs::remove(link);
+    }
+    ASSERT_EQ(::chmod((folder / "all").c_str(), 0755), 0);
+    fs::create_symlink(folder / "mine", link);
+    ASSERT_EQ(::lchown(link.c_str(), kNobody, kNobody), 0);
+    EXPECT_EQ(refusalOf(append), "") << "which only the folder's owner could put";
 }
 
 TEST_F(ReplacedFileOfAnother, IsReachedByLinksThatOnlyTheirOwnerCouldPut) {

@@ -5,6 +5,7 @@
 #include "rtserver/exports.h"
 
 #include "rtcore/io/scene_loader.h"
+#include "rtcore/scene/material_textures.h"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,24 @@ TEST_F(ModelCommands, TellWhatTheModelConsistsOf) {
     EXPECT_EQ(text.substr(0, text.find("\nspecular")),
               "[[material]]\nname = \"steel\"\ndiffuse = [0.4, 0.4, 0.4]");
     EXPECT_EQ(text.find("textures"), std::string::npos) << "it has none";
+}
+
+TEST_F(ModelCommands, TellOfEveryTextureThatItIsThere) {
+    for (const auto texture : rtcore::kMaterialTextures) {
+        rtcore::LoadedScene room = test::makeRoom();
+        test::SceneBuilder b;
+        rtcore::Material m;
+        m.*texture = b.texture(1, 1, {{255, 255, 255, 255}});
+        b.square({0, 0, 0}, {0, 1, 0}, 10, b.material(m));
+        room.scene = b.finish();
+        room.tree = rtcore::buildKdTree(room.scene.mesh(), {});
+        room.sceneFile.reset();
+        state.show(test::worldOf(std::move(room)));
+        EXPECT_NE(answer("material get 1").find("textures = true"), std::string::npos);
+        answer("material set 1 textures false");
+        EXPECT_NE(answer("material get 1").find("textures = false"), std::string::npos);
+        EXPECT_EQ(material(0).*texture, rtcore::kNoTexture);
+    }
 }
 
 TEST_F(ModelCommands, AMaskHasThePixelsOfAPart) {

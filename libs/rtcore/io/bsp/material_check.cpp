@@ -1,5 +1,7 @@
 #include "rtcore/io/bsp/model_check.h"
 
+#include "rtcore/scene/material_textures.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -48,8 +50,8 @@ const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.normalScale, -kLargestNumber, kLargestNumber)) return "normalScale is out of range";
     if (!isSwitch(m.vertexAlpha) || !isSwitch(m.tintsEmission) || !isSwitch(m.frontOnly))
         return "a switch is neither 0 nor 1";
-    for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture,
-                                  m.metallicRoughnessTexture, m.transmissionTexture, m.specularTexture}) {
+    for (const auto texture : kMaterialTextures) {
+        const std::uint32_t t = m.*texture;
         if (t != kNoTexture && t >= model.textures.size()) return "it names a texture that does not exist";
     }
     return m.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";

@@ -3,6 +3,7 @@
 #include "rtcore/io/import/assimp_files.h"
 #include "rtcore/io/import/assimp_parts.h"
 #include "rtcore/io/import/colour_decoder.h"
+#include "rtcore/io/import/cut_off.h"
 #include "rtcore/io/import/exporter_notes.h"
 #include "rtcore/io/import/foreign_formats.h"
 #include "rtcore/io/import/geometry_finish.h"
@@ -315,6 +316,8 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty()) refuse(needs);
     if (const auto ending = endingByContent(path)) refuseName(*ending);
+    if (const auto sentence = cutOff(path)) refuse(*sentence);
+    if (const auto sentence = gltfDamage(path)) refuse(*sentence);
     if (reason.find("No suitable reader") != std::string::npos) {
         refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
     }
@@ -470,8 +473,11 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     }
     finishGeometry(assembler, options.creaseAngle, result);
     if (gltf) countDroppedTriangles(*gltf, scene, walk, result.report);
+    const std::optional<std::string> cut = cutOff(path);
+    if (cut && result.model.triangles.empty()) refuse(*cut);
     refuseUseless(assembler, scene.mNumMeshes, result);
 
+    if (cut) addWarning(result.report, *cut);
     warnOfLostTriangles(result.model, result.report);
     warnOfFiles(path, gltf, result.report);
     warnOfMissingTextures(textures.missing(), result.report);

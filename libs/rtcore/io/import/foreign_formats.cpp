@@ -18,6 +18,7 @@ namespace rtcore {
 namespace {
 
 using View = std::string_view;
+using namespace std::string_literals;
 using namespace std::string_view_literals;
 
 /// As much as is looked through: the schema of a STEP file stands behind descriptions of any length.
@@ -58,6 +59,15 @@ int numberBehind(View text, View word) {
     return number;
 }
 
+// What to do, as the end of a sentence.
+
+constexpr auto kUnpack = "unpack it and give the model inside";
+constexpr auto kAsGltf = "export the model as glTF";
+constexpr auto kAsGltfOrObj = "export the model as glTF or OBJ";
+constexpr auto kFromCad = "export it as STL, 3MF or glTF from the CAD program";
+constexpr auto kMeshOfIt = "make a mesh of it (CloudCompare, MeshLab) and save that as PLY";
+constexpr auto kDownload = "download the file itself";
+
 // Formats of which the version, or what they hold, decides; nothing where they are read.
 
 std::optional<std::string> step(View head, const std::string& ending) {
@@ -74,9 +84,7 @@ std::optional<std::string> step(View head, const std::string& ending) {
         return fmt::format("it is a building in {}, which is not read; export it as IFC2x3 or as glTF",
                            schema.substr(0, 20));
     if (schema.empty() && ending == ".ifc") return std::nullopt;
-    return "it is a STEP file of CAD surfaces, which are not read; export it as STL, 3MF or glTF from the "
-           "CAD "
-           "program";
+    return "it is a STEP file of CAD surfaces, which are not read; "s + kFromCad;
 }
 
 std::optional<std::string> zip(View head, const std::string& ending) {
@@ -84,12 +92,12 @@ std::optional<std::string> zip(View head, const std::string& ending) {
     static constexpr std::array kPacked{".3mf"sv, ".kmz"sv, ".zae"sv, ".ifczip"sv, ".pk3"sv};
     if (std::ranges::find(kPacked, View(ending)) != kPacked.end()) return std::nullopt;
     if (ending == ".usdz" || has(head, ".usdc") || has(head, ".usda"))
-        return "it is a USDZ file, which is not read; export the model as glTF";
+        return "it is a USDZ file, which is not read; "s + kAsGltf;
     if (ending == ".fcstd" || has(head, "GuiDocument.xml"))
         return "it is a document of FreeCAD, which is not read; export it as STL, 3MF or glTF";
     if (has(head, "3D/3dmodel.model"))
         return "it is a 3MF file by its content; rename it so that it ends in .3mf";
-    return "it is a zip archive; unpack it and give the model inside";
+    return "it is a zip archive; "s + kUnpack;
 }
 
 std::optional<std::string> oldFbx(View head, const std::string&) {
@@ -133,9 +141,7 @@ std::optional<std::string> iges(View head, const std::string&) {
     if (head.size() < kLine + 8 || head[kLine] != 'S' || !has(head.substr(kLine + 1, 7), "1"))
         return std::nullopt;
     if (has(head.substr(0, kLine), "\n")) return std::nullopt;
-    return "it is an IGES file of CAD surfaces, which are not read; export it as STL, 3MF or glTF from the "
-           "CAD "
-           "program";
+    return "it is an IGES file of CAD surfaces, which are not read; "s + kFromCad;
 }
 
 constexpr std::array kByContent{step, zip, oldFbx, blend, compound, iges};
@@ -150,47 +156,42 @@ struct Signature {
 
 constexpr std::array kBinary{
     Signature{"\x1F\x8B"sv, "a file packed by gzip", "unpack it (gunzip) and give the model inside"},
-    Signature{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive", "unpack it and give the model inside"},
-    Signature{"Rar!\x1A\x07"sv, "a RAR archive", "unpack it and give the model inside"},
+    Signature{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive", kUnpack},
+    Signature{"Rar!\x1A\x07"sv, "a RAR archive", kUnpack},
     Signature{"BZh"sv, "a file packed by bzip2", "unpack it (bunzip2) and give the model inside"},
     Signature{"\xFD"
               "7zXZ\0"sv,
               "a file packed by xz", "unpack it (unxz) and give the model inside"},
     Signature{"\x28\xB5\x2F\xFD"sv, "a file packed by zstd", "unpack it (unzstd) and give the model inside"},
-    Signature{"PXR-USDC"sv, "a USD file, which is not read", "export the model as glTF"},
+    Signature{"PXR-USDC"sv, "a USD file, which is not read", kAsGltf},
     Signature{"3D Geometry File Format"sv, "a file of Rhino, which is not read",
               "export it as glTF, OBJ or STL from Rhino"},
     Signature{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0"sv, "a model of SketchUp, which is not read",
               "export it as glTF or Collada from SketchUp"},
     Signature{"AC10"sv, "a DWG drawing, which is not read",
               "export it as FBX, STL or DXF from the CAD program"},
-    Signature{"LASF"sv, "a point cloud (LAS or LAZ), which has no surfaces",
-              "make a mesh of it (CloudCompare, MeshLab) and save that as PLY"},
-    Signature{"ASTM-E57"sv, "a point cloud (E57), which has no surfaces",
-              "make a mesh of it (CloudCompare, MeshLab) and save that as PLY"},
-    Signature{"\x89HDF\r\n"sv, "an HDF5 file, which is not read", "export the model as glTF or OBJ"},
-    Signature{"Ogawa"sv, "an Alembic file, which is not read", "export the model as glTF or OBJ"},
+    Signature{"LASF"sv, "a point cloud (LAS or LAZ), which has no surfaces", kMeshOfIt},
+    Signature{"ASTM-E57"sv, "a point cloud (E57), which has no surfaces", kMeshOfIt},
+    Signature{"\x89HDF\r\n"sv, "an HDF5 file, which is not read", kAsGltfOrObj},
+    Signature{"Ogawa"sv, "an Alembic file, which is not read", kAsGltfOrObj},
     Signature{"\x89PNG\r\n"sv, "an image", "give a model"},
     Signature{"\xFF\xD8\xFF"sv, "an image", "give a model"},
-    Signature{"%PDF-"sv, "a PDF document", "export the model as glTF or OBJ"},
+    Signature{"%PDF-"sv, "a PDF document", kAsGltfOrObj},
 };
 
 constexpr std::array kText{
-    Signature{"#usda"sv, "a USD file, which is not read", "export the model as glTF"},
+    Signature{"#usda"sv, "a USD file, which is not read", kAsGltf},
     Signature{"#VRML V"sv, "a VRML file, which is not read", "export the model as X3D or glTF"},
-    Signature{"# .PCD"sv, "a point cloud (PCD), which has no surfaces",
-              "make a mesh of it (CloudCompare, MeshLab) and save that as PLY"},
-    Signature{"DBRep_DrawableShape"sv, "a BREP file of CAD surfaces, which are not read",
-              "export it as STL, 3MF or glTF from the CAD program"},
-    Signature{"CASCADE Topology"sv, "a BREP file of CAD surfaces, which are not read",
-              "export it as STL, 3MF or glTF from the CAD program"},
+    Signature{"# .PCD"sv, "a point cloud (PCD), which has no surfaces", kMeshOfIt},
+    Signature{"DBRep_DrawableShape"sv, "a BREP file of CAD surfaces, which are not read", kFromCad},
+    Signature{"CASCADE Topology"sv, "a BREP file of CAD surfaces, which are not read", kFromCad},
     Signature{"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, "a Parasolid file of CAD surfaces, which are not read",
-              "export it as STL, 3MF or glTF from the CAD program"},
+              kFromCad},
     Signature{"version https://git-lfs.github.com/"sv, "a pointer of Git LFS, not the model itself",
               "fetch the model (git lfs pull)"},
-    Signature{"<!DOCTYPE html"sv, "a web page, not a model", "download the file itself"},
-    Signature{"<!doctype html"sv, "a web page, not a model", "download the file itself"},
-    Signature{"<html"sv, "a web page, not a model", "download the file itself"},
+    Signature{"<!DOCTYPE html"sv, "a web page, not a model", kDownload},
+    Signature{"<!doctype html"sv, "a web page, not a model", kDownload},
+    Signature{"<html"sv, "a web page, not a model", kDownload},
 };
 
 std::optional<std::string> matching(std::span<const Signature> table, View head) {
@@ -233,8 +234,7 @@ std::optional<std::string> unreadFormat(const std::filesystem::path& path) {
     const bool packedBlend = ending == ".blend" && head.starts_with("\x1F\x8B");
     if (packedBlend) return std::nullopt; // which Assimp unpacks
     if (auto sentence = matching(kBinary, head)) return sentence;
-    if (head.size() > 262 && View(head).substr(257, 5) == "ustar")
-        return "it is a tar archive; unpack it and give the model inside";
+    if (head.size() > 262 && View(head).substr(257, 5) == "ustar") return "it is a tar archive; "s + kUnpack;
     return matching(kText, textBeginning(head));
 }
 

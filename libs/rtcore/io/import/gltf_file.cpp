@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/files.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -16,16 +17,20 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t kGlbHead = 20; ///< magic, version, length; length and kind of the first chunk
+
+std::string_view textOf(const FileBytes& file) {
+    return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
+}
+
 /// The JSON of a .glb is its first chunk.
-std::string_view jsonOf(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    constexpr std::size_t kHead = 20; // magic, version, length; length and kind of the chunk
+std::string_view jsonOf(const std::filesystem::path& path, std::string_view text) {
     if (!text.starts_with("glTF")) return path.extension() == ".gltf" ? text : std::string_view();
     std::uint32_t version = 0, length = 0;
-    if (text.size() < kHead) return {};
+    if (text.size() < kGlbHead) return {};
     std::memcpy(&version, text.data() + 4, sizeof version);
     std::memcpy(&length, text.data() + 12, sizeof length);
-    return version == 2 ? text.substr(kHead, length) : std::string_view();
+    return version == 2 ? text.substr(kGlbHead, length) : std::string_view();
 }
 
 /// A member that may be missing; throws Json::exception when the parent is no object.
@@ -158,6 +163,32 @@ bool storesPositions(const std::string& extension) {
            extension == "KHR_meshopt_compression";
 }
 
+/// As its asset says; "" where that says nothing.
+std::string versionOf(const Json& root) {
+    if (!root.is_object() || !member(root, "asset").is_object()) return "";
+    const Json& version = member(member(root, "asset"), "version");
+    return version.is_string() ? version.get<std::string>() : "";
+}
+
+std::string unreadVersion(const std::string& version) {
+    return "it is glTF " + version + ", which is not read; export it as glTF 2.0";
+}
+
+/// Of the head of a .glb. Cut off is another matter (cut_off.h).
+std::optional<std::string> damageOfBinary(std::string_view text) {
+    std::uint32_t version = 0;
+    if (text.size() < kGlbHead) return {};
+    std::memcpy(&version, text.data() + 4, sizeof version);
+    if (version != 2) return unreadVersion(fmt::format("{} in a binary file", version));
+    if (text.substr(16, 4) != "JSON")
+        return "its first chunk holds no JSON; it is damaged: copy or export it again";
+    std::uint32_t length = 0;
+    std::memcpy(&length, text.data() + 12, sizeof length);
+    if (length > text.size() - kGlbHead)
+        return "its first chunk is longer than the file; it is damaged: copy or export it again";
+    return {};
+}
+
 } // namespace
 
 std::string remedyFor(const std::string& extension) {
@@ -178,7 +209,7 @@ std::string remedyFor(const std::string& extension) {
 
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
     const FileBytes file = openFileBytes(path);
-    const std::string_view text = jsonOf(path, file.bytes);
+    const std::string_view text = jsonOf(path, textOf(file));
     if (text.empty()) return {};
     try {
         const Json root = Json::parse(text);
@@ -199,6 +230,27 @@ std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
     } catch (const Json::exception&) {
         return {};
     }
+}
+
+std::optional<std::string> gltfDamage(const std::filesystem::path& path) {
+    const FileBytes file = openFileBytes(path);
+    const std::string_view whole = textOf(file);
+    if (whole.starts_with("glTF"))
+        if (auto damage = damageOfBinary(whole)) return damage;
+    const std::string_view text = jsonOf(path, whole);
+    if (text.empty()) return {};
+    try {
+        const std::string version = versionOf(Json::parse(text));
+        if (version.empty()) return "its JSON does not say which version of glTF it is; export it again";
+        if (version[0] != '1' && version[0] != '2') return unreadVersion(version);
+    } catch (const Json::parse_error& error) {
+        if (error.byte > text.size() && text.size() == whole.size())
+            return fmt::format("it is cut off: its JSON does not end within {} bytes; copy it again",
+                               text.size());
+        return fmt::format("its JSON is damaged at byte {}; copy or export it again",
+                           error.byte + static_cast<std::size_t>(text.data() - whole.data()));
+    }
+    return {};
 }
 
 } // namespace rtcore

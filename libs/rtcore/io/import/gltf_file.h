@@ -31,4 +31,8 @@ std::string remedyFor(const std::string& extension);
 /// Nothing when it is no glTF 2 (.gltf or .glb, by content), or its JSON is damaged.
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path);
 
+/// Why no reader takes a file that is glTF by its content or its name: its version, or where it is damaged;
+/// what to do, as one sentence without a name. Nothing when it is no glTF, or no reason is found.
+std::optional<std::string> gltfDamage(const std::filesystem::path& path);
+
 } // namespace rtcore

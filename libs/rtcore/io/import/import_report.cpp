@@ -22,10 +22,28 @@ void addOnce(std::vector<std::string>& paths, const std::string& path) {
     if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
 }
 
-void writePaths(std::ostream& out, const char* name, const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) {
-        if (path.find('\n') == std::string::npos) out << name << ' ' << path << '\n';
+/// One line, from which pathOf() makes the same name.
+std::string lineOf(const std::string& path) {
+    std::string line;
+    for (const char c : path) {
+        if (c == '\n' || c == '\\') line += '\\';
+        line += c == '\n' ? 'n' : c;
     }
+    return line;
+}
+
+std::string pathOf(const std::string& line) {
+    std::string path;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool quoted = line[i] == '\\' && i + 1 < line.size();
+        if (quoted) ++i;
+        path += quoted && line[i] == 'n' ? '\n' : line[i];
+    }
+    return path;
+}
+
+void writePaths(std::ostream& out, const char* name, const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) out << name << ' ' << lineOf(path) << '\n';
 }
 
 } // namespace
@@ -73,8 +91,8 @@ ImportReport readReport(const std::string& text) {
         if (name == "unconnected") report.unconnectedTriangles = count;
         if (name == "equal") report.equalTriangles = count;
         if (name == "warning") addWarning(report, value);
-        if (name == "file") addFile(report, value);
-        if (name == "image") addImage(report, value);
+        if (name == "file") addFile(report, pathOf(value));
+        if (name == "image") addImage(report, pathOf(value));
     }
     return report;
 }

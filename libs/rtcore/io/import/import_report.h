@@ -31,7 +31,7 @@ void addWarning(ImportReport& report, const std::string& text);
 void addFile(ImportReport& report, const std::string& path);
 void addImage(ImportReport& report, const std::string& path); ///< to both lists
 
-/// Lines "name value". A file whose name holds a line break is left out.
+/// Lines "name value"; names of files with \\ and \n for a backslash and a line feed.
 std::string writeReport(const ImportReport& report);
 /// Takes any text: lines that it does not know are skipped.
 ImportReport readReport(const std::string& text);

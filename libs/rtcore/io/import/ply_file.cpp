@@ -39,7 +39,7 @@ bool isScan(const PlyHeader& header) {
     const auto passedOver = [](const PlyElement& e) {
         return !e.hasList() && e.name != "material" && e.name != "tristrips";
     };
-    return vertices < faces && faces != elements.end() &&
+    return !header.isText && vertices < faces && faces != elements.end() &&
            std::all_of(elements.begin(), elements.end(),
                        [&](const PlyElement& e) { return passedOver(e) || &e == &*faces; });
 }
@@ -58,6 +58,26 @@ ScanMesh readPly(const InputFile& file, const PlyHeader& header, const std::func
         }
     }
     return mesh;
+}
+
+void refuseCutOffText(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive) {
+    PieceReader in(file, header.size, alive);
+    std::uint64_t lines = 0;
+    bool blank = true; // so far, of the line that is counted
+    for (auto piece = in.ahead(1); !piece.empty(); in.skip(piece.size()), piece = in.ahead(1)) {
+        for (const std::byte byte : piece) {
+            if (byte == std::byte{'\n'}) {
+                blank = true;
+            } else if (blank && byte > std::byte{' '}) {
+                blank = false;
+                ++lines;
+            }
+        }
+    }
+    for (const PlyElement& element : header.elements) {
+        if (lines < element.count) refuseCutOff(element, lines);
+        lines -= element.count;
+    }
 }
 
 } // namespace rtcore

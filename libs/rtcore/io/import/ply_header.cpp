@@ -65,7 +65,8 @@ class HeaderReader {
         if (hasFormat_ || words.size() != 3 || words[2] != "1.0") return false;
         hasFormat_ = true;
         header_.bigEndian = words[1] == "binary_big_endian";
-        return header_.bigEndian || words[1] == "binary_little_endian";
+        header_.isText = words[1] == "ascii";
+        return header_.isText || header_.bigEndian || words[1] == "binary_little_endian";
     }
 
     bool readElement(const Words& words) {

@@ -1,4 +1,4 @@
-/// The head of a binary PLY file.
+/// The head of a PLY file.
 #pragma once
 
 #include <cstddef>
@@ -32,6 +32,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
+    bool isText = false; ///< each element is a line
     bool bigEndian = false;
     std::size_t size = 0;             ///< bytes; the first element begins there
     std::vector<PlyElement> elements; ///< in the order of the file, no name twice
@@ -39,7 +40,7 @@ struct PlyHeader {
 
 inline constexpr std::size_t kMostPlyHeader = 262'144;
 
-/// `head` is the beginning of a file. Nothing when that is no binary PLY file or its head has more than
+/// `head` is the beginning of a file. Nothing when that is no PLY file or its head has more than
 /// kMostPlyHeader bytes, words that the format does not have, or the name of a texture.
 std::optional<PlyHeader> readPlyHeader(std::string_view head);
 

@@ -52,6 +52,7 @@ std::optional<Scan> readScan(const std::filesystem::path& path, const std::funct
     const auto header = readPlyHeader(text);
     if (header && isScan(*header))
         return Scan{readPly(file, *header, alive), "Stanford Polygon Library (PLY) Importer", ""};
+    if (header && header->isText) refuseCutOffText(file, *header, alive);
     // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
     // ever.
     if (endsInPlyHeader(text))
