@@ -52,7 +52,10 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
         lobes.phong.roughScale = selectOrZero(glossy, ofPoints.get(&MaterialRow::roughScale));
     }
     const Mask mirrors = used & hasTrait(traits, traits::kSpecular);
-    const Float mirrored = selectOrZero(mirrors, max(luminance<Float>(loadAt(s.specular, i)), 0.0F));
+    Float mirrored{};
+    if (any(mirrors)) {
+        mirrored = selectOrZero(mirrors, max(luminance<Float>(loadAt(s.specular, i)), 0.0F));
+    }
     Float3 albedo = lobes.phong.diffuse * kPi + lobes.phong.specular;
     if (any(lobes.metallic)) {
         const Float3 gloss = loadAt(s.gloss, i), further = loadAt(s.further, i);
@@ -65,7 +68,9 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
     const Float scattered = max(luminance<Float>(loadAt(s.weight, i) * albedo), 0.0F);
     const Float both = mirrored + scattered;
     lobes.drawable = used & ((both > 0.0F) & isFinite(both));
-    lobes.mirror = selectOrZero(lobes.drawable, mirrored / select(lobes.drawable, both, Float(1)));
+    if (any(mirrors)) {
+        lobes.mirror = selectOrZero(lobes.drawable, mirrored / select(lobes.drawable, both, Float(1)));
+    }
     return lobes;
 }
 

@@ -28,10 +28,11 @@ inline constexpr float kLeastAlbedo = 1e-3F;
 /// What facets of Schlick's reflectance F0 send on after the first one, to one viewer.
 template <typename F>
 struct FurtherFacets {
-    F straight;               ///< times F0: added to the GGX lobe's factor for facets seen straight on
-    F grazing, grazingByBase; ///< first + second times F0: added to that for facets at right angles
-    F wide[4];                ///< the albedo of the rest, by F0 to the powers 1 to 4
-    Vec3Of<F> shape;          ///< of the rest, for furtherFactor()
+    /// Added to the GGX lobe's factors: F0 (first + second F0) to that for facets seen straight on, first +
+    /// second F0 to that for facets at right angles.
+    F straight, straightByBase, grazing, grazingByBase;
+    F wide[4];       ///< the albedo of the rest, by F0 to the powers 1 to 4
+    Vec3Of<F> shape; ///< of the rest, for furtherFactor()
 };
 
 /// c[0] + c[1] y + ... + x (c[length] + c[length + 1] y + ... + x (...)): all terms of x and y of a degree
@@ -51,33 +52,38 @@ HWY_INLINE F polynomial(const float (&c)[n], F x, F y) {
 /// `albedo`: of one reflection at this roughness and cosine of the viewer.
 template <typename F>
 HWY_INLINE FurtherFacets<F> furtherFacets(const GgxAlbedo<F>& albedo, F roughness, F cosine) {
-    static constexpr float kStraight[] = {5.402F,   -4.669F, -4.665F, 3.176F,  0.707F,
-                                          -17.049F, 22.126F, 0.295F,  -5.278F, 17.668F,
-                                          -23.261F, 6.876F,  -6.81F,  4.286F,  1.256F};
-    static constexpr float kGrazing[] = {1.375F, -1.691F, 3.065F, -2.477F, -2.545F,
-                                         1.826F, 0.405F,  1.948F, -1.568F, -0.54F};
-    static constexpr float kGrazingByBase[] = {-8.596F,  23.828F,   -46.406F, 101.021F, -467.128F, 523.74F,
-                                               32.272F,  -120.236F, 88.59F,   732.653F, -884.209F, -58.654F,
-                                               257.382F, -689.49F,  487.626F, 69.767F,  -113.199F, 40.952F,
-                                               -51.945F, 82.785F,   6.585F};
-    static constexpr float kWide1[] = {0.0509F, 0.003F, -0.0646F};
-    static constexpr float kWide2[] = {-0.2557F, 0.3959F,  1.7439F, 0.3768F, 0.7761F,
-                                       -3.2983F, -2.7756F, 2.9678F, 3.4545F, -2.9762F};
-    static constexpr float kWide3[] = {-0.1939F, 0.1337F, 0.4713F};
-    static constexpr float kCosine[] = {-18.987F, 20.915F, -5.526F, -1.968F, 28.787F,
-                                        -27.131F, 4.875F,  0.387F,  13.235F, -12.869F};
-    static constexpr float kSquare[] = {13.638F, -14.634F, 1.087F, 1.679F,   -24.747F,
-                                        23.318F, -1.669F,  6.667F, -11.108F, 5.212F};
-    static constexpr float kAround[] = {-0.174F, -1.165F, -0.166F, 1.242F, 1.485F, -1.196F};
+    static constexpr float kStraight[] = {4.902F,   -2.623F, -8.449F, 5.217F,  0.441F,
+                                          -17.134F, 21.361F, 4.014F,  -6.567F, 18.784F,
+                                          -25.87F,  6.182F,  -6.998F, 5.913F,  0.883F};
+    static constexpr float kStraightByBase[] = {0.194F, 0.43F, -0.373F, -0.516F, 0.293F, 0.016F};
+    static constexpr float kGrazing[] = {1.513F, -1.802F, 0.535F, 2.824F,  -2.567F,
+                                         5.72F,  -5.314F, 0.315F, -1.329F, 0.36F};
+    static constexpr float kGrazingByBase[] = {-8.961F,  19.677F,   -18.411F, 30.249F,  -413.152F, 503.728F,
+                                               40.436F,  -136.429F, 67.479F,  883.164F, -957.732F, -82.209F,
+                                               325.816F, -862.614F, 485.862F, 94.003F,  -97.374F,  150.661F,
+                                               -75.551F, 34.062F,   20.313F};
+    static constexpr float kWide1[] = {0.0821F, 0.012F, -0.1025F};
+    static constexpr float kWide2[] = {-0.3971F, 0.5408F,  2.0188F, -0.0811F, 1.7901F,
+                                       -4.3041F, -1.7197F, 1.4847F, 3.0634F,  -2.0225F};
+    static constexpr float kWide3[] = {-0.4133F, -0.083F, 0.8854F};
+    static constexpr float kCosine[] = {-11.99F, 3.999F,  -1.154F, 1.037F, 18.271F,
+                                        7.572F,  -9.198F, -2.715F, 4.819F, -8.902F};
+    static constexpr float kSquare[] = {8.652F,  -2.031F, -2.426F, -0.729F, -18.122F,
+                                        -2.465F, 9.258F,  11.107F, -4.686F, 0.946F};
+    static constexpr float kAround[] = {-0.428F, -0.61F, -0.224F, 1.599F, 1.003F, -1.324F};
     const F x = min(max(F(0), roughness), F(1)), y = sqrt(min(max(F(0), cosine), F(1)));
     const F straight = polynomial<5>(kStraight, x, y);
+    const F straightByBase = polynomial<3>(kStraightByBase, x, y);
     const F grazing = polynomial<4>(kGrazing, x, y), grazingByBase = polynomial<6>(kGrazingByBase, x, y);
     const F wide1 = polynomial<2>(kWide1, x, y), wide2 = polynomial<4>(kWide2, x, y);
     const F wide3 = polynomial<2>(kWide3, x, y);
     // The parts of white make up all of what one reflection loses.
-    const F wide4 = 1.0F - straight - (grazing + grazingByBase) * albedo.grazing - (wide1 + wide2 + wide3);
+    const F wide4 = 1.0F - straight - straightByBase - (grazing + grazingByBase) * albedo.grazing -
+                    (wide1 + wide2 + wide3);
     const F lost = max(1.0F - albedo.straight - albedo.grazing, F(0));
-    return {lost * straight / max(albedo.straight, F(kLeastAlbedo)),
+    const F ofStraight = lost / max(albedo.straight, F(kLeastAlbedo));
+    return {ofStraight * straight,
+            ofStraight * straightByBase,
             lost * grazing,
             lost * grazingByBase,
             {lost * wide1, lost * wide2, lost * wide3, lost * wide4},

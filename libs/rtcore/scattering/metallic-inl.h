@@ -72,7 +72,8 @@ HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F>
     }
     FurtherFacets<F> further{};
     if (any(metallic > 0.0F)) further = furtherFacets<F>(albedo, roughness, cosine);
-    lobes.straight = base * (metallic * (1.0F + further.straight)) + other * reflectance;
+    const Vec3Of<F> straight = white * (1.0F + further.straight) + base * further.straightByBase;
+    lobes.straight = base * straight * metallic + other * reflectance;
     lobes.grazing = (white * (1.0F + further.grazing) + base * further.grazingByBase) * metallic + other;
     lobes.further = Vec3Of<F>{wideAlbedo<F>(further, base.x), wideAlbedo<F>(further, base.y),
                               wideAlbedo<F>(further, base.z)} *
