@@ -24,6 +24,7 @@ struct PointLobes {
     Float3 geometricNormal, normal, toViewer; ///< as in SurfaceWave
     PhongLobes<Float> phong;
     Mask metallic; ///< these have the lobes below in place of those above
+    bool anyPhong; ///< some have those above
     MetallicLobes<Float> metal;
     Float3 metalViewer; ///< lifted
     Float mirror;       ///< with what probability the path goes on as the mirror does, 0..1
@@ -35,6 +36,7 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
     const Uint traits = load(s.traits + i);
     PointLobes lobes{};
     lobes.metallic = used & hasTrait(traits, traits::kMetallic);
+    lobes.anyPhong = any(without(used, lobes.metallic));
     lobes.geometricNormal = loadAt(s.geometricNormal, i);
     lobes.normal = loadAt(s.shadingNormal, i);
     lobes.toViewer = loadAt(s.toViewer, i);
@@ -50,20 +52,25 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
         lobes.phong.roughScale = selectOrZero(glossy, ofPoints.get(&MaterialRow::roughScale));
     }
     const Mask mirrors = used & hasTrait(traits, traits::kSpecular);
-    const Float mirrored = selectOrZero(mirrors, max(luminance<Float>(loadAt(s.specular, i)), 0.0F));
+    Float mirrored{};
+    if (any(mirrors)) {
+        mirrored = selectOrZero(mirrors, max(luminance<Float>(loadAt(s.specular, i)), 0.0F));
+    }
     Float3 albedo = lobes.phong.diffuse * kPi + lobes.phong.specular;
     if (any(lobes.metallic)) {
         const Float3 gloss = loadAt(s.gloss, i), further = loadAt(s.further, i);
         lobes.metal = {
             lobes.phong.diffuse * kPi, loadAt(s.straight, i), loadAt(s.grazing, i), gloss - further, further,
-            load(s.alpha + i)};
+            loadAt(s.furtherShape, i), load(s.alpha + i)};
         lobes.metalViewer = liftedViewer<Float>(lobes.toViewer, lobes.normal);
         albedo = select(lobes.metallic, lobes.metal.diffuse + gloss, albedo);
     }
     const Float scattered = max(luminance<Float>(loadAt(s.weight, i) * albedo), 0.0F);
     const Float both = mirrored + scattered;
     lobes.drawable = used & ((both > 0.0F) & isFinite(both));
-    lobes.mirror = selectOrZero(lobes.drawable, mirrored / select(lobes.drawable, both, Float(1)));
+    if (any(mirrors)) {
+        lobes.mirror = selectOrZero(lobes.drawable, mirrored / select(lobes.drawable, both, Float(1)));
+    }
     return lobes;
 }
 
@@ -77,7 +84,8 @@ HWY_INLINE Scattered scatteredFrom(const PointLobes& lobes, Float3 toLight) {
     const Float geometric = dot(lobes.geometricNormal, toLight);
     const Float cosine = dot(lobes.normal, toLight);
     const Mask lit = (geometric > 0.0F) & (cosine > 0.0F);
-    Scattering<Float> all = scatterPhong<Float>(lobes.phong, lobes.normal, lobes.toViewer, toLight);
+    Scattering<Float> all{};
+    if (lobes.anyPhong) all = scatterPhong<Float>(lobes.phong, lobes.normal, lobes.toViewer, toLight);
     if (any(lobes.metallic)) {
         const Scattering<Float> metal =
             scatterMetallic<Float>(lobes.metal, lobes.normal, lobes.metalViewer, toLight);
@@ -100,7 +108,10 @@ struct DrawnWay {
 HWY_INLINE DrawnWay drawWay(const PointLobes& lobes, Float lobe, SquarePointOf<Float> point) {
     const Mask mirrored = lobes.drawable & (lobe < lobes.mirror);
     const Float rest = (lobe - lobes.mirror) / max(1.0F - lobes.mirror, 1e-6F);
-    Float3 direction = drawPhongScattering<Float>(lobes.phong, lobes.normal, lobes.toViewer, rest, point);
+    Float3 direction{};
+    if (lobes.anyPhong) {
+        direction = drawPhongScattering<Float>(lobes.phong, lobes.normal, lobes.toViewer, rest, point);
+    }
     if (any(lobes.metallic)) {
         const Float3 drawn = drawMetallic<Float>(lobes.metal, lobes.normal, lobes.metalViewer, rest, point);
         direction = select(lobes.metallic, drawn, direction);
@@ -109,8 +120,10 @@ HWY_INLINE DrawnWay drawWay(const PointLobes& lobes, Float lobe, SquarePointOf<F
         const Float3 mirror = mirrorDirection<Float>(lobes.toViewer, lobes.normal, lobes.geometricNormal);
         direction = select(mirrored, normalize(mirror, mirrored), direction);
     }
-    const Float cosine = dot(lobes.normal, lobes.toViewer);
-    Float gloss = phongProbability<Float>(lobes.phong, cosine);
+    Float gloss{};
+    if (lobes.anyPhong) {
+        gloss = phongProbability<Float>(lobes.phong, dot(lobes.normal, lobes.toViewer));
+    }
     if (any(lobes.metallic)) gloss = select(lobes.metallic, glossProbability<Float>(lobes.metal), gloss);
     // What metal scatters further is drawn as matte surfaces are, and is none.
     const Mask matte = without(!(rest < gloss), lobes.metallic & isZero(lobes.metal.diffuse));

@@ -36,8 +36,10 @@ HWY_INLINE F widenedAlpha(F alpha, F spread) {
 template <typename F>
 HWY_INLINE Vec3Of<F> liftedViewer(Vec3Of<F> toViewer, Vec3Of<F> normal) {
     const F cosine = dot(toViewer, normal);
+    const auto low = cosine < kLeastViewerCosine;
+    if (none(low)) return toViewer;
     const Vec3Of<F> lifted = toViewer + normal * (kLeastViewerCosine - cosine);
-    return select(cosine < kLeastViewerCosine, lifted / sqrt(dot(lifted, lifted)), toViewer);
+    return select(low, lifted / sqrt(dot(lifted, lifted)), toViewer);
 }
 
 /// Microfacets by solid angle of their normals `facet`. The sine comes from the cross product, since 1 -

@@ -16,9 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Factors that stand for what a lobe lacks divide by no less.
-inline constexpr float kLeastAlbedo = 1e-3F;
-
 /// Each channel that is below 0 becomes 0.
 template <typename F>
 HWY_INLINE Vec3Of<F> atLeastZero(Vec3Of<F> v) {
@@ -31,7 +28,8 @@ struct MetallicLobes {
     Vec3Of<F> diffuse;           ///< albedo
     Vec3Of<F> straight, grazing; ///< factors on the GGX lobe for facets seen straight on and at right angles
     Vec3Of<F> glossAlbedo;       ///< of the GGX lobe, for even light
-    Vec3Of<F> further;           ///< albedo of what leaves metal by furtherShape()
+    Vec3Of<F> further;           ///< albedo of the wide part of what metal sends after further facets
+    Vec3Of<F> shape;             ///< of that, for furtherFactor()
     F alpha;
 };
 
@@ -62,24 +60,27 @@ template <typename F>
 HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F> base, F metallic,
                                           F roughness, Vec3Of<F> reflectance, F cosine) {
     const GgxAlbedo<F> albedo = ggxAlbedo<F>(table, cosine, roughness);
-    const F isDielectric = 1.0F - metallic, alpha = ggxAlpha<F>(roughness);
+    const F isDielectric = 1.0F - metallic;
     const Vec3Of<F> white = broadcast<F>(kWhite);
-    const Vec3Of<F> dielectric = factorOfFurtherFacets<F>(albedo, reflectance);
-    const Vec3Of<F> glossOfDielectric = (reflectance * albedo.straight + white * albedo.grazing) * dielectric;
-    const Vec3Of<F> further = Vec3Of<F>{furtherAlbedo<F>(albedo, alpha, cosine, base.x),
-                                        furtherAlbedo<F>(albedo, alpha, cosine, base.y),
-                                        furtherAlbedo<F>(albedo, alpha, cosine, base.z)} *
-                              metallic;
-    const F near = nearFraction<F>(alpha, cosine);
-    const Vec3Of<F> other = dielectric * isDielectric;
-    MetallicLobes<F> lobes;
-    lobes.diffuse = base * atLeastZero<F>(white - glossOfDielectric) * isDielectric;
-    lobes.straight =
-        base * metallic + further * (near / max(albedo.straight, F(kLeastAlbedo))) + other * reflectance;
-    lobes.grazing = white * metallic + other;
-    lobes.further = further * (1.0F - near);
+    MetallicLobes<F> lobes{};
+    Vec3Of<F> other{};
+    if (any(isDielectric > 0.0F)) {
+        const Vec3Of<F> factor = factorOfFurtherFacets<F>(albedo, reflectance);
+        const Vec3Of<F> gloss = (reflectance * albedo.straight + white * albedo.grazing) * factor;
+        lobes.diffuse = base * atLeastZero<F>(white - gloss) * isDielectric;
+        other = factor * isDielectric;
+    }
+    FurtherFacets<F> further{};
+    if (any(metallic > 0.0F)) further = furtherFacets<F>(albedo, roughness, cosine);
+    const Vec3Of<F> straight = white * (1.0F + further.straight) + base * further.straightByBase;
+    lobes.straight = base * straight * metallic + other * reflectance;
+    lobes.grazing = (white * (1.0F + further.grazing) + base * further.grazingByBase) * metallic + other;
+    lobes.further = Vec3Of<F>{wideAlbedo<F>(further, base.x), wideAlbedo<F>(further, base.y),
+                              wideAlbedo<F>(further, base.z)} *
+                    metallic;
+    lobes.shape = further.shape;
     lobes.glossAlbedo = lobes.straight * albedo.straight + lobes.grazing * albedo.grazing;
-    lobes.alpha = alpha;
+    lobes.alpha = ggxAlpha<F>(roughness);
     return lobes;
 }
 
@@ -105,7 +106,8 @@ HWY_INLINE Scattering<F> scatterMetallic(const MetallicLobes<F>& lobes, Vec3Of<F
     const GgxScattering<F> gloss = scatterGgx<F>(normal, toViewer, toLight, lobes.alpha);
     const F cosine = dot(normal, toLight);
     const Vec3Of<F> factor = glossFactor<F>(lobes.straight, lobes.grazing, gloss.fresnelCosine);
-    const Vec3Of<F> wide = lobes.diffuse + lobes.further * furtherShape<F>(lobes.alpha, cosine);
+    const F wideFactor = furtherFactor<F>(lobes.shape, dot(normal, toViewer), cosine, dot(toViewer, toLight));
+    const Vec3Of<F> wide = lobes.diffuse + lobes.further * wideFactor;
     const F probability = glossProbability<F>(lobes);
     const auto above = cosine > 0.0F;
     return {

@@ -71,6 +71,7 @@ void completeMetallic(const MetallicTask& task, const SurfaceWave& s) {
         storeAt(lobes.grazing, s.grazing, i);
         storeAt(gloss, s.gloss, i);
         storeAt(lobes.further, s.further, i);
+        storeAt(lobes.shape, s.furtherShape, i);
         store(lobes.alpha, s.alpha + i);
         storeAt(select(used, lobes.diffuse / kPi, diffuse), s.diffuse, i);
         if (task.emitted == nullptr) continue;

@@ -21,9 +21,9 @@ enum class Mirroring : std::uint8_t {
 class MetallicPoints {
   public:
     /// For points whose `diffuse` is the base colour / pi, and `weight` that of all light that they reflect:
-    /// sets `diffuse`, `straight`, `grazing`, `gloss`, `further` and `alpha`, and where they mirror
-    /// `specular` and the trait kSpecular. `emitted`, unless it is null, gets what they reflect of `ambient`,
-    /// a radiance from all directions. The wave has at least one such material
+    /// sets `diffuse`, `straight`, `grazing`, `gloss`, `further`, `furtherShape` and `alpha`, and where they
+    /// mirror `specular` and the trait kSpecular. `emitted`, unless it is null, gets what they reflect of
+    /// `ambient`, a radiance from all directions. The wave has at least one such material
     /// (MaterialTable::anyMetallic()).
     void complete(const FrameContext& frame, const Wave& wave, Mirroring mirroring, Colour ambient,
                   const ArraysOf3* emitted);

@@ -25,8 +25,8 @@ Vec3d albedoOf(const Lobes& lobes, Vec3 viewer, std::uint32_t count = 8192) {
         [&](Vec3 d) { return formulas::scatterMetallic<float>(lobes, test::kTilted, viewer, d); });
 }
 
-Vec3d albedoAt(Vec3 base, float metallic, float roughness, float cosine) {
-    return albedoOf(lobesOf(base, metallic, roughness, cosine), test::viewerAt(cosine));
+Vec3d albedoAt(Vec3 base, float metallic, float roughness, float cosine, std::uint32_t count = 8192) {
+    return albedoOf(lobesOf(base, metallic, roughness, cosine), test::viewerAt(cosine), count);
 }
 
 TEST(Metallic, WhiteSurfacesGiveOffWhatTheyGet) {
@@ -47,7 +47,7 @@ TEST(Metallic, AlbedosOfMetals) {
     EXPECT_NEAR(quarter.x, 0.8921, 0.002);
     EXPECT_NEAR(quarter.y, 0.4844, 0.002);
     EXPECT_NEAR(quarter.z, 0.0596, 0.001);
-    const Vec3d rough = albedoAt({0.9F, 0.5F, 0.04F}, 1, 1, 0.5F);
+    const Vec3d rough = albedoAt({0.9F, 0.5F, 0.04F}, 1, 1, 0.5F, 131072);
     EXPECT_NEAR(rough.x, 0.8337, 0.003);
     EXPECT_NEAR(rough.y, 0.3449, 0.002);
 }

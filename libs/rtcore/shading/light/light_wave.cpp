@@ -73,13 +73,14 @@ template <bool area>
 HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask metallic,
                                       const LightSample<Float>& arriving, Float3 normal) {
     Float alpha = load(s.alpha + i);
-    const Float wide = furtherShape<Float>(alpha, dot(normal, arriving.toLight)) * kLambertLobe;
     if constexpr (area) alpha = widenedAlpha<Float>(alpha, arriving.spread);
     const Float3 viewer = liftedViewer<Float>(loadAt(s.toViewer, i), normal);
     const GgxScattering<Float> gloss = scatterGgx<Float>(normal, viewer, arriving.toLight, alpha);
     const Float3 factor =
         glossFactor<Float>(loadAt(s.straight, i), loadAt(s.grazing, i), gloss.fresnelCosine);
-    return selectOrZero(metallic, factor * gloss.lobe + loadAt(s.further, i) * wide);
+    const Float wide = furtherFactor<Float>(loadAt(s.furtherShape, i), dot(normal, viewer),
+                                            dot(normal, arriving.toLight), dot(viewer, arriving.toLight));
+    return selectOrZero(metallic, factor * gloss.lobe + loadAt(s.further, i) * (wide * kLambertLobe));
 }
 
 /// `area`: it has a size, to which highlights are widened.

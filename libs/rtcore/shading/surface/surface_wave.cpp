@@ -164,7 +164,7 @@ void SurfaceWave::resize(std::size_t count, const MaterialTable& materials) {
     const bool metallic = materials.anyMetallic(), tinted = materials.anyTint();
     ArraysOf3* const always[] = {&position, &geometricNormal, &shadingNormal, &toViewer,
                                  &diffuse,  &weight,          &specular,      &added};
-    ArraysOf3* const ofMetal[] = {&straight, &grazing, &gloss, &further};
+    ArraysOf3* const ofMetal[] = {&straight, &grazing, &gloss, &further, &furtherShape};
     const std::size_t vectors = std::size(always) + (metallic ? std::size(ofMetal) : 0) + (tinted ? 1 : 0);
     memory_.resize(3 * vectors + (metallic ? 2 : 1), count);
     std::size_t next = 0;

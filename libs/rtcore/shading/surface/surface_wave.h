@@ -36,9 +36,9 @@ class SurfaceWave {
     ArraysOf3 toViewer;         ///< unit
     ArraysOf3 diffuse;          ///< albedo / pi
     /// Where traits have kMetallic: factors on the GGX lobe, the albedo of all gloss beside what is mirrored,
-    /// which part of it is scattered further, and alpha (MetallicLobes). Null where no material is of that
-    /// model.
-    ArraysOf3 straight, grazing, gloss, further;
+    /// which part of it is scattered further and with what shape, and alpha (MetallicLobes). Null where no
+    /// material is of that model.
+    ArraysOf3 straight, grazing, gloss, further, furtherShape;
     float* alpha = nullptr;
     ArraysOf3 tint;   ///< factor on the Phong lobes; null where no material has a texture of it
     ArraysOf3 weight; ///< throughput of the path up to here: the fraction of scattered light that reaches the
