@@ -81,9 +81,8 @@ class PhaseWatch {
 };
 
 /// Glass that light passes unbent, since it bounds no solid.
-void tellOpenGlass(const rtcore::Scene& scene, app::Progress& progress) {
+void tellOpenGlass(const std::vector<rtcore::OpenGlass>& open, app::Progress& progress) {
     constexpr std::size_t kMost = 10;
-    const std::vector<rtcore::OpenGlass> open = rtcore::findOpenGlass(scene.model, scene.materials);
     for (std::size_t i = 0; i < std::min(open.size(), kMost); ++i) {
         const rtcore::OpenGlass& glass = open[i];
         progress.print(fmt::format(
@@ -128,7 +127,7 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
         if (!guess.empty() && forPeople) progress.print(options.scene.filename().string() + ": " + guess);
         app::selectParts(options.selection, loaded.scene);
         app::selectLights(options.selection, loaded.scene);
-        if (options.verbose) tellOpenGlass(loaded.scene, progress);
+        if (options.verbose) tellOpenGlass(loaded.openGlass, progress);
         return loaded;
     } catch (const rtcore::BuildCancelled&) {
         giveUp();

@@ -86,6 +86,21 @@ TEST_F(ModelWarnings, ManyEqualTrianglesGiveTheBitsOfTheirCopies) {
     }
 }
 
+TEST_F(ModelWarnings, OpenGlassIsNamedByVerboseAlone) {
+    test::writeText(folder / "m.mtl", "newmtl glass\nd 0.1\nNi 1.5\n");
+    test::writeText(folder / "m.obj", "mtllib m.mtl\nusemtl glass\n"
+                                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 5\nv 1 0 5\nv 1 1 5\n"
+                                      "o pane\nf 1 2 3 4\no tent\nf 5 7 6\nf 5 6 1\nf 6 7 1\nf 7 5 1\n");
+    Names arguments{file("m.obj"), "-o", file("a.png"), "-w", "16", "-h", "12"};
+    const char* const told = "the glass of \"pane\" is open (edges that do not join two triangles: 4)";
+    const test::ProgramResult silent = test::renderer(arguments);
+    EXPECT_EQ(silent.error.find("is open"), std::string::npos) << silent.error;
+    arguments.emplace_back("-v");
+    const test::ProgramResult verbose = test::renderer(arguments);
+    EXPECT_NE(verbose.error.find(told), std::string::npos) << verbose.error;
+    EXPECT_EQ(verbose.error.find("tent"), std::string::npos) << verbose.error;
+}
+
 TEST_F(ModelWarnings, ABspIsNotGivenTheEndingOfAnotherKind) {
     test::writeText(folder / "m.obj", std::string(kSquare) + "f 1 2 3\n");
     for (const char* name : {"a.png", "a.EXR", "a.jpg", "a.obj", "a.glb", "a.scn", "a.cam"}) {

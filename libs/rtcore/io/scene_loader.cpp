@@ -414,7 +414,7 @@ class Loader {
         takeSurroundings();
         giveLight();
         numberLights(scene);
-        scene.closed = findClosedSurfaces(scene.model.mesh, scene.materials);
+        scene.closed = findClosedSurfaces(scene.model, scene.materials, out_.openGlass);
         phase(LoadPhase::Done);
     }
 

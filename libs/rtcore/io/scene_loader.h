@@ -61,6 +61,7 @@ struct LoadedScene {
     /// The model's own and those that it names, absolute; empty where a cachedModel was read in its place.
     std::vector<std::filesystem::path> modelFiles;
     std::vector<std::filesystem::path> files; ///< all that were read, as far as known; some may stand twice
+    std::vector<OpenGlass> openGlass;         ///< of the model with the scene's materials
     BuildTimes buildTimes;                    ///< zero when the tree came from a .bsp
     UpAndUnit frame;                          ///< what Scene::up and Scene::metresPerUnit are, and why
     ModelOrigin origin;                       ///< of the model

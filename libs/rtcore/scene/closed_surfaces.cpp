@@ -3,7 +3,11 @@
 #include "rtcore/scene/weld.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -12,6 +16,7 @@ namespace rtcore {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
 /// One side of one triangle: its end points ascending, and whether the triangle runs along them or against.
 struct HalfEdge {
@@ -27,21 +32,48 @@ bool isDegenerate(const std::uint32_t* corners) {
 }
 
 /// Of triangles with three corners each, or of those alone whose corners all differ.
-std::vector<HalfEdge> halfEdges(std::span<const std::uint32_t> corners, bool degenerateOnes) {
-    std::vector<HalfEdge> edges;
-    edges.reserve(corners.size());
+template <class Visit>
+void visitSides(std::span<const std::uint32_t> corners, bool degenerateOnes, const Visit& visit) {
     for (std::uint32_t i = 0; i < corners.size() / 3; ++i) {
         const std::uint32_t* const v = &corners[3 * std::size_t{i}];
         if (!degenerateOnes && isDegenerate(v)) continue;
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t a = v[corner], b = v[(corner + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), i, a < b});
+            visit(HalfEdge{std::min(a, b), std::max(a, b), i, a < b});
         }
     }
-    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-    });
+}
+
+/// Those of one edge follow each other, triangles ascending.
+std::vector<HalfEdge> halfEdges(std::span<const std::uint32_t> corners, bool degenerateOnes) {
+    // Counted by their lower end, few are left to be compared.
+    const std::size_t mask = std::bit_ceil(corners.size() / 6 + 1) - 1;
+    std::vector<std::size_t> end(mask + 2);
+    visitSides(corners, degenerateOnes, [&](const HalfEdge& e) { ++end[(e.low & mask) + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<HalfEdge> edges(end.back());
+    visitSides(corners, degenerateOnes, [&](const HalfEdge& e) { edges[end[e.low & mask]++] = e; });
+    auto first = edges.begin();
+    for (std::size_t bucket = 0; bucket <= mask; ++bucket) {
+        const auto last = edges.begin() + static_cast<std::ptrdiff_t>(end[bucket]);
+        std::sort(first, last, [](const HalfEdge& a, const HalfEdge& b) {
+            return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+        });
+        first = last;
+    }
     return edges;
+}
+
+/// Calls `visit(sides, paired)` for each edge with its half edges, and whether they are two that run
+/// against each other.
+template <class Visit>
+void visitEdges(std::span<const HalfEdge> edges, const Visit& visit) {
+    while (!edges.empty()) {
+        std::size_t count = 1;
+        while (count < edges.size() && edges[count].sameEdge(edges[0])) ++count;
+        visit(edges.first(count), count == 2 && edges[0].forward != edges[1].forward);
+        edges = edges.subspan(count);
+    }
 }
 
 /// What connected triangles are like.
@@ -62,29 +94,23 @@ struct Closing {
     }
 };
 
-Closing closingOf(std::size_t triangles, const std::vector<HalfEdge>& edges) {
+Closing closingOf(std::size_t triangles, std::span<const HalfEdge> edges) {
     Closing closing(triangles);
-    for (std::size_t first = 0; first < edges.size();) {
-        std::size_t last = first;
-        while (last < edges.size() && edges[last].sameEdge(edges[first])) ++last;
-        const bool paired = last - first == 2 && edges[first].forward != edges[first + 1].forward;
-        for (std::size_t i = first; i < last; ++i)
-            closing.parts.join(edges[i].triangle, edges[first].triangle);
-        if (!paired) ++closing.openEdges[edges[first].triangle];
-        first = last;
-    }
+    visitEdges(edges, [&](std::span<const HalfEdge> sides, bool paired) {
+        for (const HalfEdge& side : sides) closing.parts.join(side.triangle, sides[0].triangle);
+        if (!paired) ++closing.openEdges[sides[0].triangle];
+    });
     return closing;
 }
 
 /// Triangles of a mesh with points of their own: those of the mesh that they use, each once.
 struct Piece {
     Piece(const Mesh& mesh, Indices which) : triangles(std::move(which)) {
-        constexpr std::uint32_t kUnused = 0xFFFFFFFFU;
-        Indices number(mesh.vertices.size(), kUnused);
+        Indices number(mesh.vertices.size(), kNone);
         corners.reserve(3 * triangles.size());
         for (const std::uint32_t t : triangles) {
             for (const std::uint32_t v : mesh.triangles[t].v) {
-                if (number[v] == kUnused) {
+                if (number[v] == kNone) {
                     number[v] = static_cast<std::uint32_t>(points.size());
                     points.push_back(mesh.vertices[v].position());
                 }
@@ -92,9 +118,17 @@ struct Piece {
             }
         }
     }
-    /// Points that differ by rounding alone become one.
+    /// Ends of open edges that differ by rounding alone become one.
     void weld() {
-        DisjointSets same = weldPoints(points, corners);
+        std::vector<std::uint8_t> isEnd(points.size());
+        visitEdges(halfEdges(corners, true), [&](std::span<const HalfEdge> sides, bool paired) {
+            if (!paired) isEnd[sides[0].low] = isEnd[sides[0].high] = 1;
+        });
+        Indices ends;
+        for (std::uint32_t i = 0; i < isEnd.size(); ++i) {
+            if (isEnd[i] != 0) ends.push_back(i);
+        }
+        DisjointSets same = weldPoints(points, corners, ends);
         for (std::uint32_t& corner : corners) corner = same.find(corner);
     }
     Vec3d point(std::size_t triangle, std::size_t corner) const {
@@ -137,14 +171,15 @@ struct OpenPiece {
     std::vector<std::uint8_t> open;
 };
 
-/// Triangles without edges of their own belong to what has their corners.
+/// Triangles without edges of their own belong to those with edges that have their corners.
 void joinDegenerateOnes(const Piece& piece, DisjointSets& parts) {
-    Indices owner(piece.points.size());
-    for (std::uint32_t i = 0; i < piece.corners.size(); ++i) owner[piece.corners[i]] = i / 3;
+    Indices owner(piece.points.size(), kNone);
+    visitSides(piece.corners, false, [&](const HalfEdge& e) { owner[e.low] = owner[e.high] = e.triangle; });
     for (std::uint32_t i = 0; i < piece.triangles.size(); ++i) {
         const std::uint32_t* const v = &piece.corners[3 * std::size_t{i}];
-        if (isDegenerate(v)) {
-            for (int corner = 0; corner < 3; ++corner) parts.join(i, owner[v[corner]]);
+        if (!isDegenerate(v)) continue;
+        for (int corner = 0; corner < 3; ++corner) {
+            if (owner[v[corner]] != kNone) parts.join(i, owner[v[corner]]);
         }
     }
 }
@@ -188,41 +223,52 @@ struct AsTheyAre {
     }
 };
 
-} // namespace
+struct Found {
+    ClosedSurfaces closed;
+    std::optional<OpenPiece> glass; ///< that was open as it is, if any
+};
 
-ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
+Found find(const Mesh& mesh, std::span<const Material> materials) {
     const AsTheyAre given(mesh, materials);
-    if (given.transparent.empty()) return nullptr;
+    if (given.transparent.empty()) return {};
     std::vector<std::uint8_t> closed(mesh.triangles.size());
     for (std::size_t i = 0; i < given.transparent.size(); ++i)
         closed[given.transparent[i]] = given.open[i] == 0 ? 1 : 0;
+    Found found;
     if (Indices glass = given.openGlass(mesh, materials); !glass.empty()) {
-        const OpenPiece rest = openWhenWelded(mesh, std::move(glass));
-        for (std::size_t i = 0; i < rest.open.size(); ++i)
-            closed[rest.piece.triangles[i]] = rest.open[i] == 0 ? 1 : 0;
+        found.glass = openWhenWelded(mesh, std::move(glass));
+        for (std::size_t i = 0; i < found.glass->open.size(); ++i)
+            closed[found.glass->piece.triangles[i]] = found.glass->open[i] == 0 ? 1 : 0;
     }
-    return std::make_shared<const std::vector<std::uint8_t>>(std::move(closed));
+    found.closed = std::make_shared<const std::vector<std::uint8_t>>(std::move(closed));
+    return found;
 }
 
-std::vector<OpenGlass> findOpenGlass(const Model& model, std::span<const Material> materials) {
-    Indices glass = AsTheyAre(model.mesh, materials).openGlass(model.mesh, materials);
-    if (glass.empty()) return {};
-    const OpenPiece rest = openWhenWelded(model.mesh, std::move(glass));
-    std::vector<OpenGlass> found;
+} // namespace
+
+ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
+    return find(mesh, materials).closed;
+}
+
+ClosedSurfaces findClosedSurfaces(const Model& model, std::span<const Material> materials,
+                                  std::vector<OpenGlass>& open) {
+    const Found found = find(model.mesh, materials);
+    open.clear();
+    if (!found.glass) return found.closed;
     std::unordered_map<std::string_view, std::size_t> known;
     auto part = model.parts.begin();
-    for (std::size_t i = 0; i < rest.open.size(); ++i) {
-        if (rest.open[i] == 0) continue;
-        const std::uint32_t t = rest.piece.triangles[i];
+    for (std::size_t i = 0; i < found.glass->open.size(); ++i) {
+        if (found.glass->open[i] == 0) continue;
+        const std::uint32_t t = found.glass->piece.triangles[i];
         while (part != model.parts.end() && part->firstTriangle + part->triangleCount <= t) ++part;
         const bool inPart = part != model.parts.end() && part->firstTriangle <= t;
         const std::string_view name = inPart ? model.name(part->nameOffset) : std::string_view();
-        const auto [entry, isNew] = known.try_emplace(name, found.size());
-        if (isNew) found.push_back({name});
-        ++found[entry->second].triangles;
-        found[entry->second].openEdges += rest.closing.openEdges[i];
+        const auto [entry, isNew] = known.try_emplace(name, open.size());
+        if (isNew) open.push_back({name});
+        ++open[entry->second].triangles;
+        open[entry->second].openEdges += found.glass->closing.openEdges[i];
     }
-    return found;
+    return found.closed;
 }
 
 } // namespace rtcore

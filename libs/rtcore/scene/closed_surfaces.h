@@ -17,11 +17,12 @@ namespace rtcore {
 
 /// One value per triangle, immutable, shared by all copies of a scene. 1 where the triangle belongs to a part
 /// of connected transparent triangles in which each edge joins exactly two of them, oppositely oriented; or
-/// to one of glass that does so, and encloses more than rounding, once corners are one that differ by
-/// rounding alone (weld.h). Null when no material is transparent.
+/// to one of glass that does so, and encloses more than rounding, once those ends of its open edges are one
+/// that differ by rounding alone (weld.h). Null when no material is transparent.
 using ClosedSurfaces = std::shared_ptr<const std::vector<std::uint8_t>>;
 
-/// Degenerate triangles count like others. Takes time and memory of the transparent triangles only.
+/// Degenerate triangles count like others. Takes time of the transparent triangles only, but for glass that
+/// is open also a word of memory for each vertex.
 ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials);
 
 /// Glass that bounds no solid.
@@ -31,7 +32,9 @@ struct OpenGlass {
     std::size_t openEdges = 0; ///< which do not join two of them, oppositely oriented
     friend bool operator==(const OpenGlass&, const OpenGlass&) = default;
 };
-/// By name, in the order of the model's parts; triangles outside of all parts count as one without a name.
-std::vector<OpenGlass> findOpenGlass(const Model& model, std::span<const Material> materials);
+/// Tells the glass that is open, too: by name, in the order of the model's parts; triangles outside of all
+/// parts count as one without a name.
+ClosedSurfaces findClosedSurfaces(const Model& model, std::span<const Material> materials,
+                                  std::vector<OpenGlass>& open);
 
 } // namespace rtcore

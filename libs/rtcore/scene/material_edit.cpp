@@ -66,7 +66,9 @@ void resetMaterial(Scene& scene, std::span<const Material> loaded, std::size_t i
 void closeSurfaces(Scene& scene, std::span<const Material> before) {
     const bool same =
         std::equal(before.begin(), before.end(), scene.materials.begin(), scene.materials.end(),
-                   [](const Material& a, const Material& b) { return isTransparent(a) == isTransparent(b); });
+                   [](const Material& a, const Material& b) {
+                       return isTransparent(a) == isTransparent(b) && (a.opacity < 1) == (b.opacity < 1);
+                   });
     if (!same) scene.closed = findClosedSurfaces(scene.model.mesh, scene.materials);
 }
 

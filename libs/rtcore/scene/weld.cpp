@@ -57,26 +57,27 @@ std::uint64_t mixed(std::uint64_t x) {
 
 /// Joins points of one part that are within its tolerance: cells are twice as wide, and of the eight grids
 /// that are moved by half a cell along some axes, one has two such points in the same cell.
-void joinWithin(std::span<const Vec3> points, std::span<const std::uint32_t> part,
-                std::span<const double> tolerance, DisjointSets& same) {
-    CellTable cells(points.size());
+void joinWithin(std::span<const Vec3> points, std::span<const std::uint32_t> which,
+                std::span<const std::uint32_t> part, std::span<const double> tolerance, DisjointSets& same) {
+    CellTable cells(which.size());
     for (int grid = 0; grid < 8; ++grid) {
         cells.clear();
-        for (std::uint32_t i = 0; i < points.size(); ++i) {
+        for (const std::uint32_t i : which) {
             std::uint64_t key = part[i];
             for (int axis = 0; axis < 3; ++axis) {
                 const double place = double{points[i][axis]} / (2 * tolerance[part[i]]);
                 const double moved = place + ((grid >> axis & 1) != 0 ? 0.5 : 0);
                 key = mixed(key + static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(moved))));
             }
-            same.join(i, cells.firstOf(key, i));
+            if (const std::uint32_t first = cells.firstOf(key, i); first != i) same.join(i, first);
         }
     }
 }
 
 } // namespace
 
-DisjointSets weldPoints(std::span<const Vec3> points, std::span<const std::uint32_t> triangles) {
+DisjointSets weldPoints(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
+                        std::span<const std::uint32_t> which) {
     Box3 all;
     for (const Vec3 p : points) all.extend(p);
     DisjointSets connected(points.size());
@@ -86,19 +87,21 @@ DisjointSets weldPoints(std::span<const Vec3> points, std::span<const std::uint3
     }
     std::vector<std::uint32_t> part(points.size());
     std::vector<double> tolerance{toleranceOf(all)};
-    joinWithin(points, part, tolerance, connected);
+    joinWithin(points, which, part, tolerance, connected);
 
-    std::vector<Box3> boxes(points.size());
+    std::uint32_t parts = 0;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        part[i] = connected.find(i);
+        if (connected.find(i) == i) part[i] = parts++;
+    }
+    std::vector<Box3> boxes(parts);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        part[i] = part[connected.find(i)];
         boxes[part[i]].extend(points[i]);
     }
-    tolerance.assign(points.size(), 1);
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (part[i] == i) tolerance[i] = toleranceOf(boxes[i]);
-    }
+    tolerance.resize(parts);
+    std::transform(boxes.begin(), boxes.end(), tolerance.begin(), toleranceOf);
     DisjointSets same(points.size());
-    joinWithin(points, part, tolerance, same);
+    joinWithin(points, which, part, tolerance, same);
     return same;
 }
 

@@ -138,6 +138,25 @@ TEST_F(MaterialEdits, LobesThatWouldExceedOneGiveWay) {
     EXPECT_LE(maxComponent(m.diffuse + m.specular), 1.000001F);
 }
 
+/// Of leaves with holes, nothing is one that is not; of glass with holes, what differs by rounding.
+TEST_F(MaterialEdits, WhatBecomesGlassWithHolesIsLookedAtAnew) {
+    test::SceneBuilder b;
+    Material leaf = test::matte(1);
+    leaf.alphaTexture = b.texture(1, 1, {{9, 9, 9, 9}});
+    const std::uint32_t holes = b.material(leaf);
+    for (const float side : {-1.0F, 1.0F}) {
+        for (const rtcore::Vec3 n : {rtcore::Vec3{side, 0, 0}, {0, side, 0}, {0, 0, side}})
+            b.square(n, n, 1, holes);
+    }
+    scene = b.finish();
+    loaded = scene.materials;
+    EXPECT_FALSE(scene.isClosed(0));
+    edit(holes, {.opacity = 0.5F});
+    EXPECT_TRUE(scene.isClosed(0));
+    edit(holes, {.opacity = 1.0F});
+    EXPECT_FALSE(scene.isClosed(0));
+}
+
 TEST_F(MaterialEdits, WhatBecomesGlassIsClosed) {
     EXPECT_EQ(scene.closed, nullptr);
     edit(1, {.opacity = 0.1F});
