@@ -64,21 +64,27 @@ HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F>
     const Vec3Of<F> white = broadcast<F>(kWhite);
     MetallicLobes<F> lobes{};
     Vec3Of<F> other{};
-    if (any(isDielectric > 0.0F)) {
+    // What one lane gets may not depend on what the others need.
+    const auto mixed = isDielectric > 0.0F, isMetal = metallic > 0.0F;
+    if (any(mixed)) {
         const Vec3Of<F> factor = factorOfFurtherFacets<F>(albedo, reflectance);
         const Vec3Of<F> gloss = (reflectance * albedo.straight + white * albedo.grazing) * factor;
-        lobes.diffuse = base * atLeastZero<F>(white - gloss) * isDielectric;
-        other = factor * isDielectric;
+        lobes.diffuse = selectOrZero(mixed, base * atLeastZero<F>(white - gloss) * isDielectric);
+        other = selectOrZero(mixed, factor * isDielectric);
     }
-    FurtherFacets<F> further{};
-    if (any(metallic > 0.0F)) further = furtherFacets<F>(albedo, roughness, cosine);
-    const Vec3Of<F> straight = white * (1.0F + further.straight) + base * further.straightByBase;
-    lobes.straight = base * straight * metallic + other * reflectance;
-    lobes.grazing = (white * (1.0F + further.grazing) + base * further.grazingByBase) * metallic + other;
-    lobes.further = Vec3Of<F>{wideAlbedo<F>(further, base.x), wideAlbedo<F>(further, base.y),
-                              wideAlbedo<F>(further, base.z)} *
-                    metallic;
-    lobes.shape = further.shape;
+    lobes.straight = other * reflectance;
+    lobes.grazing = other;
+    if (any(isMetal)) {
+        const FurtherFacets<F> further = furtherFacets<F>(albedo, roughness, cosine);
+        const Vec3Of<F> straight = white * (1.0F + further.straight) + base * further.straightByBase;
+        const Vec3Of<F> grazing = white * (1.0F + further.grazing) + base * further.grazingByBase;
+        const Vec3Of<F> wide{wideAlbedo<F>(further, base.x), wideAlbedo<F>(further, base.y),
+                             wideAlbedo<F>(further, base.z)};
+        lobes.straight += selectOrZero(isMetal, base * straight * metallic);
+        lobes.grazing += selectOrZero(isMetal, grazing * metallic);
+        lobes.further = selectOrZero(isMetal, wide * metallic);
+        lobes.shape = selectOrZero(isMetal, further.shape);
+    }
     lobes.glossAlbedo = lobes.straight * albedo.straight + lobes.grazing * albedo.grazing;
     lobes.alpha = ggxAlpha<F>(roughness);
     return lobes;
