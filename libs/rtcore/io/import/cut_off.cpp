@@ -146,6 +146,11 @@ View rootOf(View head) {
     if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
     if (!head.starts_with("<")) return {};
     for (std::size_t at = 0; at != View::npos; at = head.find('<', at + 1)) {
+        if (head.substr(at).starts_with("<!--")) { // may hold what looks like an element
+            at = head.find("-->", at);
+            if (at == View::npos) return {};
+            continue;
+        }
         const View name = head.substr(at + 1, head.find_first_of(" \t\r\n/>", at) - at - 1);
         if (!name.empty() && name[0] != '!' && name[0] != '?') return name;
     }
