@@ -1,7 +1,7 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
-#                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants]
+#                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [strangers] [sanitizers] [mutants]
 #                         [bridge] [web] [farm] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
@@ -9,11 +9,16 @@ cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
-        walks tutorial models sanitizers mutants bridge web farm arm64
+        walks tutorial models strangers sanitizers mutants bridge web farm arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
     case $check in
+    strangers)
+        # First views of models that nobody prepared, as numbers and as a sheet to be looked at.
+        $release/test_strangers
+        scripts/strangers.sh build/strangers
+        ;;
     models)
         # Up axis and unit of 45 real models; what is not there is made by the programs that are installed.
         [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: without its models" >&2

@@ -1,7 +1,5 @@
 #include "renderer/preview_filter.h"
 
-#include <algorithm>
-
 namespace renderer {
 
 namespace {
@@ -14,11 +12,11 @@ const rtcore::Frame& PreviewFilter::apply(const rtcore::Frame& frame, const rtco
                                           const rtcore::RenderSettings& settings, std::uint32_t samples,
                                           int threads, const std::atomic<bool>& stop) {
     rtcore::RenderSettings filter = settings;
-    filter.denoise.passes = std::max(kPasses, settings.denoise.passes);
+    const bool finallyFiltered = settings.denoise.passes > 0;
+    if (!finallyFiltered) filter.denoise.passes = kPasses;
     const rtcore::HdrImage& smooth =
         denoiser_.apply(frame.radiance, surfaces, {.settings = filter, .threads = threads, .stop = &stop});
     if (&smooth == &frame.radiance) return frame;
-    const bool finallyFiltered = settings.denoise.passes > 0;
     const float noisy =
         finallyFiltered ? 0 : static_cast<float>(samples) / static_cast<float>(settings.path.samples);
     filtered_.covered = frame.covered;

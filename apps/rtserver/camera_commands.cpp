@@ -1,15 +1,30 @@
 // Commands that place the camera.
 #include "rtserver/command_call.h"
+#include "rtserver/model_objects.h"
+#include "rtserver/seen_surface.h"
 
+#include "rtcore/motion/orbit.h"
+#include "rtcore/render/default_view.h"
+#include "rtcore/render/framing.h"
 #include "rtcore/render/lens.h"
+#include "rtcore/render/subject.h"
 #include "rtcore/scene/focal_length.h"
+#include "rtcore/scene/part_list.h"
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 namespace rtserver {
 
@@ -67,8 +82,107 @@ Result turn(const Call& call) {
     return {};
 }
 
+Result pivot(const Call& call) {
+    const auto seen =
+        call.size() < 2 ? std::nullopt : surfaceAt(call.state, number(call[0]), number(call[1]));
+    call.state.setPivot(seen ? std::optional(seen->position) : std::nullopt);
+    const rtcore::Vec3 about = call.state.pivot();
+    return {.answer = fmt::format("{} {} {}", rtcore::settingText(about.x), rtcore::settingText(about.y),
+                                  rtcore::settingText(about.z))};
+}
+
+// It is the eye that moves: without a body.
+void place(const Call& call, const rtcore::Camera& camera) {
+    call.state.setWalking(false);
+    call.state.setCamera(camera);
+}
+
+Result orbit(const Call& call) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    const double right = static_cast<double>(number(call[0])), up = static_cast<double>(number(call[1]));
+    place(call, rtcore::orbited(call.state.camera(), call.state.scene()->up, call.state.pivot(),
+                                right * kDegree, up * kDegree));
+    return {};
+}
+
+// Of the image, in scene units, at the distance of the pivot; never nothing.
+double widthAtPivot(ServerState& state) {
+    const rtcore::RenderSettings& settings = state.settings();
+    const rtcore::CameraRays view(state.camera(), settings.width, settings.height);
+    const float width = length(view.plane().right) * static_cast<float>(settings.width);
+    if (view.parallel()) return static_cast<double>(width);
+    const float away = dot(state.pivot() - view.eye(), view.forward());
+    const float least = 1e-3F * state.world().loaded.tree.bounds.diagonal();
+    return static_cast<double>(width * std::max(std::fabs(away), least));
+}
+
+Result pan(const Call& call) {
+    const double width = widthAtPivot(call.state);
+    place(call, rtcore::shifted(call.state.camera(), -width * static_cast<double>(number(call[0])),
+                                -width * static_cast<double>(number(call[1]))));
+    return {};
+}
+
+Result approach(const Call& call) {
+    place(call,
+          rtcore::approached(call.state.camera(), call.state.pivot(), static_cast<double>(number(call[0]))));
+    return {};
+}
+
+// Of the parts that are named, or of what the model is about.
+rtcore::Box3 boxToFit(const Call& call) {
+    const rtcore::Scene& scene = *call.state.scene();
+    if (call.size() == 0) return subjectOf(scene.model.mesh, rtcore::axesOf(scene)).bounds;
+    const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
+    const std::vector<std::uint8_t> chosen = partsNamed(parts, call.arguments);
+    rtcore::Box3 box;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (chosen[i] == 0) continue;
+        for (const std::uint32_t piece : parts[i].pieces) {
+            const rtcore::ModelPart& part = scene.model.parts[piece];
+            for (std::uint32_t t = 0; t < part.triangleCount; ++t)
+                for (int corner = 0; corner < 3; ++corner)
+                    box.extend(scene.model.mesh.position(part.firstTriangle + t, corner));
+        }
+    }
+    return box;
+}
+
+void fitTo(const Call& call, rtcore::Camera camera, const rtcore::Box3& box) {
+    if (box.empty()) throw std::runtime_error("there is nothing to show");
+    const rtcore::RenderSettings& settings = call.state.settings();
+    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    camera.up = rtcore::upwardsOf(camera.forward, call.state.scene()->up);
+    place(call, rtcore::framed(call.state.scene()->model.mesh, box, camera, aspect));
+    call.state.setPivot(box.centre());
+}
+
+Result fit(const Call& call) {
+    fitTo(call, call.state.camera(), boxToFit(call));
+    return {};
+}
+
+// Where the eye is, as seen from the middle of the model.
+rtcore::Vec3 sideNamed(std::string_view side, const rtcore::Axes& axes) {
+    if (side == "front") return axes.front;
+    if (side == "back") return -axes.front;
+    if (side == "left") return -axes.right;
+    if (side == "right") return axes.right;
+    if (side == "top") return axes.up;
+    if (side == "bottom") return -axes.up;
+    return rtcore::threeQuarters(axes);
+}
+
+Result view(const Call& call) {
+    rtcore::Camera camera = call.state.camera();
+    camera.forward = -sideNamed(call[0], rtcore::axesOf(*call.state.scene()));
+    fitTo(call, camera,
+          subjectOf(call.state.scene()->model.mesh, rtcore::axesOf(*call.state.scene())).bounds);
+    return {};
+}
+
 Result reset(const Call& call) {
-    call.state.setCamera(call.state.world().loaded.camera);
+    call.state.resetCamera();
     return {};
 }
 
@@ -168,6 +282,12 @@ constexpr std::array kCameraFunctions{
     CommandFunction{app::CommandId::CameraOrthographic, orthographic},
     CommandFunction{app::CommandId::CameraLookAt, lookAt},
     CommandFunction{app::CommandId::CameraTurn, turn},
+    CommandFunction{app::CommandId::CameraPivot, pivot},
+    CommandFunction{app::CommandId::CameraOrbit, orbit},
+    CommandFunction{app::CommandId::CameraPan, pan},
+    CommandFunction{app::CommandId::CameraApproach, approach},
+    CommandFunction{app::CommandId::CameraFit, fit},
+    CommandFunction{app::CommandId::CameraView, view},
     CommandFunction{app::CommandId::CameraReset, reset},
     CommandFunction{app::CommandId::CameraPaste, paste},
     CommandFunction{app::CommandId::CameraAngle, angle},

@@ -83,14 +83,13 @@ void ServerState::show(std::unique_ptr<World> world) {
     stopPlaying();
     if (recording_) endRecording("another scene was shown");
     player_.reset();
+    pivot_.reset();
     world_ = std::move(world);
     scene_ = std::make_shared<const rtcore::Scene>(std::move(scene));
     makeTree();
     makePlayer(loaded.camera);
     revisions_.note(rtcore::Changes::all());
-    const std::optional<rtcore::SceneFile>& file = world_->loaded.sceneFile;
-    bookmarks_ =
-        std::make_shared<const rtcore::SceneBookmarks>(file ? file->bookmarks : rtcore::SceneBookmarks());
+    bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(world_->loaded.bookmarks);
     history_.clear();
     savedState_ = history_.state();
     if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
@@ -360,13 +359,6 @@ void ServerState::turn(double right, double upwards) {
     constexpr double kRadians = std::numbers::pi / 180;
     stopPlaying();
     player_->look(right * kRadians, upwards * kRadians);
-    takeCamera();
-}
-
-void ServerState::setWalking(bool walking) {
-    stopPlaying();
-    if (!player_->setMode(walking ? rtcore::MotionMode::Walk : rtcore::MotionMode::View))
-        throw std::runtime_error("there is no room to stand here, or no floor below; move elsewhere first");
     takeCamera();
 }
 

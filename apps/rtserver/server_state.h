@@ -84,6 +84,12 @@ class ServerState {
     void turn(double right, double upwards);
     /// Throws std::runtime_error where there is no room for a body, or no floor below.
     void setWalking(bool walking);
+    /// The scene's view, walking or not.
+    void resetCamera();
+    /// What orbits and zooms are about: the point that was chosen, else the middle of what the model is
+    /// about.
+    rtcore::Vec3 pivot();
+    void setPivot(std::optional<rtcore::Vec3> pivot) { pivot_ = pivot; }
     /// Beside the model, where only a floor that is not seen carries.
     bool onUnseenFloor() const;
     /// Of flying, in times the usual speed of the scene; until another scene is shown.
@@ -208,6 +214,7 @@ class ServerState {
     void useFrame(const rtcore::UpAndUnit& frame);
     void takeSettings(const rtcore::RenderSettings& settings);
     void makeOf(const EditStep& step, const Shown& from, const Shown& to);
+    void beginWalking();
     void takeCamera();
     void putScene(rtcore::Scene edited);
     void lightBySky();
@@ -235,6 +242,7 @@ class ServerState {
     std::shared_ptr<const rtcore::RayTracer> tracer_;     ///< of them and of the ground
     rtcore::Revisions revisions_;
     std::unique_ptr<rtcore::Player> player_; ///< refers to *world_ and tree_
+    std::optional<rtcore::Vec3> pivot_;
     rtcore::Camera camera_;
     rtcore::KeyBindings bindings_;
     rtcore::RenderSettings settings_;

@@ -6,6 +6,7 @@
 #include "common/commands/key_restraint.h"
 #include "common/settings/settings_merge.h"
 
+#include "rtcore/look/doorstep.h"
 #include "rtcore/motion/player.h"
 #include "rtcore/platform/error.h"
 
@@ -22,6 +23,13 @@ using std::chrono::nanoseconds;
 
 namespace {
 constexpr nanoseconds kLongestTurn = 250ms; ///< longest step, so that a stall causes no leap
+
+std::string tooSmallToWalk(const rtcore::Survey& found) {
+    const float height = rtcore::extentAlong(found.subject.bounds, found.axes.up) / found.axes.metre;
+    return fmt::format("the model is too small to walk: it is {:.2g} m high; 'units' says how large it is",
+                       height);
+}
+
 } // namespace
 
 void ServerState::move(nanoseconds time, const ipc::KeyState& clientKeys) {
@@ -111,6 +119,47 @@ void ServerState::chooseEnvironment(int environment) {
     setEnvironment(environment);
     keepStep(name, before);
     messages_.tell(name);
+}
+
+void ServerState::setWalking(bool walking) {
+    stopPlaying();
+    if (walking && !this->walking()) beginWalking();
+    if (!walking) player_->setMode(rtcore::MotionMode::View);
+    takeCamera();
+}
+
+// One who looks from above or from afar begins before the model, and faces it.
+void ServerState::beginWalking() {
+    const rtcore::Mesh& mesh = scene_->model.mesh;
+    const rtcore::Survey found = rtcore::survey(tree_, mesh, rtcore::axesOf(*scene_));
+    if (rtcore::isTooSmallToWalk(found)) throw std::runtime_error(tooSmallToWalk(found));
+    const rtcore::Camera before = player_->camera();
+    if (rtcore::hoversOutside(tree_, mesh, found, before.eye)) {
+        for (const rtcore::Camera& camera : rtcore::doorsteps(tree_, mesh, found, before)) {
+            player_->setCamera(camera);
+            if (player_->setMode(rtcore::MotionMode::Walk)) return;
+        }
+        player_->setCamera(before);
+    }
+    if (!player_->setMode(rtcore::MotionMode::Walk))
+        throw std::runtime_error("there is no room to stand here, or no floor below; move elsewhere first");
+}
+
+rtcore::Vec3 ServerState::pivot() {
+    if (pivot_) return *pivot_;
+    const rtcore::Box3 bounds = rtcore::subjectOf(scene_->model.mesh, rtcore::axesOf(*scene_)).bounds;
+    pivot_ = bounds.empty() ? rtcore::Vec3{} : bounds.centre();
+    return *pivot_;
+}
+
+void ServerState::resetCamera() {
+    const bool walked = walking();
+    player_->setMode(rtcore::MotionMode::View);
+    setCamera(world_->loaded.camera);
+    const rtcore::Survey found = rtcore::survey(tree_, scene_->model.mesh, rtcore::axesOf(*scene_));
+    if (walked && !rtcore::hoversOutside(tree_, scene_->model.mesh, found, camera_.eye))
+        player_->setMode(rtcore::MotionMode::Walk);
+    takeCamera();
 }
 
 nanoseconds ServerState::untilEvent() const {

@@ -29,11 +29,13 @@ void ServerState::lightBySky() { assign({{"skyLight.on", true}}); }
 
 void ServerState::setLook(rtcore::Look look) {
     rtcore::Scene edited = *scene_;
-    const rtcore::LookLights lights =
-        rtcore::lookLights(look, world_->loaded.tree, edited.model.mesh, edited.up, camera_);
+    const rtcore::LoadedScene& loaded = world_->loaded;
+    const rtcore::Mesh& mesh = edited.model.mesh;
+    const rtcore::Survey found = rtcore::survey(loaded.tree, mesh, rtcore::axesOf(edited));
+    const rtcore::LookLights lights = rtcore::lookLights(look, loaded.tree, mesh, found, camera_);
     rtcore::lightBy(edited, lights);
     publish(std::move(edited));
-    assign(rtcore::settingsOf(look, lights));
+    assign(rtcore::settingsOf(look, found));
 }
 
 // The light beside the viewer that a model was given is none of the sky's; without both it would be dark.

@@ -78,6 +78,7 @@ app::StateReport stateReportOf(const ServerState& state, std::uint64_t client) {
     report.undoEdit = reportOf(history.last(), client);
     report.redoEdit = reportOf(history.next(), client);
     report.modified = state.modified();
+    report.indoors = state.world().loaded.indoors;
     for (const rtcore::SceneBookmark& bookmark : state.bookmarks()) report.bookmarks.push_back(bookmark.name);
     report.edits = static_cast<int>(history.position());
     return report;

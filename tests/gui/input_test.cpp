@@ -57,6 +57,81 @@ class InputTest : public testing::Test {
     int shortcuts = 0;
 };
 
+class OrbitInputTest : public InputTest {
+  protected:
+    void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(InputTest::SetUp());
+        input.setHand(Hand::Turns);
+    }
+    void drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+        QTest::mousePress(view, button, modifiers, {100, 100});
+        for (const QPoint to : {QPoint{110, 100}, QPoint{110, 95}}) {
+            QMouseEvent move(QEvent::MouseMove, to, view->mapToGlobal(to), Qt::NoButton, button, modifiers);
+            QCoreApplication::sendEvent(view, &move);
+        }
+        QTest::mouseRelease(view, button, modifiers, {110, 95});
+    }
+    QPointF sumOf(const QSignalSpy& spy) const {
+        QPointF sum;
+        for (const QList<QVariant>& each : spy) sum += each.front().toPointF();
+        return sum;
+    }
+    QSignalSpy grasped{&input, &InputCapture::grasped}, dragged{&input, &InputCapture::dragged},
+        pushed{&input, &InputCapture::pushed}, reached{&input, &InputCapture::reached},
+        centred{&input, &InputCapture::centred}, wheel{&input, &InputCapture::wheelTurned};
+};
+
+TEST_F(OrbitInputTest, ADragTurnsTheModelAndCapturesNothing) {
+    drag(Qt::LeftButton, Qt::NoModifier);
+    ASSERT_EQ(grasped.count(), 1);
+    EXPECT_EQ(grasped.front().front().toPointF(), QPointF(100, 100));
+    EXPECT_EQ(sumOf(dragged), QPointF(10, -5));
+    EXPECT_EQ(pushed.count(), 0);
+    EXPECT_FALSE(input.captured());
+    EXPECT_EQ(turned.count(), 0);
+    QTest::mouseMove(view, {200, 200});
+    EXPECT_EQ(sumOf(dragged), QPointF(10, -5)) << "it has ended";
+}
+
+TEST_F(OrbitInputTest, ShiftAndTheMiddleButtonMoveIt) {
+    drag(Qt::LeftButton, Qt::ShiftModifier);
+    EXPECT_EQ(sumOf(pushed), QPointF(10, -5));
+    drag(Qt::MiddleButton, Qt::NoModifier);
+    EXPECT_EQ(sumOf(pushed), QPointF(20, -10));
+    EXPECT_EQ(dragged.count(), 0);
+}
+
+TEST_F(OrbitInputTest, TheWheelGoesThereAndADoubleClickCentres) {
+    QWheelEvent turn(QPointF(50, 60), view->mapToGlobal(QPointF(50, 60)), {}, {0, 240}, Qt::NoButton,
+                     Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(view, &turn);
+    ASSERT_EQ(reached.count(), 1);
+    EXPECT_EQ(reached.front().front().toPointF(), QPointF(50, 60));
+    EXPECT_EQ(reached.front().back().toDouble(), 2);
+    EXPECT_EQ(wheel.count(), 0);
+    QTest::mouseDClick(view, Qt::LeftButton, {}, {30, 40});
+    ASSERT_EQ(centred.count(), 1);
+    EXPECT_EQ(centred.front().front().toPointF(), QPointF(30, 40));
+    EXPECT_FALSE(input.captured());
+}
+
+TEST_F(OrbitInputTest, KeysStayTheCamerasButThoseThatChooseViews) {
+    QAction views(&window);
+    views.setShortcuts({QKeySequence(QStringLiteral("Home")), QKeySequence(QStringLiteral("Num+1"))});
+    window.addAction(&views);
+    QSignalSpy chosen(&views, &QAction::triggered);
+    QTest::keyClick(view, Qt::Key_1);
+    QTest::keyClick(view, Qt::Key_W);
+    EXPECT_EQ(keys(), (QList<int>{'1', 'W'}));
+    EXPECT_EQ(chosen.count(), 0);
+    QTest::keyClick(view, Qt::Key_1, Qt::KeypadModifier);
+    QTest::keyClick(view, Qt::Key_Home);
+    EXPECT_EQ(chosen.count(), 2);
+    input.setHand(Hand::Looks);
+    QTest::keyClick(view, Qt::Key_1, Qt::KeypadModifier);
+    EXPECT_EQ(keys(), (QList<int>{'1', 'W', '1'})) << "a light, as the thesis has it";
+}
+
 TEST_F(InputTest, KeysOfTheFocusedPictureAreTheCameras) {
     QTest::keyPress(view, Qt::Key_W);
     QTest::keyPress(view, Qt::Key_Left);

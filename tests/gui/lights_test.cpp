@@ -294,6 +294,7 @@ TEST_F(LightsTest, TheMarkOfTheSunTurnsTheSky) {
 }
 
 TEST_F(LightsTest, WithoutMarksAClickIsTheCameras) {
+    window->view().input().setHand(Hand::Looks);
     QTest::mouseClick(&window->view(), Qt::LeftButton);
     EXPECT_TRUE(window->view().input().captured());
 }

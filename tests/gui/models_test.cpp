@@ -134,6 +134,8 @@ TEST_F(PreferencesTest, AreKept) {
 
 TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     Preferences preferences;
+    EXPECT_GT(stillQuality(preferences).paths, 0) << "unless the user wants less";
+    preferences.set(pref::globalIllumination, false);
     EXPECT_EQ(rendererOptions(stillQuality(preferences)), QStringList{QStringLiteral("--antialiasing=3")});
     preferences.set(pref::stillBloom, 0);
     preferences.set(pref::stillOcclusion, QStringLiteral("off"));
@@ -150,9 +152,10 @@ TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     preferences.set(pref::globalIllumination, true);
     preferences.set(pref::stillPathSamples, 2);
     const QStringList byPaths = rendererOptions(stillQuality(preferences));
-    EXPECT_EQ(byPaths, (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
-                                    QStringLiteral("--samples=2"),
-                                    QStringLiteral("--setting=exposure.mode=automatic")}));
+    EXPECT_EQ(byPaths,
+              (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
+                           QStringLiteral("--samples=2"), QStringLiteral("--setting=exposure.mode=automatic"),
+                           QStringLiteral("--setting=denoise.passes=4")}));
     std::vector<std::string> words{"room.obj", "-o", "a.png", "-w", "8", "-h", "8"};
     for (const QString& option : byPaths) words.push_back(option.toStdString());
     EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);

@@ -531,6 +531,8 @@ TEST_F(PanelsTest, ResetShowsTheScenesOwnView) {
 
 TEST_F(PanelsTest, ADoubleClickLooksThere) {
     open();
+    ASSERT_TRUE(comes([&] { return action(ActionId::Orbit)->isChecked(); }));
+    action(ActionId::Orbit)->trigger();
     const QString before = camera();
     const View view = window->session().status().view;
     FrameView& shown = window->view();
@@ -627,7 +629,7 @@ TEST(SceneStateTest, AnswersAreRead) {
     const QString answer = QStringLiteral(
         "version = 1\nscene = \"/a/b.scn\"\nup = \"+z\"\nmetresPerUnit = 0.01\n"
         "undo = \"set exposure.key\"\nredo = \"\"\nundoEdit = [4, 0]\nredoEdit = [0, 0]\nedits = 4\n"
-        "modified = true\nbookmarks = [\"door\"]\n"
+        "modified = true\nindoors = true\nbookmarks = [\"door\"]\n"
         "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\nids = [3, 1]\n"
         "[environments]\non = [true, false]\nnames = [\"day\", \"night\"]\n"
         "[camera]\neye = [1.0, 2.0, 3.0]\nforward = [0.0, 0.0, -1.0]\n"

@@ -63,6 +63,7 @@ class ProgressiveTest : public GuiTest {
         window.emplace(name());
         window->preferences().set(pref::pictureScale, 25);
         window->preferences().set(pref::stillAntialiasing, antialiasing);
+        window->preferences().set(pref::globalIllumination, false);
         window->resize(400, 320);
         window->show();
         window->activateWindow();

@@ -235,7 +235,7 @@ void Tutorial::keepAView() {
     EXPECT_TRUE(isBack());
     QTest::mouseClick(&window->view(), Qt::LeftButton); // who walks need not leave the image
     ASSERT_TRUE(rests());
-    choose("Action > Add bookmark");
+    choose("View > Add bookmark");
     EXPECT_TRUE(told("Alt+1"));
     EXPECT_TRUE(moves(Qt::Key_S) && rests());
     says("Alt+1 leads back to the first one");

@@ -6,6 +6,7 @@
 #include "gui/main_window.h"
 #include "gui/operations/actions.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
 
 #include <QAction>
@@ -26,6 +27,8 @@ class WindowFixture : public GuiTest {
         window.emplace(name());
         window->preferences().set(gui::pref::pictureFolder, QString::fromStdString(folder().path().string()));
         window->preferences().set(gui::pref::pictureScale, 25);
+        // By paths only where a test is about them.
+        window->preferences().set(gui::pref::globalIllumination, false);
         window->resize(400, 320);
         window->show();
         window->activateWindow();

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
+#include <string>
 #include <thread>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace {
 
@@ -80,6 +83,20 @@ class StoppingAtAPipe : public Stopping {
         ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
         ASSERT_EQ(::mkfifo((folder / "pipe.ppm").c_str(), 0600), 0);
     }
+    /// Another process has opened it: it has begun its work.
+    bool isOpenElsewhere(const std::string& name) const {
+        namespace fs = std::filesystem;
+        std::error_code ignored;
+        for (const fs::directory_entry& process : fs::directory_iterator("/proc", ignored)) {
+            const std::string number = process.path().filename().string();
+            if (number.find_first_not_of("0123456789") != std::string::npos ||
+                number == std::to_string(::getpid()))
+                continue;
+            for (const fs::directory_entry& file : fs::directory_iterator(process.path() / "fd", ignored))
+                if (fs::read_symlink(file.path(), ignored) == folder / name) return true;
+        }
+        return false;
+    }
     // Exit code after one SIGTERM, sent when it has nothing else to do.
     int stopped(const Names& arguments) {
         const test::ProgramSettings settings{.folder = folder.path(), .timeoutSeconds = 20};
@@ -104,7 +121,8 @@ TEST_F(StoppingAtAPipe, OneSignalIsEnough) {
 TEST_F(StoppingAtAPipe, AScriptThatSaysNothing) {
     const int partner = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
     test::RunningProgram program(test::programPath("CUI"), {"script", "pipe"}, {.folder = folder.path()});
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    for (int i = 0; i < 2000 && !isOpenElsewhere("pipe"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
     program.send(SIGINT);
     EXPECT_EQ(program.wait().exitCode, 130);
     ::close(partner);

@@ -88,6 +88,12 @@ CommandUse commandUse(app::CommandId id) {
     case Get:
     case Settings:
     case CameraGet:
+    case CameraPivot:
+    case CameraOrbit:
+    case CameraPan:
+    case CameraApproach:
+    case CameraFit:
+    case CameraView:
     case CameraPaste:
     case Up:
     case Units:

@@ -167,6 +167,13 @@ std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3
 }
 
 std::string cameraTurn(double right, double up) { return line(CommandId::CameraTurn, right, up); }
+std::string cameraPivot() { return line(CommandId::CameraPivot); }
+std::string cameraPivot(double right, double down) { return line(CommandId::CameraPivot, right, down); }
+std::string cameraOrbit(double right, double up) { return line(CommandId::CameraOrbit, right, up); }
+std::string cameraPan(double right, double up) { return line(CommandId::CameraPan, right, up); }
+std::string cameraApproach(double factor) { return line(CommandId::CameraApproach, factor); }
+std::string cameraFit() { return line(CommandId::CameraFit); }
+std::string cameraView(const std::string& side) { return line(CommandId::CameraView, side); }
 std::string cameraReset() { return line(CommandId::CameraReset); }
 std::string cameraAngle(double degrees) { return line(CommandId::CameraAngle, degrees); }
 std::string cameraZoom(double factor) { return line(CommandId::CameraZoom, factor); }

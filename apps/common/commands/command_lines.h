@@ -103,6 +103,13 @@ std::string camera(const View& view);
 std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3>& forward,
                       std::optional<float> fieldOfView = {});
 std::string cameraTurn(double right, double up); ///< degrees
+std::string cameraPivot();
+std::string cameraPivot(double right, double down); ///< 0..1
+std::string cameraOrbit(double right, double up);   ///< degrees
+std::string cameraPan(double right, double up);     ///< of the image's width
+std::string cameraApproach(double factor);
+std::string cameraFit();
+std::string cameraView(const std::string& side); ///< a word of the table's
 std::string cameraReset();
 std::string cameraAngle(double degrees); ///< of the field of view
 std::string cameraZoom(double factor);

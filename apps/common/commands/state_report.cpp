@@ -79,6 +79,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("redoEdit", std::vector<int>{state.redoEdit.number, state.redoEdit.person});
     writer.add("edits", state.edits);
     writer.add("modified", state.modified);
+    writer.add("indoors", state.indoors);
     if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
@@ -168,6 +169,7 @@ StateReport parseStateReport(std::string_view text) {
     state.redoEdit = readEdit(root, "redoEdit");
     state.edits = root.require("edits", root.integer("edits", 0, kMost));
     state.modified = root.require("modified", root.boolean("modified"));
+    state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));

@@ -57,6 +57,7 @@ struct StateReport {
     std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
     bool modified = false;                           ///< there is something to save, other than the camera
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded
+    bool indoors = false;                            ///< the scene's own view is from inside
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 

@@ -60,20 +60,43 @@ constexpr ActionRow kRows[]{
               "Ctrl+C", NeedsServer | SeparatorBefore, "Ctrl+Shift+C"},
     ActionRow{ActionId::PasteCamera, MenuId::Action, TEXT("&Paste camera"),
               TEXT("Look through the camera of the clipboard"), "Ctrl+V", NeedsServer, "Ctrl+Shift+V"},
-    ActionRow{ActionId::ResetCamera, MenuId::Action, TEXT("Reset ca&mera"),
-              TEXT("The view that the scene names"), "Ctrl+Home", NeedsServer},
-    ActionRow{ActionId::FieldOfView, MenuId::Action, TEXT("&Field of view…"),
-              TEXT("How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too"),
-              "Ctrl+Shift+F", NeedsServer},
-    ActionRow{ActionId::UpAndUnit, MenuId::Action, TEXT("Up a&xis and unit…"),
-              TEXT("Which axis of the model is up, and how long a unit of it is"), "", NeedsServer},
-    ActionRow{ActionId::AddBookmark, MenuId::Action, TEXT("Add &bookmark"),
-              TEXT("Keep the current view; Alt and a digit go back to it"), "Ctrl+B", NeedsServer},
     ActionRow{ActionId::Undo, MenuId::Action, TEXT("&Undo"),
               TEXT("Take the last change of settings, lights or camera back"), "Ctrl+Z", SeparatorBefore},
     ActionRow{ActionId::Redo, MenuId::Action, TEXT("Re&do"), TEXT("Make it again"), "Ctrl+Shift+Z"},
     ActionRow{ActionId::Statistics, MenuId::Action, TEXT("S&tatistics"),
               TEXT("Frames/s, rays/s, resolution, polygons"), "Ctrl+T", SeparatorBefore},
+
+    ActionRow{ActionId::Orbit, MenuId::View, TEXT("&Orbit"),
+              TEXT("A drag turns the model, Shift moves it, the wheel goes nearer; without, a click takes "
+                   "the mouse, "
+                   "which looks around"),
+              "F2", NeedsServer | Checkable},
+    ActionRow{ActionId::FitView, MenuId::View, TEXT("&Whole model"),
+              TEXT("All of the model, from the side where you are"), "Home", NeedsServer},
+    ActionRow{ActionId::ResetCamera, MenuId::View, TEXT("Reset ca&mera"),
+              TEXT("The view that the scene names"), "Ctrl+Home", NeedsServer},
+    ActionRow{ActionId::ViewThreeQuarter, MenuId::View, TEXT("From the front, a&slant"),
+              TEXT("All of the model, from the front, the right and a little above"), "Num+0",
+              NeedsServer | SeparatorBefore},
+    ActionRow{ActionId::ViewFront, MenuId::View, TEXT("From the &front"),
+              TEXT("All of the model, from its front"), "Num+1", NeedsServer},
+    ActionRow{ActionId::ViewBack, MenuId::View, TEXT("From the &back"),
+              TEXT("All of the model, from its back"), "Ctrl+Num+1", NeedsServer},
+    ActionRow{ActionId::ViewRight, MenuId::View, TEXT("From the &right"),
+              TEXT("All of the model, from its right side"), "Num+3", NeedsServer},
+    ActionRow{ActionId::ViewLeft, MenuId::View, TEXT("From the &left"),
+              TEXT("All of the model, from its left side"), "Ctrl+Num+3", NeedsServer},
+    ActionRow{ActionId::ViewTop, MenuId::View, TEXT("From &top"), TEXT("All of the model, from above"),
+              "Num+7", NeedsServer},
+    ActionRow{ActionId::ViewBottom, MenuId::View, TEXT("From b&elow"), TEXT("All of the model, from below"),
+              "Ctrl+Num+7", NeedsServer},
+    ActionRow{ActionId::FieldOfView, MenuId::View, TEXT("Field of &view…"),
+              TEXT("How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too"),
+              "Ctrl+Shift+F", NeedsServer | SeparatorBefore},
+    ActionRow{ActionId::UpAndUnit, MenuId::View, TEXT("Up a&xis and unit…"),
+              TEXT("Which axis of the model is up, and how long a unit of it is"), "", NeedsServer},
+    ActionRow{ActionId::AddBookmark, MenuId::View, TEXT("Add boo&kmark"),
+              TEXT("Keep the current view; Alt and a digit go back to it"), "Ctrl+B", NeedsServer},
 
     ActionRow{ActionId::LookSky, MenuId::Light, TEXT("&Sky and sun"),
               TEXT("Light the scene by a sky with a sun, in place of its lights"), "", NeedsServer},
@@ -134,8 +157,9 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::About, MenuId::Help, TEXT("&About"), TEXT("About this program"), ""},
 };
 
-constexpr const char* kMenus[]{TEXT("&File"),     TEXT("&Connection"), TEXT("&Action"),   TEXT("&Light"),
-                               TEXT("C&ommands"), TEXT("&Display"),    TEXT("&Settings"), TEXT("&Help")};
+constexpr const char* kMenus[]{TEXT("&File"),    TEXT("&Connection"), TEXT("&Action"),
+                               TEXT("&View"),    TEXT("&Light"),      TEXT("C&ommands"),
+                               TEXT("&Display"), TEXT("&Settings"),   TEXT("&Help")};
 
 #undef TEXT
 

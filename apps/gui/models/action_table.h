@@ -31,6 +31,15 @@ enum class ActionId {
     CopyCamera,
     PasteCamera,
     ResetCamera,
+    Orbit,
+    FitView,
+    ViewFront,
+    ViewBack,
+    ViewLeft,
+    ViewRight,
+    ViewTop,
+    ViewBottom,
+    ViewThreeQuarter,
     FieldOfView,
     UpAndUnit,
     AddBookmark,
@@ -63,7 +72,7 @@ enum class ActionId {
     About,
 };
 
-enum class MenuId { File, Connection, Action, Light, Commands, Display, Settings, Help };
+enum class MenuId { File, Connection, Action, View, Light, Commands, Display, Settings, Help };
 
 enum Trait : unsigned {
     NeedsServer = 1, ///< enabled only while a server is there

@@ -98,6 +98,8 @@ QString editText(app::CommandId id) {
     case app::CommandId::CameraSet:
     case app::CommandId::CameraOrthographic:
     case app::CommandId::CameraLookAt:
+    case app::CommandId::CameraFit:
+    case app::CommandId::CameraView:
         return text(QT_TRANSLATE_NOOP("Edits", "look there"));
     default:
         return {};

@@ -24,7 +24,7 @@ inline const Preference<bool> lightMarks{"display/lightMarks", false};
 inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
-inline const Preference<bool> globalIllumination{"render/globalIllumination", false}; ///< at rest
+inline const Preference<bool> globalIllumination{"render/globalIllumination", true}; ///< at rest
 inline const Preference<int> stillPathSamples{"render/stillPathSamples", 256};
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live frame

@@ -56,6 +56,7 @@ std::optional<StateAnswer> readState(const QString& answer) {
             result.state.bookmarks.append(QString::fromStdString(name));
         result.state.modified = report.modified;
         result.state.edits = report.edits;
+        result.state.indoors = report.indoors;
         return result;
     } catch (const rtcore::FileError&) {
         return std::nullopt;

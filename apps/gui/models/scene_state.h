@@ -45,6 +45,7 @@ struct SceneState {
     QStringList bookmarks; ///< names of the scene's own
     bool modified = false; ///< there is something to save, other than the camera
     int edits = 0;         ///< made and not taken back
+    bool indoors = false;  ///< the scene's own view is from inside
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };
 

@@ -4,6 +4,12 @@
 
 namespace gui {
 
+namespace {
+
+constexpr int kFilterPasses = 4;
+
+} // namespace
+
 StillQuality stillQuality(const Preferences& preferences) {
     StillQuality quality;
     if (preferences.get(pref::globalIllumination)) quality.paths = preferences.get(pref::stillPathSamples);
@@ -20,10 +26,12 @@ QStringList rendererOptions(const StillQuality& quality) {
     QStringList options;
     if (quality.bloom >= 0) options.append(QStringLiteral("--bloom=%1").arg(quality.bloom));
     if (quality.paths > 0) {
-        // There is more light than in the live frame, whose exposure comes with the camera.
+        // There is more light than in the live frame, whose exposure comes with the camera. Noise is filtered
+        // from the first sample to the last, so that the image never gets worse.
         return options << QStringLiteral("--integrator=path")
                        << QStringLiteral("--samples=%1").arg(quality.paths)
-                       << QStringLiteral("--setting=exposure.mode=automatic");
+                       << QStringLiteral("--setting=exposure.mode=automatic")
+                       << QStringLiteral("--setting=denoise.passes=%1").arg(kFilterPasses);
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));

@@ -1,11 +1,14 @@
 #include "gui/operations/motion_operations.h"
 
 #include "gui/models/bindings.h"
+#include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
 
+#include <QAction>
 #include <QLocale>
 
 #include <algorithm>
@@ -18,6 +21,20 @@ namespace {
 
 constexpr double kStepsPerDoubling = 2;
 constexpr double kMostWheelSteps = 12;
+constexpr double kHalfTurn = 180; ///< degrees
+constexpr double kNearer = 1.2;   ///< by a step of the wheel
+
+struct Side {
+    ActionId action;
+    const char* name;
+};
+constexpr Side kSides[]{{ActionId::ViewFront, "front"},
+                        {ActionId::ViewBack, "back"},
+                        {ActionId::ViewLeft, "left"},
+                        {ActionId::ViewRight, "right"},
+                        {ActionId::ViewTop, "top"},
+                        {ActionId::ViewBottom, "bottom"},
+                        {ActionId::ViewThreeQuarter, "three-quarter"}};
 
 } // namespace
 
@@ -30,6 +47,7 @@ MotionOperations::MotionOperations(const GuiContext& context, QObject* parent)
     connect(&input, &InputCapture::allKeysReleased, &session, &Session::releaseAllKeys);
     connect(&input, &InputCapture::turned, &session, &Session::turn);
     connect(&input, &InputCapture::wheelTurned, this, &MotionOperations::changeSpeed);
+    bindOrbit();
     connect(&session, &Session::stateChanged, this, [this](SessionState state) {
         if (state == SessionState::Connecting) steps_ = 0;
         if (!context_.session.live()) context_.view.input().release();
@@ -38,6 +56,54 @@ MotionOperations::MotionOperations(const GuiContext& context, QObject* parent)
     connect(&input, &InputCapture::capturedChanged, this, [this](bool captured) {
         if (captured && context_.session.live()) askForBindings();
     });
+}
+
+// The model turns in the hand: all of the image's width is half a turn.
+void MotionOperations::bindOrbit() {
+    InputCapture& input = context_.view.input();
+    Session& session = context_.session;
+    connect(&input, &InputCapture::grasped, this, &MotionOperations::takeHold);
+    connect(&input, &InputCapture::dragged, this, [this, &session](const QPointF& by) {
+        const double degrees = kHalfTurn / std::max(context_.view.pictureArea().width(), 1.0);
+        session.orbit(by.x() * degrees, -by.y() * degrees);
+    });
+    connect(&input, &InputCapture::pushed, this, [this, &session](const QPointF& by) {
+        const double width = std::max(context_.view.pictureArea().width(), 1.0);
+        session.pan(by.x() / width, -by.y() / width);
+    });
+    connect(&input, &InputCapture::reached, this, [this, &session](const QPointF& position, double steps) {
+        takeHold(position);
+        session.approach(std::pow(kNearer, steps));
+    });
+    connect(&input, &InputCapture::centred, this, &MotionOperations::centre);
+    context_.actions.onToggle(ActionId::Orbit, [this](bool on) { setOrbits(on); });
+    connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] {
+        const bool orbits = !context_.editor.state().indoors;
+        context_.actions[ActionId::Orbit]->setChecked(orbits);
+        context_.view.input().setHand(orbits ? Hand::Turns : Hand::Looks);
+    });
+    context_.actions.on(ActionId::FitView, [this] { context_.editor.edit(command::cameraFit()); });
+    for (const auto& [id, side] : kSides)
+        context_.actions.on(id, [this, side] { context_.editor.edit(command::cameraView(side)); });
+}
+
+void MotionOperations::setOrbits(bool orbits) {
+    context_.view.input().setHand(orbits ? Hand::Turns : Hand::Looks);
+    context_.view.tell(orbits ? tr("A drag turns the model; Shift moves it, the wheel goes nearer.")
+                              : tr("A click takes the mouse, which looks around; Esc gives it back."));
+}
+
+void MotionOperations::takeHold(const QPointF& position) {
+    if (const auto place = context_.view.inPicture(position))
+        context_.session.takeHold((place->x() + 1) / 2, (1 - place->y()) / 2);
+}
+
+void MotionOperations::centre(const QPointF& position) {
+    const auto place = context_.view.inPicture(position);
+    if (!place) return;
+    takeHold(position);
+    const QRectF area = context_.view.pictureArea();
+    context_.session.pan(-place->x() / 2, -place->y() / 2 * area.height() / area.width());
 }
 
 // Any program may change them.

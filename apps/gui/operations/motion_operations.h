@@ -4,6 +4,7 @@
 #include "gui/operations/gui_context.h"
 
 #include <QObject>
+#include <QPointF>
 
 namespace gui {
 
@@ -15,6 +16,10 @@ class MotionOperations : public QObject {
 
   private:
     void changeSpeed(double steps);
+    void bindOrbit();
+    void takeHold(const QPointF& position);
+    void centre(const QPointF& position);
+    void setOrbits(bool orbits);
     void askForBindings();
 
     GuiContext context_;

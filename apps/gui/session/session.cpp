@@ -57,7 +57,7 @@ void Session::leave() {
     link_->client.reset();
     link_->frame = {};
     link_->next = {};
-    link_->right = link_->upwards = 0;
+    link_->steering = {};
     link_->turning.reset();
     process_ = 0;
     if (status_ != ServerStatus()) {
@@ -128,7 +128,7 @@ void Session::look() {
     if (!link_->client) return;
     become(now == ipc::LinkState::Busy ? SessionState::Busy : SessionState::Connected);
     if (!link_->client) return;
-    sendTurn();
+    sendSteering();
     sendWaiting();
     if (link_->client->readFrame(link_->next)) {
         link_->lastNews = Clock::now();

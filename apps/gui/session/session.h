@@ -73,8 +73,14 @@ class Session : public QObject {
     void pressKey(int key);
     void releaseKey(int key);
     void releaseAllKeys();
-    /// Turns the camera; degrees to the right and upwards. What comes faster than frames do is added up.
+    /// Turns the camera; degrees to the right and upwards. What comes faster than frames do is added up, here
+    /// and in the next three.
     void turn(double right, double upwards);
+    /// What is seen there is what these are about: 0..1 from the left and from the top.
+    void takeHold(double right, double down);
+    void orbit(double right, double upwards); ///< degrees
+    void pan(double right, double upwards);   ///< of the image's width
+    void approach(double factor);
 
   signals:
     void stateChanged(gui::SessionState state);
@@ -90,7 +96,8 @@ class Session : public QObject {
     void look();
     void readStatus();
     void sendWaiting();
-    void sendTurn();
+    void sendSteering();
+    void steer();
     void collectAnswers();
     void failAll(const QString& text);
     void become(SessionState state, const QString& reason = {});

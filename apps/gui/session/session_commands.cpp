@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gui {
 
@@ -11,7 +12,34 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostWaiting = 1000;
-constexpr double kLeastTurn = 1e-4; ///< degrees
+constexpr double kLeast = 1e-4; ///< degrees, or of the image's width
+
+bool isSome(const Steering::Move& move) { return std::abs(move.right) + std::abs(move.upwards) >= kLeast; }
+
+/// The next command of it, which it is without then; "" for none.
+std::string takeLine(Steering& steering) {
+    if (const auto hold = std::exchange(steering.hold, {}))
+        return command::cameraPivot(hold->right, hold->upwards);
+    const auto take = [](auto& what) { return std::exchange(what, {}); };
+    if (isSome(steering.orbit)) {
+        const Steering::Move move = take(steering.orbit);
+        return command::cameraOrbit(move.right, move.upwards);
+    }
+    if (isSome(steering.pan)) {
+        const Steering::Move move = take(steering.pan);
+        return command::cameraPan(move.right, move.upwards);
+    }
+    if (steering.approach != 1) return command::cameraApproach(std::exchange(steering.approach, 1));
+    if (!isSome(steering.turn)) return {};
+    const Steering::Move move = take(steering.turn);
+    return command::cameraTurn(move.right, move.upwards);
+}
+
+/// Added up, within what a command takes.
+void add(Steering::Move& sum, double right, double upwards, double most) {
+    sum.right = std::clamp(sum.right + right, -most, most);
+    sum.upwards = std::clamp(sum.upwards + upwards, -most, most);
+}
 
 } // namespace
 
@@ -46,17 +74,17 @@ void Session::sendWaiting() {
     }
 }
 
-void Session::sendTurn() {
+void Session::sendSteering() {
     if (link_->turning) {
         if (link_->client->wait(*link_->turning, 0ns).status == ipc::ReplyStatus::TimedOut) return;
         link_->turning.reset();
     }
-    if (std::abs(link_->right) + std::abs(link_->upwards) < kLeastTurn) return;
+    Steering left = link_->steering;
+    const std::string line = takeLine(left);
     ipc::Ticket ticket = 0;
-    const std::string line = command::cameraTurn(link_->right, link_->upwards);
-    if (link_->client->send(line, &ticket) != ipc::SendStatus::Sent) return;
+    if (line.empty() || link_->client->send(line, &ticket) != ipc::SendStatus::Sent) return;
     link_->turning = ticket;
-    link_->right = link_->upwards = 0;
+    link_->steering = left;
 }
 
 // What is called may send more, or leave: the list is taken first.
@@ -119,12 +147,35 @@ void Session::releaseAllKeys() {
     }
 }
 
-void Session::turn(double right, double upwards) {
-    constexpr double kMost = 180;
-    link_->right = std::clamp(link_->right + right, -kMost, kMost);
-    link_->upwards = std::clamp(link_->upwards + upwards, -kMost, kMost);
+void Session::steer() {
     link_->lastNews = Clock::now();
     pace();
+}
+
+void Session::turn(double right, double upwards) {
+    add(link_->steering.turn, right, upwards, 180);
+    steer();
+}
+
+void Session::takeHold(double right, double down) {
+    link_->steering.hold = Steering::Move{right, down};
+    steer();
+}
+
+void Session::orbit(double right, double upwards) {
+    add(link_->steering.orbit, right, upwards, 180);
+    steer();
+}
+
+void Session::pan(double right, double upwards) {
+    add(link_->steering.pan, right, upwards, 10);
+    steer();
+}
+
+void Session::approach(double factor) {
+    constexpr double kMost = 1000;
+    link_->steering.approach = std::clamp(link_->steering.approach * factor, 1 / kMost, kMost);
+    steer();
 }
 
 } // namespace gui

@@ -26,6 +26,17 @@ struct Order {
     ipc::Ticket ticket = 0;                  ///< 0: not sent yet
 };
 
+/// How the mouse moves the camera.
+struct Steering {
+    struct Move {
+        double right = 0, upwards = 0;
+        bool operator==(const Move&) const = default;
+    };
+    Move turn, orbit, pan;
+    double approach = 1;
+    std::optional<Move> hold; ///< before all others
+};
+
 struct Session::Link {
     std::unique_ptr<ipc::Client> client;
     Clock::time_point deadline{}, lastNews{};
@@ -33,8 +44,8 @@ struct Session::Link {
     ipc::Frame frame, next; ///< the one that is shown, and where the next one is read to
     std::deque<Order> waiting;
     std::vector<Order> open;
-    double right = 0, upwards = 0;      ///< turned, not yet sent
-    std::optional<ipc::Ticket> turning; ///< the server has not taken the last turn yet
+    Steering steering;                  ///< not yet sent
+    std::optional<ipc::Ticket> turning; ///< the server has not taken the last of it yet
     QTimer timer;
 };
 

@@ -639,10 +639,6 @@
         <translation>Pohled podle samotné scény</translation>
     </message>
     <message>
-        <source>Add &amp;bookmark</source>
-        <translation>Přidat zá&amp;ložku</translation>
-    </message>
-    <message>
         <source>Keep the current view; Alt and a digit go back to it</source>
         <translation>Uchovat aktuální pohled; Alt a číslice se k němu vrátí</translation>
     </message>
@@ -789,10 +785,6 @@
     <message>
         <source>%1 % new</source>
         <translation>%1 % nových</translation>
-    </message>
-    <message>
-        <source>&amp;Field of view…</source>
-        <translation>&amp;Úhel záběru…</translation>
     </message>
     <message>
         <source>How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too</source>
@@ -989,6 +981,114 @@
     <message>
         <source>usual for %1 files</source>
         <translation>obvyklé pro soubory %1</translation>
+    </message>
+    <message>
+        <source>&amp;Orbit</source>
+        <translation>&amp;Otáčet model</translation>
+    </message>
+    <message>
+        <source>A drag turns the model, Shift moves it, the wheel goes nearer; without, a click takes the mouse, which looks around</source>
+        <translation>Tažení model otáčí, se Shiftem posouvá, kolečko přibližuje; jinak kliknutí převezme myš, která se rozhlíží</translation>
+    </message>
+    <message>
+        <source>All of the model, from the side where you are</source>
+        <translation>Celý model ze strany, kde jste</translation>
+    </message>
+    <message>
+        <source>From the front, a&amp;slant</source>
+        <translation>Zepředu ši&amp;kmo</translation>
+    </message>
+    <message>
+        <source>All of the model, from the front, the right and a little above</source>
+        <translation>Celý model zepředu, zprava a trochu shora</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>Ze&amp;předu</translation>
+    </message>
+    <message>
+        <source>All of the model, from its front</source>
+        <translation>Celý model zepředu</translation>
+    </message>
+    <message>
+        <source>From the &amp;back</source>
+        <translation>Ze&amp;zadu</translation>
+    </message>
+    <message>
+        <source>All of the model, from its back</source>
+        <translation>Celý model zezadu</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>Zp&amp;rava</translation>
+    </message>
+    <message>
+        <source>All of the model, from its right side</source>
+        <translation>Celý model zprava</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>Zl&amp;eva</translation>
+    </message>
+    <message>
+        <source>All of the model, from its left side</source>
+        <translation>Celý model zleva</translation>
+    </message>
+    <message>
+        <source>From &amp;top</source>
+        <translation>&amp;Shora</translation>
+    </message>
+    <message>
+        <source>All of the model, from above</source>
+        <translation>Celý model shora</translation>
+    </message>
+    <message>
+        <source>From b&amp;elow</source>
+        <translation>Z&amp;dola</translation>
+    </message>
+    <message>
+        <source>All of the model, from below</source>
+        <translation>Celý model zdola</translation>
+    </message>
+    <message>
+        <source>Field of &amp;view…</source>
+        <translation>&amp;Úhel záběru…</translation>
+    </message>
+    <message>
+        <source>Add boo&amp;kmark</source>
+        <translation>Přidat zá&amp;ložku</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Po&amp;hled</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Tažení</translation>
+    </message>
+    <message>
+        <source>While orbiting: turn the model</source>
+        <translation>Při otáčení: otočit model</translation>
+    </message>
+    <message>
+        <source>Shift+drag, middle button</source>
+        <translation>Shift+tažení, prostřední tlačítko</translation>
+    </message>
+    <message>
+        <source>While orbiting: move the model</source>
+        <translation>Při otáčení: posunout model</translation>
+    </message>
+    <message>
+        <source>Wheel, double click</source>
+        <translation>Kolečko, dvojklik</translation>
+    </message>
+    <message>
+        <source>While orbiting: go nearer, look there</source>
+        <translation>Při otáčení: přiblížit, podívat se tam</translation>
+    </message>
+    <message>
+        <source>&amp;Whole model</source>
+        <translation>&amp;Celý model</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2418,14 @@ Alt+%2</translation>
     <message>
         <source>Flying speed × %1; walking keeps its own</source>
         <translation>Rychlost letu × %1; chůze má svou vlastní</translation>
+    </message>
+    <message>
+        <source>A drag turns the model; Shift moves it, the wheel goes nearer.</source>
+        <translation>Tažení model otáčí, Shift ho posouvá, kolečko přibližuje.</translation>
+    </message>
+    <message>
+        <source>A click takes the mouse, which looks around; Esc gives it back.</source>
+        <translation>Kliknutí převezme myš, která se rozhlíží; Esc ji vrátí.</translation>
     </message>
 </context>
 <context>

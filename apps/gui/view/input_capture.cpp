@@ -43,6 +43,13 @@ int onlyModifier(Qt::KeyboardModifiers modifiers) {
                                        : rtcore::KeyNone;
 }
 
+// Home, and while a drag turns the model the numbers at the side of the keyboard, choose views.
+bool choosesViews(const QKeyEvent& event, Hand hand) {
+    const bool number =
+        (event.modifiers() & Qt::KeypadModifier) != 0 && event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9;
+    return event.key() == Qt::Key_Home || (number && hand == Hand::Turns);
+}
+
 bool isFunctionKey(int key) { return key >= Qt::Key_F1 && key <= Qt::Key_F35; }
 
 bool isCommand(int code) { return code == 'E' || code == 'H' || code == 'R' || code == 'L'; }
@@ -57,6 +64,12 @@ InputCapture::InputCapture(QWidget* widget) : QObject(widget), widget_(widget) {
 void InputCapture::setMouseSensitivity(double degreesPerPixel, bool invert) {
     degreesPerPixel_ = degreesPerPixel;
     upwards_ = invert ? -1 : 1;
+}
+
+void InputCapture::setHand(Hand hand) {
+    if (hand == Hand::Turns) release();
+    hand_ = hand;
+    grasp_ = Qt::NoButton;
 }
 
 void InputCapture::capture() {
@@ -96,6 +109,8 @@ bool InputCapture::eventFilter(QObject*, QEvent* event) {
         return onMousePress(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseButtonDblClick:
         return onDoubleClick(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseButtonRelease:
+        return onMouseRelease(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseMove:
         return onMouseMove(static_cast<const QMouseEvent&>(*event));
     case QEvent::Wheel:
@@ -123,6 +138,7 @@ bool InputCapture::takesAll() const {
 bool InputCapture::isCameras(const QKeyEvent& event) const {
     const int code = keyCodeOf(event);
     if (isFunctionKey(event.key())) return false;
+    if (!captured_ && choosesViews(event, hand_)) return false;
     if (!isShortcut(event)) return captured_ || code != rtcore::KeyNone;
     if (!takesAll()) return false;
     if (isModifier(event.key())) return captured_ || keys_.moves(code);
@@ -195,6 +211,7 @@ bool InputCapture::onMousePress(const QMouseEvent& event) {
         emit picked(event.position());
         return true;
     }
+    if (hand_ == Hand::Turns && !captured_) return onGrasp(event);
     if (event.button() != Qt::LeftButton) return false;
     const bool was = captured_;
     capture();
@@ -205,7 +222,11 @@ bool InputCapture::onMousePress(const QMouseEvent& event) {
 
 bool InputCapture::onDoubleClick(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return false;
-    if (!captured_ || !byThisClick_) return onMousePress(event);
+    if (hand_ == Hand::Turns && !captured_ && (event.modifiers() & Qt::ControlModifier) == 0) {
+        emit centred(event.position());
+        return true;
+    }
+    if (hand_ == Hand::Looks && (!captured_ || !byThisClick_)) return onMousePress(event);
     release();
     if ((event.modifiers() & Qt::ControlModifier) != 0)
         emit focused(event.position());
@@ -218,12 +239,15 @@ void InputCapture::onWheel(const QWheelEvent& event) {
     const double steps = event.angleDelta().y() / kWheelStep;
     if ((event.modifiers() & Qt::ControlModifier) != 0)
         emit zoomed(steps);
+    else if (hand_ == Hand::Turns && !captured_)
+        emit reached(event.position(), steps);
     else
         emit wheelTurned(steps);
 }
 
 // Where the pointer cannot be moved (Wayland), it is followed until it leaves the window.
 bool InputCapture::onMouseMove(const QMouseEvent& event) {
+    if (grasp_ != Qt::NoButton) return onDrag(event);
     if (!captured_) return false;
     const QPoint now = event.position().toPoint();
     const QPoint moved = now - last_;
@@ -236,6 +260,32 @@ bool InputCapture::onMouseMove(const QMouseEvent& event) {
     const QPoint off = now - widget_->rect().center();
     if (std::abs(off.x()) > widget_->width() / 4 || std::abs(off.y()) > widget_->height() / 4)
         centrePointer();
+    return true;
+}
+
+bool InputCapture::onGrasp(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton && event.button() != Qt::MiddleButton) return false;
+    widget_->setFocus(Qt::MouseFocusReason);
+    grasp_ = event.button();
+    last_ = event.position().toPoint();
+    widget_->setCursor(Qt::ClosedHandCursor);
+    emit grasped(event.position());
+    return true;
+}
+
+bool InputCapture::onDrag(const QMouseEvent& event) {
+    const QPoint now = event.position().toPoint(), moved = now - last_;
+    last_ = now;
+    if (moved.isNull()) return true;
+    const bool pushes = grasp_ == Qt::MiddleButton || (event.modifiers() & Qt::ShiftModifier) != 0;
+    pushes ? emit pushed(moved) : emit dragged(moved);
+    return true;
+}
+
+bool InputCapture::onMouseRelease(const QMouseEvent& event) {
+    if (grasp_ == Qt::NoButton || event.button() != grasp_) return false;
+    grasp_ = Qt::NoButton;
+    if (!captured_) widget_->unsetCursor();
     return true;
 }
 

@@ -1,6 +1,7 @@
 /// Keys and mouse of a widget, turned into key codes and angles. Keys without Ctrl, Alt and Meta are the
 /// server's; while captured, or while a key that moves is down, so are the combinations of keys that move
-/// (Control+W crawls), and all others are shortcuts. While captured the mouse turns the camera.
+/// (Control+W crawls), and all others are shortcuts. While captured the mouse turns the camera; or, by
+/// another preference, a drag turns the model without any capture.
 #pragma once
 
 #include "gui/models/camera_keys.h"
@@ -17,6 +18,12 @@ class QWidget;
 
 namespace gui {
 
+/// What the mouse does with the image.
+enum class Hand {
+    Looks, ///< a click captures the mouse, which turns the camera
+    Turns  ///< a drag turns the model
+};
+
 class InputCapture : public QObject {
     Q_OBJECT
 
@@ -29,6 +36,8 @@ class InputCapture : public QObject {
     void capture();
     void release();
     void setMouseSensitivity(double degreesPerPixel, bool invert);
+    Hand hand() const { return hand_; }
+    void setHand(Hand hand);
     /// What the keys do on the server.
     void setBindings(const QList<Binding>& bindings) { keys_ = CameraKeys(bindings); }
 
@@ -39,7 +48,13 @@ class InputCapture : public QObject {
     void allKeysReleased();
     void turned(double right, double upwards); ///< degrees
     void wheelTurned(double steps);            ///< away from the user is positive
-    void zoomed(double steps);                 ///< the same with Ctrl
+    // Of a hand that turns; widget pixels.
+    void grasped(const QPointF& position); ///< a drag begins there
+    void dragged(const QPointF& by);       ///< the model is to turn
+    void pushed(const QPointF& by);        ///< the same with Shift or the middle button: it is to move
+    void reached(const QPointF& position, double steps); ///< the wheel, there
+    void centred(const QPointF& position);               ///< a double click
+    void zoomed(double steps);                           ///< the same with Ctrl
     /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with
     /// it.
     void commandKey(int code, bool withL);
@@ -64,6 +79,9 @@ class InputCapture : public QObject {
     void onWheel(const QWheelEvent& event);
     bool onDoubleClick(const QMouseEvent& event);
     bool onMouseMove(const QMouseEvent& event);
+    bool onGrasp(const QMouseEvent& event);
+    bool onDrag(const QMouseEvent& event);
+    bool onMouseRelease(const QMouseEvent& event);
     void centrePointer();
     void releaseKeys();
 
@@ -76,6 +94,8 @@ class InputCapture : public QObject {
     QPoint last_;              ///< of the pointer, widget pixels
     QPoint pressed_;           ///< where the button went down
     bool byThisClick_ = false; ///< captured, and the mouse has not moved since
+    Hand hand_ = Hand::Looks;
+    Qt::MouseButton grasp_ = Qt::NoButton; ///< of a drag that goes on
     double degreesPerPixel_ = 0.12;
     double upwards_ = 1; ///< -1: inverted
 };

@@ -3,8 +3,10 @@
 #include "rtcore/io/bsp/bsp_file.h"
 #include "rtcore/io/images/environment_file.h"
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/io/import/import_report.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/set.h"
+#include "rtcore/look/seen_places.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/render/default_view.h"
@@ -63,6 +65,8 @@ FileKind sniff(const std::filesystem::path& path, InputFile& file) {
     if (isSceneText(head) || (path.extension() == ".scn" && text)) return FileKind::Scene;
     return FileKind::Model;
 }
+
+void straightenCamera(Vec3 up, Camera& camera) { camera.up = upwardsOf(camera.forward, up); }
 
 class Loader {
   public:
@@ -355,22 +359,102 @@ class Loader {
             frame = guessUpAndUnit(out_.origin, out_.tree, out_.scene.model.mesh);
         }
         frame = withUserSays(frame, options_.import.up, options_.import.metresPerUnit);
-        out_.ownCamera = hasCamera_;
         // A camera of the model's or the scene's own knows what is up, unless the user knows better.
-        if (hasCamera_ && frame.upSaid == Said::ByUser) return reframe(out_, frame, out_.scene, out_.camera);
+        if (hasCamera_ && frame.upSaid == Said::ByUser && frame.up != out_.scene.up)
+            straightenCamera(frame.up, out_.camera);
         out_.frame = frame;
         out_.scene.up = frame.up;
         out_.scene.metresPerUnit = frame.metresPerUnit;
-        if (!hasCamera_) out_.camera = defaultCamera(out_.tree, out_.scene.model.mesh, frame.up);
+    }
+
+    const Survey& surveyed() {
+        if (!survey_) survey_ = survey(out_.tree, out_.scene.model.mesh, axesOf(out_.scene));
+        return *survey_;
+    }
+
+    /// One of the model's own that shows it, or else one that does; the others become bookmarks.
+    void chooseCamera() {
+        const Mesh& mesh = out_.scene.model.mesh;
+        if (out_.sceneFile) {
+            out_.bookmarks = out_.sceneFile->bookmarks;
+        } else if (hasCamera_) {
+            const std::span<const Camera> cameras = out_.scene.model.cameras;
+            const auto shown = std::find_if(cameras.begin(), cameras.end(), [&](const Camera& camera) {
+                return showsModel(seenPlaces(out_.tree, mesh, camera), surveyed().subject.bounds);
+            });
+            hasCamera_ = shown != cameras.end();
+            if (hasCamera_ && shown != cameras.begin()) out_.camera = *shown;
+            bookmarkCameras(static_cast<std::size_t>(shown - cameras.begin()));
+        }
+        out_.ownCamera = hasCamera_;
+        if (!hasCamera_) out_.camera = defaultCamera(out_.tree, mesh, surveyed());
+        out_.indoors = isEnclosed(out_.tree, mesh, axesOf(out_.scene), out_.camera.eye);
+    }
+
+    /// All but the one that is shown, under their names.
+    void bookmarkCameras(std::size_t shown) {
+        const Model& model = out_.scene.model;
+        std::vector<std::string> unused;
+        for (std::size_t i = 0; i < model.cameras.size(); ++i) {
+            if (i == shown) continue;
+            const std::string own(model.name(model.cameras[i].nameOffset));
+            std::string name = own.empty() ? "camera " + std::to_string(i + 1) : own;
+            for (int n = 2; findBookmark(out_.bookmarks, name) != out_.bookmarks.end(); ++n)
+                name = (own.empty() ? "camera" : own) + " " + std::to_string(n);
+            if (i < shown) unused.push_back(name);
+            out_.bookmarks.push_back({name, model.cameras[i]});
+            out_.bookmarks.back().camera.nameOffset = 0;
+        }
+        if (unused.empty()) return;
+        const bool one = unused.size() == 1;
+        warn({(one ? "its camera " : "its cameras ") + firstOf(unused) + (one ? " does" : " do") +
+              " not show the model; kept as " + (one ? "a bookmark" : "bookmarks")});
+    }
+
+    /// The parts that are the skies around the model, one value for each; none where a part is more than
+    /// that.
+    std::vector<std::uint8_t> domesAmong(const std::vector<NamedPart>& parts) {
+        const Subject& subject = surveyed().subject;
+        std::vector<std::uint8_t> chosen(parts.size());
+        std::uint64_t triangles = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto holdsDome = [&](std::uint32_t piece) {
+                const ModelPart& part = out_.scene.model.parts[piece];
+                return std::any_of(subject.domes.begin(), subject.domes.end(), [&](std::uint32_t triangle) {
+                    return triangle - part.firstTriangle < part.triangleCount;
+                });
+            };
+            if (std::none_of(parts[i].pieces.begin(), parts[i].pieces.end(), holdsDome)) continue;
+            chosen[i] = 1;
+            triangles += parts[i].triangles;
+        }
+        if (triangles != subject.domeTriangles) chosen.clear();
+        return chosen;
+    }
+
+    /// A sky that was modelled around everything would keep the light out.
+    void hideDomes() {
+        Scene& scene = out_.scene;
+        if (surveyed().subject.domes.empty()) return;
+        const std::vector<NamedPart> parts = namedParts(scene.model);
+        const std::vector<std::uint8_t> chosen = domesAmong(parts);
+        if (chosen.empty())
+            return warn({"a sky that was modelled around it keeps the light out; make it a part of its own"});
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (chosen[i] != 0) names.emplace_back(parts[i].name);
+        scene.hiddenParts = withParts(scene.model, parts, chosen, true, scene.hiddenParts);
+        warn({"the sky that was modelled around it, " + firstOf(names) +
+              ", is hidden, since it would keep the light out; 'part show' or --show shows it"});
     }
 
     void lightByLook(Look look, bool last = false) {
         Scene& scene = out_.scene;
         const LookLights lights =
-            lookLights(look, out_.tree, scene.model.mesh, scene.up, out_.camera, options_.surroundings.sky);
+            lookLights(look, out_.tree, scene.model.mesh, surveyed(), out_.camera, options_.surroundings.sky);
         lightBy(scene, lights);
         out_.look = look;
-        take(settingsOf(look, lights), last);
+        take(settingsOf(look, surveyed()), last);
     }
 
     bool hasLight() const {
@@ -382,9 +466,30 @@ class Loader {
         return chosen || out_.scene.lights.size() > (options_.surroundings.sky ? 1 : 0);
     }
 
+    /// Whether the lights of the model, if it has any, can be noticed where its first camera looks.
+    bool ownLightsReach() const {
+        const Scene& scene = out_.scene;
+        const std::vector<SeenPlace> places = seenPlaces(out_.tree, scene.model.mesh, out_.camera);
+        return scene.lights.empty() || places.empty() ||
+               lightReaches(out_.tree, scene.model.mesh, scene.lights, places, kPlainAmbient);
+    }
+
+    /// Beside the lights of the model, which light nothing that is seen.
+    void lightBeside(Look look) {
+        Scene& scene = out_.scene;
+        const std::vector<Light> own = std::move(scene.lights);
+        const std::vector<std::string> names = std::move(scene.lightNames);
+        lightByLook(look);
+        scene.lightNames.resize(scene.lights.size());
+        scene.lights.insert(scene.lights.end(), own.begin(), own.end());
+        scene.lightNames.insert(scene.lightNames.end(), names.begin(), names.end());
+        scene.lightNotes.clear();
+        warn({"its own lights reach nothing that is seen; other light was added"});
+    }
+
     void giveGround() {
         Scene& scene = out_.scene;
-        if (!scene.sky || !wantsGround(out_.tree, scene.model.mesh, scene.up)) return;
+        if (!scene.sky || !wantsGround(scene.model.mesh, surveyed())) return;
         Sky sky = *scene.sky;
         sky.ground = true;
         setSky(scene, sky);
@@ -394,12 +499,17 @@ class Loader {
         Scene& scene = out_.scene;
         const Surroundings& surroundings = options_.surroundings;
         const bool surrounded = surroundings.environment || scene.sky;
+        if (!out_.sceneFile && (!hasLight() || !ownLightsReach())) {
+            hideDomes();
+            if (hasLight() && !surrounded && !surroundings.look) return lightBeside(surroundings.usual);
+        }
         if (surroundings.look) return lightByLook(*surroundings.look, true);
         if (hasLight() || (surrounded && out_.sceneFile)) {
             if (surrounded) take({{"skyLight.on", true}});
         } else if (surrounded) {
             giveGround();
-            take(settingsOf(true, addRoomLights(scene, out_.tree)));
+            addRoomLights(scene, out_.tree, surveyed());
+            take(settingsOf(Look::Sky, surveyed()));
         } else if (out_.sceneFile) {
             addHeadlight(scene, out_.tree.bounds, out_.camera);
             out_.look = Look::Headlight;
@@ -411,6 +521,7 @@ class Loader {
     void finish() {
         Scene& scene = out_.scene;
         decideUpAndUnit();
+        chooseCamera();
         takeSurroundings();
         giveLight();
         numberLights(scene);
@@ -422,12 +533,15 @@ class Loader {
     LoadedScene out_;
     bool hasCamera_ = false;
     std::optional<Sky> described_; ///< by the .scn
+    std::optional<Survey> survey_;
 };
 
 LookLights lightsOfLook(const LoadedScene& loaded, const Scene& scene) {
     // A sky by date stands wherever its place is.
     const std::optional<Sky> sky = scene.sky && scene.sky->date ? scene.sky : std::nullopt;
-    return lookLights(*loaded.look, loaded.tree, scene.model.mesh, scene.up, loaded.camera, sky);
+    const Mesh& mesh = scene.model.mesh;
+    const Survey found = survey(loaded.tree, mesh, axesOf(scene));
+    return lookLights(*loaded.look, loaded.tree, mesh, found, loaded.camera, sky);
 }
 
 bool isLitByItsLook(const LoadedScene& loaded, const Scene& scene) {
@@ -462,9 +576,10 @@ void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& 
     if (!turned) return;
     straightenSky(scene);
     if (loaded.ownCamera) {
-        camera.up = upwardsOf(camera.forward, frame.up);
+        straightenCamera(frame.up, camera);
     } else {
-        camera = loaded.camera = defaultCamera(loaded.tree, scene.model.mesh, frame.up);
+        const Mesh& mesh = scene.model.mesh;
+        camera = loaded.camera = defaultCamera(loaded.tree, mesh, survey(loaded.tree, mesh, axesOf(scene)));
     }
     if (lit) lightAnew(loaded, scene);
 }

@@ -51,7 +51,9 @@ struct LoadOptions {
 struct LoadedScene {
     Scene scene;
     KdTree tree;
-    Camera camera;                      ///< the .scn's, else the model's first, else defaultCamera()
+    /// The .scn's, else the first of the model's that shows it, else defaultCamera().
+    Camera camera;
+    SceneBookmarks bookmarks;           ///< the .scn's, else the other cameras of the model
     std::optional<SceneFile> sceneFile; ///< when a .scn was named
     /// skyLight.on where there is a sky, the .scn's own settings, those of the .set that it names, what a
     /// look that the user names needs.
@@ -66,6 +68,7 @@ struct LoadedScene {
     UpAndUnit frame;                          ///< what Scene::up and Scene::metresPerUnit are, and why
     ModelOrigin origin;                       ///< of the model
     bool ownCamera = true;                    ///< false: defaultCamera()
+    bool indoors = false;                     ///< the camera has walls around it (isEnclosed())
     std::optional<Look> look; ///< lightBy() it was lit by, with that camera; nothing: light of its own
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };

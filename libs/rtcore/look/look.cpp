@@ -4,7 +4,6 @@
 #include "rtcore/look/sun_of_view.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/render/default_view.h"
-#include "rtcore/render/survey.h"
 #include "rtcore/simd/portable_math.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -19,6 +18,8 @@ namespace {
 
 constexpr float kKey = 0.25F; ///< the sun and a studio's lights leave little in the dark
 constexpr float kStudioBackground = 0.35F;
+/// Of ambient occlusion: metres, or a part of the model.
+constexpr float kReach = 5, kReachOfDiagonal = 0.15F;
 
 /// One of the lights around an object: where from, as seen by the viewer, and how bright.
 struct StudioLight {
@@ -62,16 +63,15 @@ void addStudioLights(LookLights& look, const Box3& bounds, Vec3 up, Vec3 forward
 
 std::string roomLightName(std::size_t i) { return "ceiling " + std::to_string(i + 1); }
 
-void setRoomLights(LookLights& look, const KdTree& tree, const Mesh& mesh, Vec3 up) {
-    look.lights = roomLights(tree, mesh, up);
-    look.room = !look.lights.empty();
+void setRoomLights(LookLights& look, const KdTree& tree, const Mesh& mesh, const Survey& survey) {
+    look.lights = roomLights(tree, mesh, survey);
     for (std::size_t i = 0; i < look.lights.size(); ++i) look.names.push_back(roomLightName(i));
 }
 
-Sky skyOfView(const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera) {
+Sky skyOfView(const KdTree& tree, const Mesh& mesh, const Survey& survey, const Camera& camera) {
     Sky sky;
     sky.date.reset();
-    sky.direction = sunOfView(tree, mesh, up, camera);
+    sky.direction = sunOfView(tree, mesh, survey, camera);
     return sky;
 }
 
@@ -89,26 +89,26 @@ std::optional<Look> lookNamed(std::string_view name) {
     return static_cast<Look>(found - kLookNames.begin());
 }
 
-bool wantsGround(const KdTree& tree, const Mesh& mesh, Vec3 up) {
+bool wantsGround(const Mesh& mesh, const Survey& survey) {
     constexpr std::size_t kMostTriangles = 10'000'000;
-    if (tree.bounds.empty() || mesh.triangles.size() > kMostTriangles) return false;
-    const Survey found = survey(tree, mesh, Axes(up));
-    return !found.indoors && found.openSide == Vec3{};
+    if (survey.subject.bounds.empty() || mesh.triangles.size() > kMostTriangles) return false;
+    return !survey.inside() && !survey.isStage() && !survey.subject.ground;
 }
 
-LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera,
-                      const std::optional<Sky>& sky) {
+LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Survey& survey,
+                      const Camera& camera, const std::optional<Sky>& sky) {
     LookLights result;
     switch (look) {
     case Look::Sky:
-        result.sky = sky ? *sky : skyOfView(tree, mesh, up, camera);
-        setRoomLights(result, tree, mesh, up);
-        result.sky->ground = wantsGround(tree, mesh, up);
+        result.sky = sky ? *sky : skyOfView(tree, mesh, survey, camera);
+        setRoomLights(result, tree, mesh, survey);
+        result.sky->ground = wantsGround(mesh, survey);
         break;
     case Look::Studio:
         result.background = kWhite * kStudioBackground;
-        setRoomLights(result, tree, mesh, up);
-        if (result.lights.empty()) addStudioLights(result, tree.bounds, up, camera.forward);
+        setRoomLights(result, tree, mesh, survey);
+        if (result.lights.empty())
+            addStudioLights(result, survey.subject.bounds, survey.axes.up, camera.forward);
         break;
     case Look::Headlight:
         result.lights = {defaultLight(camera, tree.bounds)};
@@ -131,10 +131,17 @@ void lightBy(Scene& scene, const LookLights& look) {
     numberLights(scene);
 }
 
-std::vector<SettingAssignment> settingsOf(bool sky, bool room) {
-    std::vector<SettingAssignment> settings{{"skyLight.on", sky}, {"ambientOcclusion.on", sky && room}};
-    if (sky) settings.push_back({"exposure.key", kKey});
-    return settings;
+// What no sky reaches is lit by what the surfaces around send to each other: wherever one walks, it is not
+// black.
+std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey) {
+    if (look == Look::Headlight) return {{"skyLight.on", false}, {"ambientOcclusion.on", false}};
+    // Of what the model is about: wide ground does not make its rooms dark.
+    const float diagonal = survey.subject.bounds.diagonal();
+    const float reach = std::min(kReachOfDiagonal * diagonal, kReach * survey.axes.metre);
+    return {{"skyLight.on", true},
+            {"ambientOcclusion.on", true},
+            {"ambientOcclusion.distance", reach},
+            {"exposure.key", kKey}};
 }
 
 bool isLitBy(const Scene& scene, const LookLights& look) {
@@ -149,11 +156,10 @@ void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
     numberLights(scene);
 }
 
-bool addRoomLights(Scene& scene, const KdTree& tree) {
-    const std::vector<Light> lights = roomLights(tree, scene.model.mesh, scene.up);
+void addRoomLights(Scene& scene, const KdTree& tree, const Survey& survey) {
+    const std::vector<Light> lights = roomLights(tree, scene.model.mesh, survey);
     for (std::size_t i = 0; i < lights.size(); ++i) addLight(scene, lights[i], roomLightName(i));
     numberLights(scene);
-    return !lights.empty();
 }
 
 } // namespace rtcore

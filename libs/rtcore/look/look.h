@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/render/survey.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/settings_table.h"
@@ -35,23 +36,19 @@ struct LookLights {
     std::vector<Light> lights; ///< without the sun
     std::vector<std::string> names;
     Colour background = kPlainBackground, ambient = kPlainAmbient;
-    bool room = false; ///< the lights are those of a room
 };
 
 /// Seen by `camera`. `sky`: the one to be shown; otherwise one whose sun shows the model well (sunOfView()).
 /// The same for the same input. Some 0.05 s.
-LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera,
-                      const std::optional<Sky>& sky = {});
+LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Survey& survey,
+                      const Camera& camera, const std::optional<Sky>& sky = {});
 
 /// In place of all lights of the scene, of its sky and of the environment that is shown; environments of
 /// files stay there to be chosen.
 void lightBy(Scene& scene, const LookLights& look);
 
-/// Settings for what is lit by a sky or by even light, and by lights of a room; in the walk and in stills.
-std::vector<SettingAssignment> settingsOf(bool sky, bool room);
-inline std::vector<SettingAssignment> settingsOf(Look look, const LookLights& lights) {
-    return settingsOf(look != Look::Headlight, lights.room);
-}
+/// Settings for it, in the walk and in stills.
+std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey);
 
 /// Whether the scene is lit by that: nothing was edited but what is switched on.
 bool isLitBy(const Scene& scene, const LookLights& look);
@@ -60,10 +57,10 @@ bool isLitBy(const Scene& scene, const LookLights& look);
 void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera);
 
 /// Whether Look::Sky has a ground below the model: what one stands neither in, as in a room, nor before, as
-/// before a stage, unless that takes too much memory.
-bool wantsGround(const KdTree& tree, const Mesh& mesh, Vec3 up);
+/// before a stage, and what has no ground of its own, unless that takes too much memory.
+bool wantsGround(const Mesh& mesh, const Survey& survey);
 
-/// Those of roomLights(), behind the lights that the scene has. Returns whether there are any.
-bool addRoomLights(Scene& scene, const KdTree& tree);
+/// Those of roomLights(), behind the lights that the scene has.
+void addRoomLights(Scene& scene, const KdTree& tree, const Survey& survey);
 
 } // namespace rtcore

@@ -1,11 +1,9 @@
 #include "rtcore/look/room_lights.h"
 
-#include "rtcore/kernels/single_ray.h"
-#include "rtcore/render/survey.h"
+#include "rtcore/render/closest_hit.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -14,7 +12,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kPlaces = 9;             ///< across the model, each way
 constexpr float kBelowCeiling = 0.15F; ///< of the room's height
 constexpr float kSize = 0.06F;         ///< radius, of the room's height
 constexpr float kLittle = 0.04F;       ///< of what all places want: what one more light must bring
@@ -29,12 +26,11 @@ struct LightPlace {
 
 class RoomLighting {
   public:
-    RoomLighting(const KdTree& tree, const Mesh& mesh, const Axes& axes) : tree_(tree), mesh_(mesh) {
-        for (const Vec3 place : placesIn(tree.bounds, axes, kPlaces)) {
-            const auto stand = standAt(tree, mesh, axes, place);
-            if (!stand || !isIndoors(*stand)) continue;
-            eyes_.push_back(stand->eye);
-            if (const auto found = above(stand->eye, axes.up)) places_.push_back(*found);
+    RoomLighting(const KdTree& tree, const Mesh& mesh, Vec3 up, const std::vector<Stand>& rooms)
+        : tree_(tree), mesh_(mesh) {
+        for (const Stand& stand : rooms) {
+            eyes_.push_back(stand.eye);
+            if (const auto found = above(stand.eye, up)) places_.push_back(*found);
         }
         light_.assign(eyes_.size(), 0);
     }
@@ -66,19 +62,12 @@ class RoomLighting {
         return light;
     }
 
-    std::optional<float> distanceAlong(Vec3 from, Vec3 direction) const {
-        Hit hit;
-        if (!intersect(tree_, mesh_, {from, 0, direction, std::numeric_limits<float>::max()}, hit))
-            return std::nullopt;
-        return hit.t;
-    }
-
     std::optional<LightPlace> above(Vec3 eye, Vec3 up) const {
-        const auto ceiling = distanceAlong(eye, up), floor = distanceAlong(eye, -up);
+        const auto ceiling = closestHit(tree_, mesh_, eye, up), floor = closestHit(tree_, mesh_, eye, -up);
         if (!ceiling || !floor) return std::nullopt;
-        const float room = *ceiling + *floor;
-        const float above = std::max(*ceiling - kBelowCeiling * room, 0.5F * *ceiling);
-        return LightPlace{eye + up * above, above + *floor, room};
+        const float room = ceiling->t + floor->t;
+        const float above = std::max(ceiling->t - kBelowCeiling * room, 0.5F * ceiling->t);
+        return LightPlace{eye + up * above, above + floor->t, room};
     }
 
     /// At each eye, with one more light there; 1 as on the floor below a light.
@@ -118,11 +107,9 @@ class RoomLighting {
 
 } // namespace
 
-std::vector<Light> roomLights(const KdTree& tree, const Mesh& mesh, Vec3 up) {
-    if (tree.bounds.empty()) return {};
-    const Axes axes(up);
-    if (!survey(tree, mesh, axes).indoors) return {};
-    return RoomLighting(tree, mesh, axes).choose();
+std::vector<Light> roomLights(const KdTree& tree, const Mesh& mesh, const Survey& survey) {
+    if (!survey.inside()) return {};
+    return RoomLighting(tree, mesh, survey.axes.up, survey.rooms).choose();
 }
 
 } // namespace rtcore

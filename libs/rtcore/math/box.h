@@ -27,6 +27,9 @@ struct Box3 {
         extend(b.hi);
     }
     bool empty() const { return lo.x > hi.x || lo.y > hi.y || lo.z > hi.z; }
+    bool contains(Vec3 p) const {
+        return p.x >= lo.x && p.y >= lo.y && p.z >= lo.z && p.x <= hi.x && p.y <= hi.y && p.z <= hi.z;
+    }
     Vec3 size() const { return hi - lo; }
     Vec3 centre() const { return lo * 0.5F + hi * 0.5F; }
     float diagonal() const { return empty() ? 0.0F : length(size()); }

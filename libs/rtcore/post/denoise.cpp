@@ -92,15 +92,74 @@ void Denoiser::fillSlopes([[maybe_unused]] int threads) {
     }
 }
 
+/// Whether both are of one surface, as far as neighbours can tell.
+bool Denoiser::alike(std::size_t a, std::size_t b) const {
+    const float cosine =
+        normal_[0][a] * normal_[0][b] + normal_[1][a] * normal_[1][b] + normal_[2][a] * normal_[2][b];
+    return cosine > 0.95F && std::fabs(nearness_[a] - nearness_[b]) < 0.05F * nearness_[a];
+}
+
+/// Of the surface around a pixel.
+struct Denoiser::Around {
+    float first = 0, second = 0; ///< the brightest of its neighbours
+    float sum = 0, squares = 0;
+    int count = 0;
+
+    void add(float bright) {
+        second = std::max(second, std::min(first, bright));
+        first = std::max(first, bright);
+        sum += bright;
+        squares += bright * bright;
+        ++count;
+    }
+    /// Beyond what they, but the brightest of them, let one expect.
+    bool isSpike(float bright) const {
+        constexpr int kEnough = 4;
+        constexpr float kSpike = 4; // standard deviations
+        if (count < kEnough || bright <= second) return false;
+        const auto others = static_cast<float>(count - 1);
+        const float mean = (sum - first) / others;
+        const float variance = std::max((squares - first * first) / others - mean * mean, 0.0F);
+        return bright > mean + kSpike * std::sqrt(variance);
+    }
+};
+
+/// A path that found a small bright thing by chance makes a pixel that is far brighter than all around it. It
+/// counts as bright as the second brightest of its neighbours: edges, lines and patches stay, dots and pairs
+/// of dots do not.
+void Denoiser::dropSpikes([[maybe_unused]] int threads) {
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        for (int x = 0; x < width_; ++x) {
+            const std::size_t i = row(y) + static_cast<std::size_t>(x);
+            Around around;
+            for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height_ - 1); ++v) {
+                for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width_ - 1); ++u) {
+                    const std::size_t j = row(v) + static_cast<std::size_t>(u);
+                    if (j != i && alike(i, j)) around.add(bright_[j]);
+                }
+            }
+            const float kept = around.isSpike(bright_[i]) ? around.second / bright_[i] : 1;
+            for (std::size_t c = 0; c < 3; ++c) result_[c][i] = light_[c][i] * kept;
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) light_[c].swap(result_[c]);
+    brighten(threads);
+}
+
+/// Of the light as it is now.
+void Denoiser::brighten([[maybe_unused]] int threads) {
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        for (std::size_t i = row(y); i < row(y + 1); ++i)
+            bright_[i] = luminance({light_[0][i], light_[1][i], light_[2][i]});
+    }
+}
+
 void Denoiser::measureNoise([[maybe_unused]] int threads) {
     const int columns = (width_ + kNoiseBlock - 1) / kNoiseBlock,
               rows = (height_ + kNoiseBlock - 1) / kNoiseBlock;
     blocks_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    const auto alike = [this](std::size_t a, std::size_t b) {
-        const float cosine =
-            normal_[0][a] * normal_[0][b] + normal_[1][a] * normal_[1][b] + normal_[2][a] * normal_[2][b];
-        return cosine > 0.95F && std::fabs(nearness_[a] - nearness_[b]) < 0.05F * nearness_[a];
-    };
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int block = 0; block < columns * rows; ++block) {
         float sum = 0;
@@ -210,12 +269,7 @@ void Denoiser::filter(int pass, int threads) {
         if (!stopped()) filterRow(pass, y, rows_[static_cast<std::size_t>(threadNumber())].data());
     }
     for (std::size_t c = 0; c < 3; ++c) light_[c].swap(result_[c]);
-#pragma omp parallel for schedule(static) num_threads(team)
-    for (int y = 0; y < height_; ++y) {
-        for (std::size_t i = row(y); i < row(y + 1); ++i) {
-            bright_[i] = luminance({light_[0][i], light_[1][i], light_[2][i]});
-        }
-    }
+    brighten(threads);
 }
 
 /// What was not filtered, and the filtered light as the surfaces show it.
@@ -243,6 +297,7 @@ const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const
     resize(picture.width, picture.height);
     fillGuides(aovs, run.threads);
     if (!fillLight(picture, aovs, all, run.threads)) return picture;
+    if (run.settings.integrator == Integrator::Path) dropSpikes(run.threads);
     if (!stopped()) fillSlopes(run.threads);
     if (!stopped()) measureNoise(run.threads);
     for (int pass = 0; pass < passes && !stopped(); ++pass) filter(pass, run.threads);

@@ -14,8 +14,9 @@ namespace rtcore {
 /// Wavelets with holes (Dammertz, Sewtz, Hanika and Lensch 2010) over the sampled light - area lights and
 /// ambient light; all light through a lens - divided by the albedo, so that textures, mirrored images and
 /// hard shadows stay as they are. Neighbours are weighted by how far normals agree, by whether they lie in
-/// one plane, and by whether their light differs by no more than the noise, which is measured in blocks of 16
-/// x 16 pixels: where there is no noise, nothing changes.
+/// one plane, and by whether their light differs by no more than the noise, which is measured in blocks of 8
+/// x 8 pixels: where there is no noise, nothing changes. Of images by paths, single bright pixels are taken
+/// out first.
 class Denoiser final : public Effect {
   public:
     /// `picture` after settings.denoise.passes; itself when nothing was sampled, or there are no AOVs of
@@ -34,6 +35,10 @@ class Denoiser final : public Effect {
     bool fillLight(const HdrImage& picture, const Aovs& aovs, bool all, int threads);
     void fillImage(const HdrImage& picture, const Aovs& aovs, bool all, int threads);
     void fillSlopes(int threads);
+    bool alike(std::size_t a, std::size_t b) const;
+    struct Around;
+    void dropSpikes(int threads);
+    void brighten(int threads);
     void measureNoise(int threads);
     void filter(int pass, int threads);
     void filterRow(int pass, int y, float* sums);

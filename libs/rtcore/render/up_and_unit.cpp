@@ -1,7 +1,7 @@
 #include "rtcore/render/up_and_unit.h"
 
-#include "rtcore/render/default_view.h"
 #include "rtcore/render/shape_of_model.h"
+#include "rtcore/render/survey.h"
 #include "rtcore/scene/exporter_habits.h"
 #include "rtcore/scene/up_axis.h"
 
@@ -39,8 +39,9 @@ double oddsOfUp(const AxisShape& axis, const AxisShape& other) {
     return odds;
 }
 
-/// How much more likely things of that size are than others; metres.
-double oddsOfSize(double height, double longest, bool rooms, double boxy) {
+/// How much more likely things of that size are than others; metres. `room`: the height of its rooms, 0:
+/// none.
+double oddsOfSize(double height, double longest, double room, double boxy) {
     const auto outside = [](double value, double low, double high, double below, double above) {
         if (value < low) return -below * std::log10(low / value);
         return value > high ? -above * std::log10(value / high) : 0.0;
@@ -49,10 +50,11 @@ double oddsOfSize(double height, double longest, bool rooms, double boxy) {
     // Houses have right angles, and so have cupboards; other things seldom are as large as a car.
     const double largest = boxy > 0.6 ? 25 : 5;
     const double thing = outside(longest, 0.02, largest, kBelow, kAbove);
-    if (!rooms) return thing;
+    if (!(room > 0)) return thing;
     // Rooms, or a hollow thing.
     constexpr double kHollow = -0.7;
-    return std::max(outside(height, 2.2, 30, 9, 6), thing + kHollow);
+    const double rooms = std::min(outside(height, 2.2, 30, 9, 6), outside(room, 2, 30, 9, 6));
+    return std::max(rooms, thing + kHollow);
 }
 
 struct Choice {
@@ -61,11 +63,11 @@ struct Choice {
     bool bySize = false; ///< against the habits
 };
 
-Choice chooseUnit(const OriginHabits& habits, double height, double longest, bool rooms, double boxy) {
+Choice chooseUnit(const OriginHabits& habits, double height, double longest, double room, double boxy) {
     std::array<double, kLengthUnits> odds{};
     for (std::size_t i = 0; i < kLengthUnits; ++i) {
         const double metres = kMetresIn.at(i);
-        odds.at(i) = habits.units.at(i) + oddsOfSize(height * metres, longest * metres, rooms, boxy);
+        odds.at(i) = habits.units.at(i) + oddsOfSize(height * metres, longest * metres, room * metres, boxy);
     }
     Choice choice;
     choice.unit = static_cast<std::size_t>(std::max_element(odds.begin(), odds.end()) - odds.begin());
@@ -105,8 +107,8 @@ void guessUnit(UpAndUnit& frame, OriginHabits habits, const ModelShape& shape, c
     // What counts z upwards though its format does not ask for it comes from CAD.
     if (frame.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0)
         habits.units.at(static_cast<std::size_t>(LengthUnit::Millimetre)) += 2;
-    const bool rooms = isInterior(tree, mesh, frame.up);
-    const Choice choice = chooseUnit(habits, std::max(height, 1e-6 * longest), longest, rooms, shape.boxy);
+    const auto room = double{roomHeight(tree, mesh, frame.up)};
+    const Choice choice = chooseUnit(habits, std::max(height, 1e-6 * longest), longest, room, shape.boxy);
     frame.metresPerUnit = static_cast<float>(kMetresIn.at(choice.unit));
     frame.unitWhy = choice.bySize ? "by its size" : "usual for " + habits.name;
 }

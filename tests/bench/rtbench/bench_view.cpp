@@ -74,7 +74,10 @@ std::vector<BenchView> ViewFile::viewsOf(const std::filesystem::path& model) con
 BenchView makeView(const rtcore::LoadedScene& loaded) {
     const rtcore::Scene& scene = loaded.scene;
     const rtcore::Camera camera =
-        loaded.sceneFile ? loaded.camera : rtcore::defaultCamera(loaded.tree, scene.mesh(), scene.up);
+        loaded.sceneFile
+            ? loaded.camera
+            : rtcore::defaultCamera(loaded.tree, scene.mesh(),
+                                    rtcore::survey(loaded.tree, scene.mesh(), rtcore::axesOf(scene)));
     BenchView view;
     view.eye = camera.eye;
     view.at = camera.eye + camera.forward;

@@ -150,6 +150,7 @@ TEST_F(Motions, ALargeModelIsShownAtOnceAndTracedFasterLater) {
     ask({"wait-idle"});
     ask({"screenshot", "second.png"});
     EXPECT_EQ(bytes("first.png"), bytes("second.png"));
+    ask({"units", "m"}); // in millimetres it were too small to walk
     ask({"walk"});
     ask({"wait-idle"});
     std::this_thread::sleep_for(500ms); // time for another tree, if it were built again

@@ -259,6 +259,7 @@ TEST_F(Serving, FocusIsTakenFromAPlace) {
 
 TEST_F(Serving, BesideAModelWhoWalksHasAFloor) {
     start();
+    ask({"units", "m"});
     ask({"camera", "look-at", "500", "3", "0", "0", "0", "0"});
     EXPECT_NE(ask({"walk"}).find("nothing is below"), std::string::npos);
     ask({"wait-idle"});

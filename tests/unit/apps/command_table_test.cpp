@@ -95,9 +95,11 @@ TEST(CommandLookup, TakesTheLongestName) {
 }
 
 TEST(CommandLookup, NamesTheNearest) {
-    EXPECT_EQ(refusal("camera"), "'camera' is the beginning of several commands: camera get, camera set, "
-                                 "camera orthographic, camera look-at, camera turn, camera reset, "
-                                 "camera paste, camera angle, camera lens, camera zoom");
+    EXPECT_EQ(refusal("camera"),
+              "'camera' is the beginning of several commands: camera get, camera set, "
+              "camera orthographic, camera look-at, camera turn, camera pivot, camera orbit, "
+              "camera pan, camera approach, camera fit, camera view, camera reset, "
+              "camera paste, camera angle, camera lens, camera zoom");
     EXPECT_EQ(refusal("camera trun 1 2"), "unknown command 'camera trun'; did you mean 'camera turn'?");
     EXPECT_EQ(refusal("pong"), "unknown command 'pong'; did you mean 'ping'?");
     EXPECT_EQ(refusal(""), "the command is empty");
@@ -165,6 +167,13 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::CameraSet, command::cameraSet({1, 2, 3}, {0, 0, 1})},
         {CommandId::CameraSet, command::cameraSet({1, 2, 3}, {0, 0, 1}, 70.0F)},
         {CommandId::CameraTurn, command::cameraTurn(-1.5, 1e-4)},
+        {CommandId::CameraPivot, command::cameraPivot()},
+        {CommandId::CameraPivot, command::cameraPivot(0.25, 1)},
+        {CommandId::CameraOrbit, command::cameraOrbit(-1.5, 1e-4)},
+        {CommandId::CameraPan, command::cameraPan(0.5, -0.125)},
+        {CommandId::CameraApproach, command::cameraApproach(1.1)},
+        {CommandId::CameraFit, command::cameraFit()},
+        {CommandId::CameraView, command::cameraView("three-quarter")},
         {CommandId::CameraReset, command::cameraReset()},
         {CommandId::CameraGet, command::cameraGet()},
         {CommandId::Up, command::up("-x")},

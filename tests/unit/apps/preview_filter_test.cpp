@@ -48,6 +48,11 @@ class NoisyWall : public testing::Test {
     const rtcore::Frame& shownAfter(std::uint32_t samples) {
         return filter_.apply(frame_, surfaces_, settings_, samples, 1, stop_);
     }
+    static double meanOf(const rtcore::HdrImage& image) {
+        double sum = 0;
+        for (const rtcore::Colour& pixel : image.pixels) sum += double{pixel.g};
+        return sum / static_cast<double>(image.pixels.size());
+    }
     static double noiseOf(const rtcore::HdrImage& image) {
         double sum = 0;
         for (const rtcore::Colour& pixel : image.pixels) sum += (pixel.g - kGrey) * (pixel.g - kGrey);
@@ -64,6 +69,8 @@ class NoisyWall : public testing::Test {
 TEST_F(NoisyWall, LosesMostOfItsNoiseAtFirst) {
     EXPECT_LT(noiseOf(shownAfter(1).radiance), 0.2 * noiseOf(frame_.radiance));
     EXPECT_EQ(shownAfter(1).covered, frame_.covered);
+    EXPECT_NEAR(meanOf(shownAfter(1).radiance), meanOf(frame_.radiance), 0.02 * kGrey)
+        << "and none of its light";
 }
 
 TEST_F(NoisyWall, GrowsIntoTheImageOfAllSamples) {
@@ -77,8 +84,10 @@ TEST_F(NoisyWall, GrowsIntoTheImageOfAllSamples) {
 }
 
 TEST_F(NoisyWall, EndsFilteredWhereTheStillIs) {
-    settings_.denoise.passes = 2;
+    settings_.denoise.passes = 4;
     EXPECT_LT(noiseOf(shownAfter(kSamples).radiance), 0.2 * noiseOf(frame_.radiance));
+    EXPECT_EQ(std::vector(shownAfter(1).radiance.pixels), shownAfter(kSamples).radiance.pixels)
+        << "from the first sample on";
 }
 
 TEST_F(NoisyWall, StaysAsItIsWithoutSurfaces) {

@@ -140,8 +140,11 @@ TEST(GroundOfAnUpAxis, LiesBelowForEachOfThem) {
 TEST(GroundOfALook, LiesBelowObjectsNotInRooms) {
     const Vec3 up{0, 1, 0};
     const auto groundFor = [&](const test::TracedScene& s) {
-        return rtcore::lookLights(rtcore::Look::Sky, s.tree, s.scene.mesh(), up,
-                                  rtcore::defaultCamera(s.tree, s.scene.mesh(), up))
+        return rtcore::lookLights(
+                   rtcore::Look::Sky, s.tree, s.scene.mesh(),
+                   rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(up)),
+                   rtcore::defaultCamera(s.tree, s.scene.mesh(),
+                                         rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(up))))
             .sky->ground;
     };
     EXPECT_TRUE(groundFor(test::TracedScene(test::block().finish())));

@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <variant>
+
 namespace {
 
 using rtcore::Look;
@@ -16,8 +20,9 @@ using rtcore::Vec3;
 const Vec3 kUp{0, 1, 0};
 
 LookLights lightsFor(Look look, const test::TracedScene& s) {
-    return rtcore::lookLights(look, s.tree, s.scene.mesh(), kUp,
-                              rtcore::defaultCamera(s.tree, s.scene.mesh(), kUp));
+    const rtcore::Mesh& mesh = s.scene.model.mesh;
+    const rtcore::Survey found = rtcore::survey(s.tree, mesh, rtcore::Axes(kUp));
+    return rtcore::lookLights(look, s.tree, mesh, found, rtcore::defaultCamera(s.tree, mesh, found));
 }
 
 TEST(Look, HasANameForEach) {
@@ -35,15 +40,28 @@ TEST(Look, OfAnObjectIsASkyOrThreeLights) {
     ASSERT_EQ(studio.lights.size(), 3U);
     for (const rtcore::Light& light : studio.lights)
         EXPECT_GT(dot(light.direction, -light.position), 0) << "shines at the object";
-    EXPECT_FALSE(sky.room || studio.room);
+}
+
+TEST(Look, LetsRoomsBeAsBrightOnWideGroundAsWithout) {
+    const auto reachOf = [](test::SceneBuilder builder, float metresPerUnit) {
+        const test::TracedScene s(builder.finish());
+        const rtcore::Mesh& mesh = s.scene.model.mesh;
+        const rtcore::Survey found = rtcore::survey(s.tree, mesh, rtcore::Axes(kUp, metresPerUnit));
+        for (const rtcore::SettingAssignment& each : rtcore::settingsOf(Look::Sky, found))
+            if (each.name == "ambientOcclusion.distance") return std::get<float>(each.value);
+        return 0.0F;
+    };
+    EXPECT_NEAR(reachOf(test::block(), 1), 0.15F * std::sqrt(12.0F), 1e-4F);
+    test::SceneBuilder onGround = test::block();
+    onGround.square({0, -1, 0}, {0, 1, 0}, 500, onGround.material(test::matte(0.5F)));
+    EXPECT_NEAR(reachOf(std::move(onGround), 1), 0.15F * std::sqrt(12.0F), 1e-4F);
+    EXPECT_NEAR(reachOf(test::block(), 100), 0.05F, 1e-6F) << "5 m of 200";
 }
 
 TEST(Look, OfARoomHasLightsUnderItsCeiling) {
     const test::TracedScene s(test::room().finish());
-    EXPECT_TRUE(lightsFor(Look::Sky, s).room);
     EXPECT_EQ(lightsFor(Look::Sky, s).lights, lightsFor(Look::Studio, s).lights);
     EXPECT_EQ(lightsFor(Look::Sky, s).names.front(), "ceiling 1");
-    EXPECT_FALSE(lightsFor(Look::Headlight, s).room);
 }
 
 TEST(Look, TakesThePlaceOfAllOtherLight) {
@@ -74,7 +92,9 @@ TEST(Look, TakesTheSkyThatIsNamed) {
     const test::TracedScene s(test::block().finish());
     rtcore::Sky evening;
     evening.date->second = 18 * 3600;
-    const LookLights look = rtcore::lookLights(Look::Sky, s.tree, s.scene.mesh(), kUp, {}, evening);
+    const LookLights look =
+        rtcore::lookLights(Look::Sky, s.tree, s.scene.mesh(),
+                           rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(kUp)), {}, evening);
     evening.ground = true;
     EXPECT_EQ(look.sky, evening);
 }

@@ -14,7 +14,8 @@ using rtcore::Light;
 using rtcore::Vec3;
 
 std::vector<Light> lightsOf(const test::TracedScene& s) {
-    return rtcore::roomLights(s.tree, s.scene.mesh(), {0, 1, 0});
+    return rtcore::roomLights(s.tree, s.scene.mesh(),
+                              rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes({0, 1, 0})));
 }
 
 TEST(RoomLights, HangBelowTheCeilingAndReachTheFloor) {

@@ -77,6 +77,27 @@ TEST(Denoise, CanBeLeft) {
               denoised(frame, settings).pixels);
 }
 
+TEST(Denoise, TakesLoneBrightPixelsOutOfImagesByPaths) {
+    const test::TracedScene traced(corners());
+    RenderSettings settings = occluded(4, 3);
+    Frame frame = rendered(traced, settings);
+    settings.integrator = Integrator::Path;
+    const auto sum = [&] {
+        Colour all;
+        for (const Colour& pixel : denoised(frame, settings).pixels) all = all + pixel;
+        return luminance(all);
+    };
+    const float before = sum();
+    constexpr float kSpike = 1000;
+    const std::size_t lone = 100 * 160 + 40, pair = 110 * 160 + 80; // of the floor
+    for (const std::size_t pixel : {lone, pair, pair + 1}) frame.radiance.pixels[pixel] = kWhite * kSpike;
+    EXPECT_LT(sum() - before, 0.01F * kSpike);
+    // A light that is seen stays.
+    for (std::size_t y = 100; y < 104; ++y)
+        for (std::size_t x = 120; x < 124; ++x) frame.radiance.pixels[y * 160 + x] = kWhite * kSpike;
+    EXPECT_GT(sum() - before, 10 * kSpike);
+}
+
 TEST(Denoise, HalvesTheNoiseOfAmbientOcclusion) {
     const test::TracedScene traced(corners());
     const HdrImage reference = rendered(traced, occluded(400, 0), 2).radiance;

@@ -3,10 +3,16 @@
 
 #include "rtcore/io/text/scn.h"
 #include "rtcore/render/default_view.h"
+#include "rtcore/render/subject.h"
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cmath>
+#include <random>
+#include <string>
 
 namespace rtserver {
 namespace {
@@ -69,7 +75,8 @@ TEST_F(Commands, TurnTheViewOfAModelThatBringsNone) {
     room.sceneFile.reset();
     room.scene.lights.resize(1);
     room.scene.lightNames.resize(1);
-    room.camera = rtcore::defaultCamera(room.tree, room.scene.mesh(), {0, 1, 0});
+    room.camera = rtcore::defaultCamera(
+        room.tree, room.scene.mesh(), rtcore::survey(room.tree, room.scene.mesh(), rtcore::Axes({0, 1, 0})));
     room.scene.lights[0] = rtcore::defaultLight(room.camera, room.tree.bounds);
     state.show(test::worldOf(std::move(room)));
     const rtcore::Camera before = state.camera();
@@ -128,6 +135,72 @@ TEST_F(Commands, WhoseFramesFindNoRoomAreRefused) {
     EXPECT_EQ(failure.text, "no room for that");
     EXPECT_EQ(state.settings().width, 32);
     EXPECT_EQ(changes(), Changes{});
+}
+
+/// All of what the model is about is in the image.
+void expectShownWhole(ServerState& state) {
+    const rtcore::Camera& camera = state.camera();
+    const rtcore::Vec3 forward = normalize(camera.forward);
+    const rtcore::Vec3 right = normalize(cross(forward, camera.up)), up = cross(right, forward);
+    const float half = std::tan(camera.horizontalFov * 3.14159265F / 360);
+    const float aspect =
+        static_cast<float>(state.settings().width) / static_cast<float>(state.settings().height);
+    const rtcore::Mesh& mesh = state.scene()->model.mesh;
+    const rtcore::Box3 box = rtcore::subjectOf(mesh, rtcore::axesOf(*state.scene())).bounds;
+    for (const rtcore::Vertex& vertex : mesh.vertices) {
+        if (!box.contains(vertex.position())) continue;
+        const rtcore::Vec3 way = vertex.position() - camera.eye;
+        const float far = dot(way, forward);
+        ASSERT_GT(far, 0);
+        EXPECT_LE(std::fabs(dot(way, right)), far * half);
+        EXPECT_LE(std::fabs(dot(way, up)), far * half / aspect);
+    }
+}
+
+TEST_F(Commands, OrbitWithoutLosingTheModel) {
+    std::mt19937 random(3);
+    const auto number = [&](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    for (int i = 0; i < 1000; ++i) {
+        answer(fmt::format("camera pivot {} {}", number(0, 1), number(0, 1)));
+        answer(fmt::format("camera orbit {} {}", number(-180, 180), number(-90, 90)));
+        answer(fmt::format("camera pan {} {}", number(-2, 2), number(-2, 2)));
+        answer(fmt::format("camera approach {}", std::exp(number(-2, 2))));
+        if (i % 10 != 0) continue;
+        answer("camera fit");
+        expectShownWhole(state);
+    }
+    EXPECT_EQ(state.camera().up, state.scene()->up);
+}
+
+TEST_F(Commands, ShowTheModelFromItsSides) {
+    const auto forwardOf = [&](const std::string& side) {
+        answer("camera view " + side);
+        expectShownWhole(state);
+        return normalize(state.camera().forward);
+    };
+    EXPECT_EQ(forwardOf("front"), (rtcore::Vec3{0, 0, -1}));
+    EXPECT_EQ(forwardOf("back"), (rtcore::Vec3{0, 0, 1}));
+    EXPECT_EQ(forwardOf("right"), (rtcore::Vec3{-1, 0, 0}));
+    EXPECT_EQ(forwardOf("left"), (rtcore::Vec3{1, 0, 0}));
+    EXPECT_EQ(forwardOf("top"), (rtcore::Vec3{0, -1, 0}));
+    EXPECT_EQ(forwardOf("bottom"), (rtcore::Vec3{0, 1, 0}));
+    EXPECT_LT(forwardOf("three-quarter").y, 0);
+    EXPECT_EQ(refusal("camera view inside").code, 2);
+    EXPECT_NE(refusal("camera fit nothing-like-that").code, 0);
+}
+
+TEST_F(Commands, PanByPartsOfTheImage) {
+    answer("camera look-at 0 1 10 0 1 0");
+    answer("camera pivot");
+    const rtcore::Camera before = state.camera();
+    answer("camera pan 0.25 0");
+    EXPECT_LT(state.camera().eye.x, before.eye.x) << "the model goes to the right";
+    answer("camera pan -0.25 0.5");
+    EXPECT_NEAR(state.camera().eye.x, before.eye.x, 1e-4);
+    EXPECT_LT(state.camera().eye.y, before.eye.y);
+    EXPECT_EQ(state.camera().forward, before.forward);
 }
 
 TEST_F(Commands, PlaceTheCamera) {

@@ -42,6 +42,7 @@ inline rtcore::LoadedScene makeRoom(float albedo = 0.5F) {
     room.sceneFile.emplace();
     room.sceneFile->bookmarks = {{"door", room.camera}};
     room.sceneFile->bookmarks[0].camera.eye = {2, 1.8F, 3};
+    room.bookmarks = room.sceneFile->bookmarks;
     room.scene.environmentFiles.resize(2);
     room.scene.environmentFiles[0].name = "noon";
     room.scene.environmentFiles[0].files = {"/rooms/noon.hdr"};

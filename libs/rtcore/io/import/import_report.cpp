@@ -1,5 +1,7 @@
 #include "rtcore/io/import/import_report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
@@ -47,6 +49,16 @@ void writePaths(std::ostream& out, const char* name, const std::vector<std::stri
 }
 
 } // namespace
+
+std::string firstOf(std::span<const std::string> names) {
+    constexpr std::size_t kShown = 3;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) {
+        text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
+    }
+    if (names.size() > kShown) text += fmt::format(" and {} more", names.size() - kShown);
+    return text;
+}
 
 void addWarning(ImportReport& report, const std::string& text) {
     const std::string line = printable(text);

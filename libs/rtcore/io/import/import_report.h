@@ -5,6 +5,7 @@
 #include "rtcore/scene/model_origin.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct ImportReport {
 
     friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
+
+/// How many there are and the first of them, for a sentence: "'a', 'b', 'c' and 19 more".
+std::string firstOf(std::span<const std::string> names);
 
 /// A warning; beyond the 50th they are counted only. A warning that is there already is not repeated.
 void addWarning(ImportReport& report, const std::string& text);

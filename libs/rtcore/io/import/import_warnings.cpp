@@ -49,16 +49,6 @@ Box3 bulkOf(std::span<const Vertex> vertices) {
 
 } // namespace
 
-std::string firstOf(std::span<const std::string> names) {
-    constexpr std::size_t kShown = 3;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) {
-        text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
-    }
-    if (names.size() > kShown) text += fmt::format(" and {} more", names.size() - kShown);
-    return text;
-}
-
 void warnOfLostTriangles(const ModelBuffers& model, ImportReport& report) {
     const std::uint64_t damaged = report.nonFiniteTriangles + report.unconnectedTriangles;
     const std::uint64_t lost = damaged + report.degenerateTriangles;

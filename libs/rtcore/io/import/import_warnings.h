@@ -9,9 +9,6 @@
 
 namespace rtcore {
 
-/// How many there are and the first of them, for a sentence: "'a', 'b', 'c' and 19 more".
-std::string firstOf(std::span<const std::string> names);
-
 /// Surface that is lost: triangles whose coordinates or corners are damaged, or without area where these are
 /// many. Copies that were left out.
 void warnOfLostTriangles(const ModelBuffers& model, ImportReport& report);

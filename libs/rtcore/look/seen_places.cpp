@@ -1,0 +1,75 @@
+#include "rtcore/look/seen_places.h"
+
+#include "rtcore/math/constants.h"
+#include "rtcore/render/camera_rays.h"
+#include "rtcore/render/closest_hit.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace rtcore {
+
+namespace {
+
+/// A little before a surface, as a part of the way to it.
+constexpr float kShort = 0.999F;
+
+/// What arrives at the place, unless something is in the way; W/m^2 of the brightest channel.
+float irradianceAt(const KdTree& tree, const Mesh& mesh, const Light& light, const SeenPlace& place) {
+    const bool near = traitsOf(light).position;
+    const Vec3 way = near ? light.position - place.position : -light.direction;
+    const float distance = length(way);
+    if (!(distance > 0)) return 0;
+    const float facing = dot(place.normal, way) / distance;
+    if (facing <= 0) return 0;
+    float strength = maxComponent(light.intensity);
+    const float cosine = near ? -dot(way, light.direction) / distance : 1;
+    if (traitsOf(light).beam == Beam::Cone && cosine < light.cosOuter) return 0;
+    if (traitsOf(light).beam == Beam::Cosine) strength *= std::max(cosine, 0.0F);
+    if (near) strength /= std::max(distance * distance, light.radius * light.radius);
+    const float last = near ? std::max(1 - light.radius / distance, 0.0F) * kShort : Box3::kHuge;
+    return occluded(tree, mesh, {place.position, 0, way, last}) ? 0 : strength * facing;
+}
+
+} // namespace
+
+std::vector<SeenPlace> seenPlaces(const KdTree& tree, const Mesh& mesh, const Camera& camera) {
+    const CameraRays rays(camera, kSeenAcross, kSeenDown);
+    std::vector<SeenPlace> places;
+    for (int y = 0; y < kSeenDown; ++y) {
+        for (int x = 0; x < kSeenAcross; ++x) {
+            const Ray ray = rays.at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+            const auto hit = closestHit(tree, mesh, ray.origin, ray.direction);
+            if (!hit) continue;
+            const Vec3 normal = normalize(mesh.geometricNormal(hit->triangle));
+            places.push_back({ray.origin + ray.direction * (kShort * hit->t),
+                              dot(normal, ray.direction) > 0 ? -normal : normal});
+        }
+    }
+    return places;
+}
+
+bool showsModel(std::span<const SeenPlace> places, const Box3& box) {
+    constexpr std::ptrdiff_t kLeast = kSeenAcross * kSeenDown / 100;
+    constexpr float kAround = 0.01F; // the places lie a little before the surfaces
+    const Vec3 margin = Vec3{1, 1, 1} * (kAround * box.diagonal());
+    const Box3 grown{box.lo - margin, box.hi + margin};
+    return std::count_if(places.begin(), places.end(),
+                         [&](const SeenPlace& place) { return grown.contains(place.position); }) >= kLeast;
+}
+
+bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
+                  std::span<const SeenPlace> places, Colour ambient) {
+    constexpr float kNoticed = 0.02F; // beside what the ambient light brings
+    const float least = kNoticed * kPi * maxComponent(ambient);
+    std::size_t lit = 0;
+    for (const SeenPlace& place : places) {
+        float sum = 0;
+        for (const Light& light : lights)
+            if (light.on != 0) sum += irradianceAt(tree, mesh, light, place);
+        lit += sum > least ? 1 : 0;
+    }
+    return 50 * lit >= places.size();
+}
+
+} // namespace rtcore

@@ -1,0 +1,32 @@
+/// What a camera sees of a scene, by a few hundred rays.
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/math/box.h"
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/light.h"
+#include "rtcore/scene/mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// A point of a surface, a little before it, and the surface's unit normal there to the viewer's side.
+struct SeenPlace {
+    Vec3 position, normal;
+};
+
+/// kSeenAcross x kSeenDown rays, in an image of 16:9; those that hit nothing are left out.
+inline constexpr int kSeenAcross = 32, kSeenDown = 18;
+std::vector<SeenPlace> seenPlaces(const KdTree& tree, const Mesh& mesh, const Camera& camera);
+
+/// Whether the camera shows some of what is in the box: at least a hundredth of its image. One that an
+/// exporter left somewhere does not.
+bool showsModel(std::span<const SeenPlace> places, const Box3& box);
+
+/// Whether one of the lights that are on can be noticed beside `ambient` at some of the places.
+bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
+                  std::span<const SeenPlace> places, Colour ambient);
+
+} // namespace rtcore

@@ -1,0 +1,25 @@
+/// What a model is about, apart from the surroundings that were modelled with it.
+#pragma once
+
+#include "rtcore/render/axes.h"
+#include "rtcore/scene/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+struct Subject {
+    Box3 bounds;         ///< of the model without surroundings and without what lies far from the rest
+    bool ground = false; ///< it stands on wide ground, or floats on a sea
+    /// Skies around it: a triangle of each, and how many they have in all.
+    std::vector<std::uint32_t> domes;
+    std::size_t domeTriangles = 0;
+};
+
+/// Surroundings are pieces that hang together, are much wider than all others, and are a flat ground below
+/// them or a shell around them. Joins triangles that share corners: some 0.1 s for a million.
+Subject subjectOf(const Mesh& mesh, const Axes& axes);
+
+} // namespace rtcore

@@ -1,0 +1,209 @@
+/// The first view of models that nobody prepared. They are made by make_strangers.py.
+#include "rtcore/io/scene_loader.h"
+#include "rtcore/render/closest_hit.h"
+#include "rtcore/scene/up_axis.h"
+
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using rtcore::Vec3;
+
+struct Stranger {
+    fs::path path;
+    std::string where; ///< "in", "out", "any" or "own"
+    double metresPerUnit = 1;
+    Vec3 up;
+};
+
+std::vector<Stranger> strangersIn(const fs::path& folder) {
+    std::vector<Stranger> all;
+    std::ifstream list(folder / "strangers.txt");
+    for (std::string line; std::getline(list, line);) {
+        if (line.starts_with("#")) continue;
+        std::istringstream words(line);
+        Stranger stranger;
+        std::string file, up;
+        words >> file >> stranger.where >> stranger.metresPerUnit >> up;
+        stranger.path = folder / file;
+        stranger.up = rtcore::axisNamed("+" + up).value();
+        all.push_back(stranger);
+    }
+    return all;
+}
+
+rtcore::LoadedScene load(const Stranger& stranger) {
+    rtcore::LoadOptions options;
+    options.build.method = rtcore::BuildMethod::Fast;
+    options.import.up = stranger.up;
+    options.import.metresPerUnit = stranger.metresPerUnit;
+    options.surroundings.usual = rtcore::Look::Sky;
+    return rtcore::loadScene(stranger.path, options);
+}
+
+/// An image of 16:9.
+struct Image {
+    explicit Image(const rtcore::Camera& camera)
+        : eye(camera.eye), forward(normalize(camera.forward)), right(normalize(cross(forward, camera.up))),
+          up(cross(right, forward)), across(std::tan(camera.horizontalFov * 3.14159265F / 360)) {}
+    /// -1..1 both, from left to right and from below; z: the distance.
+    Vec3 at(Vec3 p) const {
+        const Vec3 way = p - eye;
+        const float distance = dot(way, forward);
+        return {dot(way, right) / (distance * across), dot(way, up) / (distance * across) * 16 / 9, distance};
+    }
+    Vec3 direction(float x, float y) const {
+        return normalize(forward + right * (x * across) + up * (y * across * 9 / 16));
+    }
+    Vec3 eye, forward, right, up;
+    float across;
+};
+
+void expectSeenWhole(const rtcore::LoadedScene& scene) {
+    const rtcore::Mesh& mesh = scene.scene.model.mesh;
+    const rtcore::Box3 bounds = rtcore::subjectOf(mesh, rtcore::axesOf(scene.scene)).bounds;
+    EXPECT_FALSE(bounds.contains(scene.camera.eye));
+    const Image image(scene.camera);
+    float left = 9, right = -9, low = 9, high = -9;
+    for (const rtcore::Vertex& vertex : mesh.vertices) {
+        if (!bounds.contains(vertex.position())) continue;
+        const Vec3 p = image.at(vertex.position());
+        ASSERT_GT(p.z, 0);
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+        low = std::min(low, p.y);
+        high = std::max(high, p.y);
+    }
+    EXPECT_GE(left, -1);
+    EXPECT_LE(right, 1);
+    EXPECT_GE(low, -1);
+    EXPECT_LE(high, 1);
+    const float size = std::max(right - left, high - low) / 2;
+    EXPECT_GE(size, 0.5F);
+    EXPECT_LE(size, 0.97F);
+    // Nothing but itself and what it stands on is before its middle.
+    const Vec3 way = bounds.centre() - scene.camera.eye;
+    const auto hit = rtcore::closestHit(scene.tree, mesh, scene.camera.eye, way);
+    if (hit && hit->t < 1) {
+        rtcore::Box3 near = bounds;
+        near.lo = near.lo - bounds.size() * 0.01F;
+        near.hi = near.hi + bounds.size() * 0.01F;
+        EXPECT_TRUE(near.contains(scene.camera.eye + way * hit->t));
+    }
+}
+
+void expectStandsInRoom(const rtcore::LoadedScene& scene) {
+    const rtcore::Axes axes = rtcore::axesOf(scene.scene);
+    const rtcore::Mesh& mesh = scene.scene.model.mesh;
+    const auto floor = rtcore::closestHit(scene.tree, mesh, scene.camera.eye, -axes.up);
+    ASSERT_TRUE(floor);
+    EXPECT_GE(floor->t, 1.4F * axes.metre);
+    EXPECT_LE(floor->t, 1.8F * axes.metre);
+    EXPECT_NEAR(dot(normalize(scene.camera.forward), axes.up), 0, 0.01);
+    const Image image(scene.camera);
+    int seen = 0;
+    for (int y = -4; y <= 4; ++y) {
+        for (int x = -4; x <= 4; ++x) {
+            const Vec3 way = image.direction(static_cast<float>(x) / 12, static_cast<float>(y) / 12);
+            const auto hit = rtcore::closestHit(scene.tree, mesh, scene.camera.eye, way);
+            if (!hit) continue;
+            ++seen;
+            EXPECT_GE(hit->t, 0.4F * axes.metre);
+        }
+    }
+    EXPECT_GT(seen, 40);
+}
+
+void expectGoodView(const Stranger& stranger) {
+    const rtcore::LoadedScene scene = load(stranger);
+    const rtcore::Box3 all = scene.scene.model.mesh.bounds();
+    const bool inside = all.contains(scene.camera.eye) && scene.camera.horizontalFov > 60;
+    EXPECT_EQ(scene.ownCamera, stranger.where == "own");
+    if (stranger.where == "own") return;
+    if (stranger.where != "any") {
+        EXPECT_EQ(inside, stranger.where == "in");
+    }
+    inside ? expectStandsInRoom(scene) : expectSeenWhole(scene);
+}
+
+std::string saidOf(const rtcore::LoadedScene& scene) {
+    std::string all;
+    for (const std::string& warning : scene.warnings) all += warning + "\n";
+    return all;
+}
+
+/// The folder with the models; empty where they cannot be made.
+class Strangers : public testing::Test {
+  protected:
+    void SetUp() override {
+        const std::string python = "/usr/bin/python3";
+        if (!fs::exists(python)) GTEST_SKIP() << "python3 is missing: the models cannot be made";
+        const fs::path script = fs::path(RT_SOURCE_FOLDER) / "tests/strangers/make_strangers.py";
+        const test::ProgramResult made = test::runProgram(python, {script.string(), folder.path().string()});
+        ASSERT_EQ(made.exitCode, 0) << made.error;
+        all = strangersIn(folder.path());
+        ASSERT_GE(all.size(), 50U);
+    }
+    rtcore::LoadedScene loadNamed(const std::string& file) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Stranger& stranger) {
+            return stranger.path.filename() == file;
+        });
+        EXPECT_NE(found, all.end()) << file;
+        return load(*found);
+    }
+    test::TemporaryFolder folder;
+    std::vector<Stranger> all;
+};
+
+TEST_F(Strangers, AreSeenFromTheRightPlace) {
+    for (const Stranger& stranger : all) {
+        SCOPED_TRACE(stranger.path.filename().string());
+        expectGoodView(stranger);
+    }
+}
+
+TEST_F(Strangers, StrayCamerasAreBookmarks) {
+    for (const char* const file : {"stray_far.glb", "stray_past.glb"}) {
+        const rtcore::LoadedScene scene = loadNamed(file);
+        ASSERT_EQ(scene.bookmarks.size(), 1U) << file;
+        EXPECT_EQ(scene.bookmarks[0].name, "Camera");
+        EXPECT_NE(saidOf(scene).find("its camera 'Camera' does not show the model"), std::string::npos)
+            << file;
+    }
+    EXPECT_TRUE(loadNamed("own_camera.glb").bookmarks.empty());
+}
+
+TEST_F(Strangers, LightsThatReachNothingAreNotAlone) {
+    const rtcore::LoadedScene scene = loadNamed("stray_lamp.glb");
+    EXPECT_NE(saidOf(scene).find("own lights reach nothing"), std::string::npos);
+    EXPECT_TRUE(scene.scene.sky);
+    EXPECT_EQ(scene.scene.lightNames.back(), "Bulb") << "it is kept";
+    const rtcore::LoadedScene lit = loadNamed("room_lamp.glb");
+    EXPECT_FALSE(lit.scene.sky);
+    EXPECT_EQ(lit.scene.lights.size(), 1U);
+}
+
+TEST_F(Strangers, SkiesAroundThemAreHidden) {
+    for (const char* const file :
+         {"dome_house.glb", "dome_lit_house.glb", "sphere_car.glb", "skybox_figure.glb"}) {
+        const rtcore::LoadedScene scene = loadNamed(file);
+        ASSERT_NE(scene.scene.hiddenParts, nullptr) << file;
+        EXPECT_NE(saidOf(scene).find("is hidden, since it would keep the light out"), std::string::npos);
+        EXPECT_TRUE(scene.scene.sky) << file;
+    }
+    EXPECT_EQ(loadNamed("hall.glb").scene.hiddenParts, nullptr) << "walls are no sky";
+}
+
+} // namespace
