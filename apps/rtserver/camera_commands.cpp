@@ -83,6 +83,7 @@ Result turn(const Call& call) {
 }
 
 Result pivot(const Call& call) {
+    if (call.size() == 1) throw app::UsageError("camera pivot takes RIGHT and DOWN, or neither");
     const auto seen =
         call.size() < 2 ? std::nullopt : surfaceAt(call.state, number(call[0]), number(call[1]));
     call.state.setPivot(seen ? std::optional(seen->position) : std::nullopt);

@@ -8,6 +8,7 @@
 
 #include "rtcore/look/doorstep.h"
 #include "rtcore/motion/player.h"
+#include "rtcore/motion/walk_shape.h"
 #include "rtcore/platform/error.h"
 
 #include <fmt/format.h>
@@ -24,8 +25,15 @@ using std::chrono::nanoseconds;
 namespace {
 constexpr nanoseconds kLongestTurn = 250ms; ///< longest step, so that a stall causes no leap
 
-std::string tooSmallToWalk(const rtcore::Survey& found) {
-    const float height = rtcore::extentAlong(found.subject.bounds, found.axes.up) / found.axes.metre;
+/// As a player who is larger or smaller than a person sees the model: in metres of his own.
+rtcore::Axes axesOfPlayer(const rtcore::Scene& scene) {
+    const auto usual = static_cast<float>(rtcore::WalkShape().stand.height);
+    const auto height = static_cast<float>(rtcore::WalkShape(scene.walk).stand.height);
+    return rtcore::Axes(scene.up, scene.metresPerUnit * usual / height);
+}
+
+std::string tooSmallToWalk(const rtcore::Survey& found, float metresPerUnit) {
+    const float height = rtcore::extentAlong(found.subject.bounds, found.axes.up) * metresPerUnit;
     return fmt::format("the model is too small to walk: it is {:.2g} m high; 'units' says how large it is",
                        height);
 }
@@ -131,8 +139,9 @@ void ServerState::setWalking(bool walking) {
 // One who looks from above or from afar begins before the model, and faces it.
 void ServerState::beginWalking() {
     const rtcore::Mesh& mesh = scene_->model.mesh;
-    const rtcore::Survey found = rtcore::survey(tree_, mesh, rtcore::axesOf(*scene_));
-    if (rtcore::isTooSmallToWalk(found)) throw std::runtime_error(tooSmallToWalk(found));
+    const rtcore::Survey found = rtcore::survey(tree_, mesh, axesOfPlayer(*scene_));
+    if (rtcore::isTooSmallToWalk(found))
+        throw std::runtime_error(tooSmallToWalk(found, scene_->metresPerUnit));
     const rtcore::Camera before = player_->camera();
     if (rtcore::hoversOutside(tree_, mesh, found, before.eye)) {
         for (const rtcore::Camera& camera : rtcore::doorsteps(tree_, mesh, found, before)) {
@@ -156,7 +165,7 @@ void ServerState::resetCamera() {
     const bool walked = walking();
     player_->setMode(rtcore::MotionMode::View);
     setCamera(world_->loaded.camera);
-    const rtcore::Survey found = rtcore::survey(tree_, scene_->model.mesh, rtcore::axesOf(*scene_));
+    const rtcore::Survey found = rtcore::survey(tree_, scene_->model.mesh, axesOfPlayer(*scene_));
     if (walked && !rtcore::hoversOutside(tree_, scene_->model.mesh, found, camera_.eye))
         player_->setMode(rtcore::MotionMode::Walk);
     takeCamera();

@@ -137,6 +137,17 @@ TEST_F(Commands, WhoseFramesFindNoRoomAreRefused) {
     EXPECT_EQ(changes(), Changes{});
 }
 
+TEST_F(Commands, WalkWithABodyThatFitsTheModel) {
+    rtcore::LoadedScene room = test::makeRoom();
+    room.scene.metresPerUnit = 0.1F;
+    state.show(test::worldOf(room));
+    EXPECT_NE(refusal("walk").text.find("too small to walk"), std::string::npos);
+    room.scene.walk.height = 0.12F;
+    state.show(test::worldOf(std::move(room)));
+    answer("walk");
+    EXPECT_TRUE(state.walking());
+}
+
 /// All of what the model is about is in the image.
 void expectShownWhole(ServerState& state) {
     const rtcore::Camera& camera = state.camera();
@@ -194,6 +205,7 @@ TEST_F(Commands, ShowTheModelFromItsSides) {
 TEST_F(Commands, PanByPartsOfTheImage) {
     answer("camera look-at 0 1 10 0 1 0");
     answer("camera pivot");
+    EXPECT_EQ(refusal("camera pivot 0.5").code, 2) << "half a place";
     const rtcore::Camera before = state.camera();
     answer("camera pan 0.25 0");
     EXPECT_LT(state.camera().eye.x, before.eye.x) << "the model goes to the right";
