@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 
@@ -83,24 +84,33 @@ class StoppingAtAPipe : public Stopping {
         ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
         ASSERT_EQ(::mkfifo((folder / "pipe.ppm").c_str(), 0600), 0);
     }
-    /// Another process has opened it: it has begun its work.
-    bool isOpenElsewhere(const std::string& name) const {
-        namespace fs = std::filesystem;
-        std::error_code ignored;
-        for (const fs::directory_entry& process : fs::directory_iterator("/proc", ignored)) {
-            const std::string number = process.path().filename().string();
-            if (number.find_first_not_of("0123456789") != std::string::npos ||
-                number == std::to_string(::getpid()))
-                continue;
-            for (const fs::directory_entry& file : fs::directory_iterator(process.path() / "fd", ignored))
-                if (fs::read_symlink(file.path(), ignored) == folder / name) return true;
+    /// A writer of the pipe, which can be opened only once the program reads it: it has begun its work.
+    /// Nothing is open before the program is started, so nothing of this process is taken for it.
+    int writerOnceRead(const std::string& name) const {
+        for (int i = 0; i < 4000; ++i) {
+            const int writer = ::open((folder / name).c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+            if (writer >= 0) return writer;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
-        return false;
+        return -1;
+    }
+    /// Waits until the program handles SIGTERM itself: its own work begins after that.
+    static void waitUntilItHandlesTermination(const test::RunningProgram& program) {
+        const std::string status = "/proc/" + std::to_string(program.process()) + "/status";
+        for (int i = 0; i < 4000; ++i) {
+            std::ifstream lines(status);
+            for (std::string line; std::getline(lines, line);)
+                if (line.starts_with("SigCgt:") &&
+                    (std::stoull(line.substr(7), nullptr, 16) >> (SIGTERM - 1) & 1) != 0)
+                    return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
     }
     // Exit code after one SIGTERM, sent when it has nothing else to do.
     int stopped(const Names& arguments) {
         const test::ProgramSettings settings{.folder = folder.path(), .timeoutSeconds = 20};
         test::RunningProgram program(test::programPath("Renderer"), arguments, settings);
+        waitUntilItHandlesTermination(program);
         std::this_thread::sleep_for(std::chrono::milliseconds(700));
         program.send(SIGTERM);
         return program.wait().exitCode;
@@ -119,10 +129,9 @@ TEST_F(StoppingAtAPipe, OneSignalIsEnough) {
 }
 
 TEST_F(StoppingAtAPipe, AScriptThatSaysNothing) {
-    const int partner = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
     test::RunningProgram program(test::programPath("CUI"), {"script", "pipe"}, {.folder = folder.path()});
-    for (int i = 0; i < 2000 && !isOpenElsewhere("pipe"); ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const int partner = writerOnceRead("pipe");
+    ASSERT_GE(partner, 0) << "the script was never opened";
     program.send(SIGINT);
     EXPECT_EQ(program.wait().exitCode, 130);
     ::close(partner);
