@@ -11,6 +11,7 @@
 #include "gui/operations/light_operations.h"
 #include "gui/operations/look_operations.h"
 #include "gui/operations/message_operations.h"
+#include "gui/operations/mode_operations.h"
 #include "gui/operations/model_operations.h"
 #include "gui/operations/motion_operations.h"
 #include "gui/operations/panel_operations.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     auto* camera = new CameraOperations(context, this);
     new DisplayOperations(context, this);
     new MotionOperations(context, this);
+    new ModeOperations(context, this);
     new MessageOperations(context, this);
     new RenderOperations(context, this);
     new LookOperations(context, this);

@@ -124,12 +124,21 @@ PictureMaker::Shot PictureMaker::prepare(const FrameTask& task) {
     if (options_.list && path.seedPerFrame) path.seed = seedOfFrame(path.seed, task.number);
     if (!shot.recorded) return shot;
     rtcore::ExposureSettings& exposure = shot.settings.exposure;
-    if (exposure.recorded == rtcore::RecordedExposure::Automatic)
-        exposure.mode = rtcore::ExposureMode::Automatic;
+    if (exposure.recorded == rtcore::RecordedExposure::Automatic) exposure.mode = measured();
     const bool scaled = exposure.recorded == rtcore::RecordedExposure::Scaled &&
                         shot.settings.integrator == rtcore::Integrator::Path;
     if (scaled) exposure.value = exposure.value * recordedScale(task.camera);
     return shot;
+}
+
+/// How the scene's exposure is found anew, whatever a .cam says.
+rtcore::ExposureMode PictureMaker::measured() const {
+    const rtcore::RenderSettings settings = app::mergeSettings({.scene = loaded_.still,
+                                                                .settingsFile = settingsFile_,
+                                                                .camera = nullptr,
+                                                                .commandLine = options_.settings});
+    const bool incident = settings.exposure.mode == rtcore::ExposureMode::Incident;
+    return incident ? rtcore::ExposureMode::Incident : rtcore::ExposureMode::Automatic;
 }
 
 /// Of the list's first frame, also where another machine renders that one.
@@ -184,6 +193,9 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     renderer_.collectAovs(aovs);
     const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
     const rtcore::View view{loaded_.scene, *tracer, camera, settings};
+    white_.reset();
+    if (settings.exposure.mode == rtcore::ExposureMode::Incident) white_ = meter_.white(view, control);
+    if (preview_ != nullptr) preview_->meter(white_);
     bool whole = false;
     if (settings.integrator == rtcore::Integrator::Path) {
         whole = renderPaths(view, control, aovs);
@@ -257,7 +269,7 @@ float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radia
         return isStandardOutput(output) || !rtcore::isHdrFormat(output);
     });
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
-    const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
+    const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
     developer_.develop(radiance, settings, exposure, options_.threads, developed_);
     return exposure;
 }

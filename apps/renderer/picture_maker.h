@@ -12,6 +12,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/light_meter.h"
 #include "rtcore/render/path_renderer.h"
 
 #include <filesystem>
@@ -63,6 +64,7 @@ class PictureMaker {
     Shot prepare(const std::filesystem::path& cameraFile);
     /// The same for a frame, with the noise and the exposure that its list gives it.
     Shot prepare(const FrameTask& task);
+    rtcore::ExposureMode measured() const;
     /// What a recorded exposure is multiplied by, for images by paths of that camera or of its list.
     float recordedScale(const std::filesystem::path& cameraFile);
     /// On what --focus-at names, if it does.
@@ -85,6 +87,7 @@ class PictureMaker {
     app::Progress& progress_;
     Preview* preview_ = nullptr;
     std::filesystem::path firstOfList_;
+    std::optional<float> white_;  ///< the light on what the frame shows, where its exposure is by that
     std::optional<float> scale_;  ///< of recorded exposures, once it is known
     bool toldOfPaths_ = false;    ///< which lights they have
     bool warned_ = false;         ///< that a .cam is of another scene
@@ -95,6 +98,7 @@ class PictureMaker {
     rtcore::FrameRenderer renderer_;
     rtcore::PathRenderer paths_;
     rtcore::Frame aovFrame_;
+    rtcore::LightMeter meter_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;

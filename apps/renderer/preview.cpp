@@ -135,7 +135,7 @@ void Preview::showPass(int block, std::uint32_t samples, const rtcore::Frame& fr
     const rtcore::RenderSettings& settings = work_->view.settings;
     // A small image is developed sooner than several threads have met: on a busy machine they wait long.
     const int threads = block > 1 ? 1 : work_->control.threads;
-    status_.exposure = developer_.exposure(frame, settings.exposure, threads);
+    status_.exposure = developer_.exposure(frame, settings, white_, threads);
     effects_.beginRows(rtcore::EffectStage::Radiance, frame.radiance, block,
                        {.settings = settings, .threads = threads, .exposure = status_.exposure});
     if (block > 1) {

@@ -19,6 +19,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace renderer {
@@ -34,6 +35,9 @@ class Preview {
     ~Preview();
     Preview(const Preview&) = delete;
     Preview& operator=(const Preview&) = delete;
+
+    /// The light on what images to come show, by rtcore::LightMeter.
+    void meter(std::optional<float> white) { white_ = white; }
 
     /// As rtcore::FrameRenderer::render, and with its result, which is not shown yet. Throws ipc::Error when
     /// there is no memory for frames, or the instance was lost.
@@ -82,6 +86,7 @@ class Preview {
     std::uint32_t allSamples_ = 1; ///< of each pixel of the whole image
     rtcore::Refinement refinement_;
     rtcore::PictureDeveloper developer_;
+    std::optional<float> white_;
     PreviewFilter filter_;
     rtcore::LdrImage small_;
 

@@ -12,7 +12,7 @@ const rtcore::Frame& PreviewFilter::apply(const rtcore::Frame& frame, const rtco
                                           const rtcore::RenderSettings& settings, std::uint32_t samples,
                                           int threads, const std::atomic<bool>& stop) {
     rtcore::RenderSettings filter = settings;
-    const bool finallyFiltered = settings.denoise.passes > 0;
+    const bool finallyFiltered = rtcore::filterPasses(settings) > 0;
     if (!finallyFiltered) filter.denoise.passes = kPasses;
     const rtcore::HdrImage& smooth =
         denoiser_.apply(frame.radiance, surfaces, {.settings = filter, .threads = threads, .stop = &stop});

@@ -56,7 +56,8 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = state.shownSettings();
     if (detail.live()) effects.denoise.passes = 0;
-    target_ = developer_.exposure(frame, effects.exposure, threads_);
+    meter(state, effects, control);
+    target_ = developer_.exposure(frame, effects, white_, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
     if (control.cancel) return false;
@@ -67,6 +68,15 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
+}
+
+/// The light on what is seen, once for each view: coarse, live and whole frames have the same exposure.
+void FrameMaker::meter(const ServerState& state, const rtcore::RenderSettings& settings,
+                       rtcore::RenderControl& control) {
+    white_.reset();
+    if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    white_ = meter_.white({*scene, *state.tracer(), state.camera(), settings}, control);
 }
 
 bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
@@ -190,7 +200,7 @@ void FrameMaker::drop() {
 
 const rtcore::LdrImage* FrameMaker::underWay(const ServerState& state) {
     const auto exposure = [&](float brightening) {
-        adapt(target_ * brightening, state.shownSettings().exposure);
+        adapt(white_ ? target_ : target_ * brightening, state.shownSettings().exposure);
         return adaptation_.value();
     };
     return gradual_.step(whole_.radiance, exposure, Clock::now());

@@ -10,6 +10,7 @@
 #include "rtcore/live/live_renderer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/light_meter.h"
 
 #include <chrono>
 #include <cstddef>
@@ -81,6 +82,8 @@ class FrameMaker {
                       const rtcore::Frame& frame);
     void noticeChanges(const ServerState& state);
     void keepLight();
+    void meter(const ServerState& state, const rtcore::RenderSettings& settings,
+               rtcore::RenderControl& control);
     void adapt(float target, const rtcore::ExposureSettings& settings);
 
     using Clock = std::chrono::steady_clock;
@@ -106,7 +109,9 @@ class FrameMaker {
     std::uint64_t revision_ = 0;
     Adaptation adaptation_;
     rtcore::Subscription adapted_; ///< what the adaptation knows of the state
-    float target_ = 1;             ///< the exposure that suits the last frame
+    rtcore::LightMeter meter_;
+    std::optional<float> white_; ///< by the meter, of the last frame's view; nothing where it is not asked
+    float target_ = 1;           ///< the exposure that suits the last frame
     Clock::time_point adaptedAt_;
     /// The eye when a whole frame was begun of a view that had been seen before.
     struct Eye {

@@ -21,7 +21,7 @@ namespace {
 /// With the sky that the scene has, or a usual one, changed; it lights from then on.
 template <typename Change>
 Result editSky(const Call& call, Change change) {
-    rtcore::Sky sky = call.state.scene()->sky.value_or(rtcore::Sky{});
+    rtcore::Sky sky = call.state.scene()->sky.value_or(rtcore::Sky{.haze = true});
     change(sky);
     call.state.setSky(sky);
     return {};

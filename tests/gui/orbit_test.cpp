@@ -1,6 +1,8 @@
 /// A model is turned in the hand.
+#include "gui/view/view_cube.h"
 #include "gui/window_support.h"
 
+#include <QToolButton>
 #include <QVector3D>
 
 namespace {
@@ -57,6 +59,47 @@ TEST_F(OrbitTest, AnObjectOpensInItAndIsTurnedByADrag) {
     action(ActionId::ViewFront)->trigger();
     ASSERT_TRUE(comes([&] { return std::abs(eye().x()) < 1e-3F && std::abs(eye().y()) < 1e-3F; }));
     EXPECT_GT(eye().z(), 2);
+}
+
+TEST_F(OrbitTest, TheCubeShowsTheDirectionAndChoosesIt) {
+    ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));
+    auto* cube = window->view().findChild<ViewCube*>();
+    ASSERT_NE(cube, nullptr);
+    ASSERT_TRUE(comes([&] { return cube->isVisible() && cube->mode() == Mode::Orbit; }));
+    EXPECT_EQ(cube->sideAt({2, 2}), QString()) << "beside it";
+    const auto top = cube->middleOf(QStringLiteral("top"));
+    ASSERT_TRUE(top) << "an object is seen from a little above";
+    EXPECT_EQ(cube->sideAt(*top), QStringLiteral("top"));
+    EXPECT_FALSE(cube->middleOf(QStringLiteral("back")));
+    QTest::mouseClick(cube, Qt::LeftButton, {}, top->toPoint());
+    ASSERT_TRUE(comes([&] { return eye().y() > 2 && std::abs(eye().x()) < 1e-3F; }));
+    ASSERT_TRUE(comes([&] { return !cube->middleOf(QStringLiteral("front")); })) << "it turns with the view";
+
+    window->preferences().set(pref::showCube, false);
+    EXPECT_FALSE(cube->isVisible());
+    window->preferences().set(pref::showCube, true);
+    EXPECT_TRUE(cube->isVisible());
+}
+
+TEST_F(OrbitTest, ButtonsChangeBetweenOrbitWalkAndFly) {
+    ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));
+    auto* cube = window->view().findChild<ViewCube*>();
+    ASSERT_NE(cube, nullptr);
+    ASSERT_TRUE(comes([&] { return cube->isVisible() && cube->mode() == Mode::Orbit; }));
+    const QList<QToolButton*> buttons = cube->findChildren<QToolButton*>();
+    ASSERT_EQ(buttons.size(), 3);
+    const QVector3D before = eye();
+    buttons[2]->click();
+    EXPECT_EQ(cube->mode(), Mode::Fly);
+    EXPECT_EQ(window->view().input().hand(), Hand::Looks);
+    EXPECT_FALSE(action(ActionId::Orbit)->isChecked());
+    EXPECT_EQ(eye(), before) << "the view stays";
+    buttons[0]->click();
+    EXPECT_EQ(cube->mode(), Mode::Orbit);
+    buttons[1]->click();
+    ASSERT_TRUE(comes([&] { return status().view.walking || !window->view().told().isEmpty(); }));
+    ASSERT_TRUE(comes([&] { return cube->mode() == (status().view.walking ? Mode::Walk : Mode::Orbit); }));
+    EXPECT_TRUE(buttons[static_cast<int>(cube->mode())]->isChecked());
 }
 
 TEST_F(OrbitTest, CanBeLeftAndKeepsTheView) {

@@ -1,6 +1,12 @@
 /// The first view of models that nobody prepared. They are made by make_strangers.py.
 #include "rtcore/io/scene_loader.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/post/develop.h"
+#include "rtcore/render/camera_rays.h"
 #include "rtcore/render/closest_hit.h"
+#include "rtcore/render/ground_tracer.h"
+#include "rtcore/render/light_meter.h"
+#include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/up_axis.h"
 
 #include "support/run_program.h"
@@ -144,6 +150,54 @@ std::string saidOf(const rtcore::LoadedScene& scene) {
     return all;
 }
 
+/// Of the model's own pixels, as a display shows them, 0..255.
+struct Shown {
+    double mean = 0, black = 0, white = 0; ///< the last two as parts of all
+    double albedo = 0;                     ///< the mean of its surfaces
+};
+
+Shown shown(const rtcore::LoadedScene& loaded) {
+    rtcore::RenderSettings settings;
+    rtcore::applySettings(settings, loaded.live);
+    settings.width = 128;
+    settings.height = 72;
+    settings.antialiasing = 2;
+    const rtcore::KdTree tree = rtcore::visibleTree(loaded.tree, loaded.scene);
+    const auto surfaces = std::make_shared<const rtcore::KdRayTracer>(tree, loaded.scene.model.mesh);
+    const auto tracer = rtcore::withGround(surfaces, loaded.scene);
+    const rtcore::View view{loaded.scene, *tracer, loaded.camera, settings};
+    rtcore::RenderControl control{.threads = 1};
+    rtcore::Frame frame;
+    rtcore::FrameRenderer renderer;
+    renderer.collectAovs(true);
+    EXPECT_TRUE(renderer.render(view, control, frame));
+    rtcore::PictureDeveloper developer;
+    rtcore::LdrImage image;
+    const float exposure = developer.exposure(frame, settings, rtcore::LightMeter().white(view, control), 1);
+    developer.develop(frame, settings, exposure, 1, image);
+    const rtcore::CameraRays rays(loaded.camera, settings.width, settings.height);
+    Shown sum;
+    int count = 0;
+    for (int y = 0; y < settings.height; ++y) {
+        for (int x = 0; x < settings.width; ++x) {
+            const rtcore::Ray ray = rays.at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+            if (!rtcore::closestHit(loaded.tree, loaded.scene.model.mesh, ray.origin, ray.direction))
+                continue;
+            const rtcore::Rgba8 p = image.at(x, y);
+            const double code = 0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b;
+            sum.mean += code;
+            sum.black += code < 6 ? 1 : 0;
+            sum.white += code > 252 ? 1 : 0;
+            const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.width) +
+                                   static_cast<std::size_t>(x);
+            sum.albedo += static_cast<double>(luminance(frame.aovs.pixels()[at].albedo));
+            ++count;
+        }
+    }
+    const double all = std::max(count, 1);
+    return {sum.mean / all, sum.black / all, sum.white / all, sum.albedo / all};
+}
+
 /// The folder with the models; empty where they cannot be made.
 class Strangers : public testing::Test {
   protected:
@@ -174,6 +228,19 @@ TEST_F(Strangers, AreSeenFromTheRightPlace) {
     }
 }
 
+// What is white itself is shown lighter: plaster, and parts without a material.
+TEST_F(Strangers, AreShownInGoodLight) {
+    for (const Stranger& stranger : all) {
+        SCOPED_TRACE(stranger.path.filename().string());
+        const Shown seen = shown(load(stranger));
+        const double most = seen.albedo > 0.4 ? 236 : 190;
+        EXPECT_GE(seen.mean, 70);
+        EXPECT_LE(seen.mean, most) << "albedo " << seen.albedo;
+        EXPECT_LE(seen.black, 0.03);
+        EXPECT_LE(seen.white, 0.05) << "the pools of light on ceilings";
+    }
+}
+
 TEST_F(Strangers, StrayCamerasAreBookmarks) {
     for (const char* const file : {"stray_far.glb", "stray_past.glb"}) {
         const rtcore::LoadedScene scene = loadNamed(file);
@@ -193,6 +260,14 @@ TEST_F(Strangers, LightsThatReachNothingAreNotAlone) {
     const rtcore::LoadedScene lit = loadNamed("room_lamp.glb");
     EXPECT_FALSE(lit.scene.sky);
     EXPECT_EQ(lit.scene.lights.size(), 1U);
+}
+
+TEST_F(Strangers, WhatNoLightReachesIsLitFromTheEye) {
+    const rtcore::LoadedScene scene = loadNamed("crawl_space.glb");
+    EXPECT_NE(saidOf(scene).find("no light reaches what is seen"), std::string::npos);
+    EXPECT_EQ(scene.scene.lightNames.back(), rtcore::kHeadlightName);
+    for (const char* const file : {"room_closed.glb", "room.glb", "house1_plot.glb"})
+        EXPECT_EQ(saidOf(loadNamed(file)).find("no light reaches"), std::string::npos) << file;
 }
 
 TEST_F(Strangers, SkiesAroundThemAreHidden) {

@@ -148,6 +148,39 @@ TEST_F(PageModules, CommandLetsGoOfKeysAndTheWheelHasSteps) {
     EXPECT_EQ(told["steps"], "-1,-1,1,-1,-2");
 }
 
+// What hands do while an answer is on its way is told together, and in the order in which it makes sense.
+TEST_F(PageModules, AModelInTheHandNeverFallsBehind) {
+    const Json told = with("orbit.js", R"((async () => {
+        const asked = [], waiting = [];
+        const picture = { aspect: 2, box: () => ({ width: 360 }), at: (x, y) => (x < 0 ? null : { x: x / 360, y: y / 180 }) };
+        const orbit = new m.Orbit(picture, { changed() {}, ask(what, keys) {
+            asked.push([what, ...Object.values(keys)]);
+            return new Promise((done) => waiting.push(done));
+        } });
+        const answer = async (ok = true) => { waiting.shift()({ ok }); await new Promise((done) => setTimeout(done)); };
+        orbit.grasp(180, 45);
+        orbit.turn(10, 0);
+        for (let i = 0; i < 20; ++i) orbit.turn(1, 2);
+        orbit.move(36, -18);
+        orbit.approach(2);
+        orbit.approach(2);
+        for (let i = 0; i < 4; ++i) await answer();
+        orbit.turn(1, 0);
+        orbit.turn(9, 0);
+        await answer(false); // nothing is heaped up for who may not drive
+        orbit.grasp(-1, 0);
+        orbit.turn(2, 0);
+        await answer();
+        return asked;
+    })())");
+    EXPECT_EQ(told, (Json{{"pivot", 0.5, 0.25},
+                          {"orbit", 15, -20},
+                          {"pan", 0.1, 0.05},
+                          {"approach", 4},
+                          {"orbit", 0.5, 0},
+                          {"orbit", 1, 0}}));
+}
+
 TEST_F(PageModules, TheScreenIsKeptOnOnce) {
     const Json told = with("wake_lock.js", R"((async () => {
         const locks = [];

@@ -3,6 +3,8 @@
 
 #include "rtcore/math/vec.h"
 
+#include <cmath>
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -90,6 +92,68 @@ TEST_F(PageInput, AClickLocksTheMouseAndEscapeFreesIt) {
     page.keyDown("Escape");
     EXPECT_TRUE(page.becomes("document.pointerLockElement === null"));
     EXPECT_TRUE(comesToRest());
+}
+
+// A drag without capture turns it about what is under the pointer, two fingers bring it nearer.
+TEST_F(PageInput, TheModelIsTurnedInTheHand) {
+    const WebPage page = drive();
+    ask("fly");
+    if (page.value("document.getElementById('orbit').getAttribute('aria-pressed')") != "true")
+        page.value("document.getElementById('orbit').click()");
+    ASSERT_TRUE(comesToRest());
+    const rtcore::Vec3 start = eye(), before = forward();
+    const auto mouse = [&](const char* type, int x, int buttons) {
+        page.call("Input.dispatchMouseEvent",
+                  {{"type", type}, {"x", x}, {"y", 300}, {"buttons", buttons}, {"button", "left"}});
+    };
+    mouse("mousePressed", 300, 1);
+    for (int x = 310; x <= 400; x += 10) mouse("mouseMoved", x, 1);
+    mouse("mouseReleased", 400, 0);
+    EXPECT_TRUE(turnsFrom(before));
+    EXPECT_GT(length(eye() - start), 0.01F) << "the eye goes around it";
+    EXPECT_EQ(page.value("document.pointerLockElement"), nullptr);
+    EXPECT_TRUE(comesToRest());
+
+    page.call("Emulation.setTouchEmulationEnabled", {{"enabled", true}, {"maxTouchPoints", 2}});
+    const rtcore::Vec3 turned = forward();
+    touch(page, "touchStart", {{{"x", 300}, {"y", 300}}});
+    touch(page, "touchMove", {{{"x", 240}, {"y", 300}}});
+    EXPECT_TRUE(turnsFrom(turned));
+    touch(page, "touchEnd");
+    EXPECT_TRUE(comesToRest());
+    const rtcore::Vec3 far = eye();
+    touch(page, "touchStart", {{{"x", 300}, {"y", 300}, {"id", 1}}, {{"x", 340}, {"y", 300}, {"id", 2}}});
+    touch(page, "touchMove", {{{"x", 270}, {"y", 300}, {"id", 1}}, {{"x", 370}, {"y", 300}, {"id", 2}}});
+    EXPECT_TRUE(test::eventually([&] { return walked(far) > 0.05F; }, 20s)) << "nearer";
+    touch(page, "touchEnd");
+    EXPECT_TRUE(comesToRest());
+}
+
+// Held upright, a phone that drives gets images of its shape; put down again, it gives the old one back.
+TEST_F(PageInput, APhoneThatIsHeldUprightIsFilled) {
+    const WebPage page = drive();
+    ask("fly");
+    ASSERT_TRUE(comesToRest());
+    const ipc::Status before = client().status();
+    const auto hold = [&](int width, int height) {
+        page.call("Emulation.setTouchEmulationEnabled", {{"enabled", true}, {"maxTouchPoints", 2}});
+        page.call("Emulation.setDeviceMetricsOverride",
+                  {{"width", width}, {"height", height}, {"deviceScaleFactor", 2}, {"mobile", true}});
+    };
+    const auto becomes = [&](double aspect) {
+        return test::eventually(
+            [&] {
+                client().update();
+                const ipc::Status now = client().status();
+                return std::abs(static_cast<double>(now.width) / now.height - aspect) < 0.02;
+            },
+            20s);
+    };
+    hold(390, 844);
+    EXPECT_TRUE(becomes(390.0 / 844));
+    EXPECT_EQ(page.value("getComputedStyle(document.getElementById('view')).objectFit"), "cover");
+    hold(844, 390);
+    EXPECT_TRUE(becomes(static_cast<double>(before.width) / before.height));
 }
 
 TEST_F(PageInput, OneThumbWalksAndTheOtherTurns) {

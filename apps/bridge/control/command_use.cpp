@@ -58,6 +58,12 @@ CommandUse commandUse(app::CommandId id) {
     case SkyStrength:
     case SkyGround:
     case Look:
+    case CameraPivot:
+    case CameraOrbit:
+    case CameraPan:
+    case CameraApproach:
+    case CameraFit:
+    case CameraView:
     case BookmarkGo:
     case Materials:
     case MaterialGet:
@@ -88,12 +94,6 @@ CommandUse commandUse(app::CommandId id) {
     case Get:
     case Settings:
     case CameraGet:
-    case CameraPivot:
-    case CameraOrbit:
-    case CameraPan:
-    case CameraApproach:
-    case CameraFit:
-    case CameraView:
     case CameraPaste:
     case Up:
     case Units:

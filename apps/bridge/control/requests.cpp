@@ -68,6 +68,13 @@ Words lookAt(Fields f, const RequestSurroundings&) {
     return f.vector("eye") + f.vector("target") + ifGiven(f, "fov");
 }
 Words seen(Fields f, const RequestSurroundings&) { return wordList(f.word("x"), f.word("y")); }
+Words pivot(Fields f, const RequestSurroundings& around) {
+    return f.has("x") || f.has("y") ? seen(f, around) : Words();
+}
+Words across(Fields f, const RequestSurroundings&) { return wordList(f.word("right"), f.word("up")); }
+Words side(Fields f, const RequestSurroundings&) {
+    return wordList(f.choice("side", {"front", "back", "left", "right", "top", "bottom", "three-quarter"}));
+}
 Words bookmark(Fields f, const RequestSurroundings& around) {
     const std::int64_t number = f.integer("number");
     if (number < 1 || number > static_cast<std::int64_t>(around.bookmarks.size()))
@@ -211,6 +218,12 @@ constexpr std::array kRows{
     RequestRow{"camera", CommandId::CameraSet, camera},
     RequestRow{"orthographic", CommandId::CameraOrthographic, orthographic},
     RequestRow{"lookAt", CommandId::CameraLookAt, lookAt},
+    RequestRow{"pivot", CommandId::CameraPivot, pivot},
+    RequestRow{"orbit", CommandId::CameraOrbit, across},
+    RequestRow{"pan", CommandId::CameraPan, across},
+    RequestRow{"approach", CommandId::CameraApproach, factor},
+    RequestRow{"fit", CommandId::CameraFit, none},
+    RequestRow{"side", CommandId::CameraView, side},
     RequestRow{"reset", CommandId::CameraReset, none},
     RequestRow{"angle", CommandId::CameraAngle, degrees},
     RequestRow{"lens", CommandId::CameraLens,

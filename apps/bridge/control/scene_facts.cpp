@@ -123,7 +123,8 @@ json sceneJson(const app::StateReport& state) {
                {"undo", withoutFolders(state.undo)},
                {"redo", withoutFolders(state.redo)},
                {"edits", state.edits},
-               {"modified", state.modified}};
+               {"modified", state.modified},
+               {"indoors", state.indoors}};
     if (state.map) scene["map"] = {{"rotation", state.map->rotation}, {"strength", state.map->strength}};
     return scene;
 }

@@ -184,6 +184,7 @@ std::string unitsAsGuessed() { return line(CommandId::Units, "auto"); }
 std::string focus(double right, double down) { return line(CommandId::Focus, right, down); }
 std::string speed(double factor) { return line(CommandId::Speed, factor); }
 std::string walk() { return line(CommandId::Walk); }
+std::string fly() { return line(CommandId::Fly); }
 
 std::string loadCamera(const std::string& path) { return line(CommandId::LoadCamera, path); }
 

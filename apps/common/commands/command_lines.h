@@ -120,6 +120,7 @@ std::string unitsAsGuessed();
 std::string focus(double right, double down); ///< 0..1
 std::string speed(double factor);
 std::string walk();
+std::string fly();
 
 std::string loadCamera(const std::string& path);
 std::string loadScene(const std::string& path, const std::string& cachedModel = {}); ///< "": none

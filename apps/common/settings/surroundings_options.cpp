@@ -58,7 +58,7 @@ rtcore::Sky readSkyOption(std::string_view text) {
     try {
         const rtcore::TextValue content = contentOf(text);
         rtcore::StrictTable table(content, kPlace);
-        return rtcore::readSky(table);
+        return rtcore::readSky(table, {.haze = true});
     } catch (const rtcore::FileError& error) {
         reason = error.what();
         const std::size_t message = reason.find(": "); // behind the place

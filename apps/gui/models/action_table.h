@@ -58,6 +58,7 @@ enum class ActionId {
     IgnoreAspectRatio,
     SmoothTransformation,
     ShowOverlay,
+    ShowCube,
     LightMarks,
     SettingsPanel,
     LightsPanel,

@@ -28,7 +28,8 @@ constexpr Label kLabels[] = {{"antialiasing", "Anti-aliasing"},
                              {"path.clampIndirect", "Clamp indirect light"},
                              {"path.emitters", "Light from emission"},
                              {"path.seed", "Seed of the noise"},
-                             {"exposure.recorded", "Recorded exposures"}};
+                             {"exposure.recorded", "Recorded exposures"},
+                             {"agx", "AgX"}};
 
 QString translatedSetting(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());

@@ -30,8 +30,8 @@ QStringList rendererOptions(const StillQuality& quality) {
         // from the first sample to the last, so that the image never gets worse.
         return options << QStringLiteral("--integrator=path")
                        << QStringLiteral("--samples=%1").arg(quality.paths)
-                       << QStringLiteral("--setting=exposure.mode=automatic")
-                       << QStringLiteral("--setting=denoise.passes=%1").arg(kFilterPasses);
+                       << QStringLiteral("--setting=exposure.recorded=automatic")
+                       << QStringLiteral("--setting=path.filter=%1").arg(kFilterPasses);
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));

@@ -76,21 +76,9 @@ void MotionOperations::bindOrbit() {
         session.approach(std::pow(kNearer, steps));
     });
     connect(&input, &InputCapture::centred, this, &MotionOperations::centre);
-    context_.actions.onToggle(ActionId::Orbit, [this](bool on) { setOrbits(on); });
-    connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] {
-        const bool orbits = !context_.editor.state().indoors;
-        context_.actions[ActionId::Orbit]->setChecked(orbits);
-        context_.view.input().setHand(orbits ? Hand::Turns : Hand::Looks);
-    });
     context_.actions.on(ActionId::FitView, [this] { context_.editor.edit(command::cameraFit()); });
     for (const auto& [id, side] : kSides)
         context_.actions.on(id, [this, side] { context_.editor.edit(command::cameraView(side)); });
-}
-
-void MotionOperations::setOrbits(bool orbits) {
-    context_.view.input().setHand(orbits ? Hand::Turns : Hand::Looks);
-    context_.view.tell(orbits ? tr("A drag turns the model; Shift moves it, the wheel goes nearer.")
-                              : tr("A click takes the mouse, which looks around; Esc gives it back."));
 }
 
 void MotionOperations::takeHold(const QPointF& position) {

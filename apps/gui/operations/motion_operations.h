@@ -19,7 +19,6 @@ class MotionOperations : public QObject {
     void bindOrbit();
     void takeHold(const QPointF& position);
     void centre(const QPointF& position);
-    void setOrbits(bool orbits);
     void askForBindings();
 
     GuiContext context_;

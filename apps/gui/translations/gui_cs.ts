@@ -1090,6 +1090,14 @@
         <source>&amp;Whole model</source>
         <translation>&amp;Celý model</translation>
     </message>
+    <message>
+        <source>Show &amp;cube</source>
+        <translation>Zobrazit &amp;krychli</translation>
+    </message>
+    <message>
+        <source>The direction of the view in the corner, and whether you orbit, walk or fly</source>
+        <translation>Směr pohledu v rohu, a zda se model otáčí, chodí se nebo létá</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2344,6 +2352,17 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::ModeOperations</name>
+    <message>
+        <source>A drag turns the model; Shift moves it, the wheel goes nearer.</source>
+        <translation>Tažení model otáčí, Shift ho posouvá, kolečko přibližuje.</translation>
+    </message>
+    <message>
+        <source>A click takes the mouse, which looks around; Esc gives it back.</source>
+        <translation>Kliknutí převezme myš, která se rozhlíží; Esc ji vrátí.</translation>
+    </message>
+</context>
+<context>
     <name>gui::ModelOperations</name>
     <message>
         <source>Model</source>
@@ -2418,14 +2437,6 @@ Alt+%2</translation>
     <message>
         <source>Flying speed × %1; walking keeps its own</source>
         <translation>Rychlost letu × %1; chůze má svou vlastní</translation>
-    </message>
-    <message>
-        <source>A drag turns the model; Shift moves it, the wheel goes nearer.</source>
-        <translation>Tažení model otáčí, Shift ho posouvá, kolečko přibližuje.</translation>
-    </message>
-    <message>
-        <source>A click takes the mouse, which looks around; Esc gives it back.</source>
-        <translation>Kliknutí převezme myš, která se rozhlíží; Esc ji vrátí.</translation>
     </message>
 </context>
 <context>
@@ -3765,6 +3776,49 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>By the format, the program that wrote it, and the shape of the model</source>
         <translation>Podle formátu, programu, který jej zapsal, a tvaru modelu</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ViewCube</name>
+    <message>
+        <source>FRONT</source>
+        <translation>ZPŘEDU</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>ZEZADU</translation>
+    </message>
+    <message>
+        <source>LEFT</source>
+        <translation>ZLEVA</translation>
+    </message>
+    <message>
+        <source>RIGHT</source>
+        <translation>ZPRAVA</translation>
+    </message>
+    <message>
+        <source>TOP</source>
+        <translation>SHORA</translation>
+    </message>
+    <message>
+        <source>BELOW</source>
+        <translation>ZDOLA</translation>
+    </message>
+    <message>
+        <source>View cube</source>
+        <translation>Krychle pohledu</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Otáčet</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Chodit</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Létat</translation>
     </message>
 </context>
 </TS>

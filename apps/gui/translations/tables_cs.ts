@@ -288,6 +288,14 @@
         <translation>k semínku se přičte číslo snímku seznamu, aby šum ve filmu nestál</translation>
     </message>
     <message>
+        <source>Filter</source>
+        <translation>Filtr</translation>
+    </message>
+    <message>
+        <source>of the filter that smooths noise of images by paths</source>
+        <translation>průchody filtru, který vyhlazuje šum obrazů z cest</translation>
+    </message>
+    <message>
         <source>Depth of field</source>
         <translation>Hloubka ostrosti</translation>
     </message>
@@ -408,12 +416,16 @@
         <translation>Režim</translation>
     </message>
     <message>
-        <source>automatic follows the image's brightness</source>
-        <translation>automatický se řídí jasem obrazu</translation>
+        <source>automatic follows the image's brightness, incident the light on what is seen: a white room stays white, a black car black</source>
+        <translation>automatický se řídí jasem obrazu, podle dopadu světlem na tom, co je vidět: bílý pokoj zůstane bílý, černé auto černé</translation>
     </message>
     <message>
         <source>Fixed</source>
         <translation>Pevný</translation>
+    </message>
+    <message>
+        <source>Incident</source>
+        <translation>Podle dopadu</translation>
     </message>
     <message>
         <source>Value</source>
@@ -428,8 +440,8 @@
         <translation>Klíč</translation>
     </message>
     <message>
-        <source>automatic exposure: larger is brighter</source>
-        <translation>automatická expozice: větší je světlejší</translation>
+        <source>exposure that is not fixed: larger is brighter</source>
+        <translation>expozice, která není pevná: větší je světlejší</translation>
     </message>
     <message>
         <source>Brighter seconds</source>
@@ -480,12 +492,28 @@
         <translation>Mapování tónů</translation>
     </message>
     <message>
-        <source>luminance keeps hues, channels lets bright colours fade to white</source>
-        <translation>podle jasu zůstávají odstíny, po složkách jasné barvy blednou do bílé</translation>
+        <source>luminance keeps hues, channels lets bright colours fade to white, agx is like film, neutral keeps all but the brightest colours</source>
+        <translation>podle jasu zůstávají odstíny, po složkách jasné barvy blednou do bílé, AgX je jako film, neutrální zachovává všechny barvy kromě nejjasnějších</translation>
     </message>
     <message>
         <source>Luminance</source>
         <translation>Podle jasu</translation>
+    </message>
+    <message>
+        <source>AgX</source>
+        <translation>AgX</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutrální</translation>
+    </message>
+    <message>
+        <source>Tone contrast</source>
+        <translation>Kontrast tónů</translation>
+    </message>
+    <message>
+        <source>contrast and colour of agx: 0 as soft as film, 1 punchy, and beyond</source>
+        <translation>kontrast a barevnost AgX: 0 měkký jako film, 1 výrazný, i více</translation>
     </message>
     <message>
         <source>Channels</source>

@@ -487,6 +487,22 @@ class Loader {
         warn({"its own lights reach nothing that is seen; other light was added"});
     }
 
+    /// What no light reaches is seen by one beside the viewer.
+    void lightTheDark() {
+        Scene& scene = out_.scene;
+        if (out_.sceneFile || out_.look == Look::Headlight || options_.surroundings.look) return;
+        if (std::any_of(scene.materials.begin(), scene.materials.end(),
+                        [](const Material& m) { return !isBlack(m.emission); }))
+            return;
+        const Mesh& mesh = scene.model.mesh;
+        const std::vector<SeenPlace> places = seenPlaces(out_.tree, mesh, out_.camera);
+        if (places.empty() || isOpen(out_.tree, mesh, places) ||
+            lightReaches(out_.tree, mesh, scene.lights, places, kPlainAmbient))
+            return;
+        addHeadlight(scene, out_.tree.bounds, out_.camera);
+        warn({"no light reaches what is seen; one beside the viewer was added"});
+    }
+
     void giveGround() {
         Scene& scene = out_.scene;
         if (!scene.sky || !wantsGround(scene.model.mesh, surveyed())) return;
@@ -505,6 +521,7 @@ class Loader {
         }
         if (surroundings.look) return lightByLook(*surroundings.look, true);
         if (hasLight() || (surrounded && out_.sceneFile)) {
+            if (!out_.sceneFile) take(exposureOf(surroundings.usual));
             if (surrounded) take({{"skyLight.on", true}});
         } else if (surrounded) {
             giveGround();
@@ -524,6 +541,7 @@ class Loader {
         chooseCamera();
         takeSurroundings();
         giveLight();
+        lightTheDark();
         numberLights(scene);
         scene.closed = findClosedSurfaces(scene.model, scene.materials, out_.openGlass);
         phase(LoadPhase::Done);

@@ -106,6 +106,7 @@ bool sameLight(const RenderSettings& a, const RenderSettings& b) {
     alike.bloom = b.bloom;
     alike.exposure = b.exposure;
     alike.toneMapping = b.toneMapping;
+    alike.toneContrast = b.toneContrast;
     alike.dithering = b.dithering;
     return alike == b;
 }

@@ -16,7 +16,8 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kKey = 0.25F; ///< the sun and a studio's lights leave little in the dark
+constexpr int kFilterPasses = 4; ///< of images by paths
+constexpr float kContrast = 2;   ///< of film: with its own, colours are pale where white is near 240
 constexpr float kStudioBackground = 0.35F;
 /// Of ambient occlusion: metres, or a part of the model.
 constexpr float kReach = 5, kReachOfDiagonal = 0.15F;
@@ -69,7 +70,7 @@ void setRoomLights(LookLights& look, const KdTree& tree, const Mesh& mesh, const
 }
 
 Sky skyOfView(const KdTree& tree, const Mesh& mesh, const Survey& survey, const Camera& camera) {
-    Sky sky;
+    Sky sky{.haze = true};
     sky.date.reset();
     sky.direction = sunOfView(tree, mesh, survey, camera);
     return sky;
@@ -79,6 +80,13 @@ void addLight(Scene& scene, const Light& light, const std::string& name) {
     scene.lightNames.resize(scene.lights.size());
     scene.lights.push_back(light);
     scene.lightNames.push_back(name);
+}
+
+std::vector<SettingAssignment> exposureBy(const char* mode, const char* toneMapping, int filterPasses) {
+    return {{"exposure.mode", mode},
+            {"toneMapping", toneMapping},
+            {"toneContrast", kContrast},
+            {"path.filter", filterPasses}};
 }
 
 } // namespace
@@ -134,14 +142,32 @@ void lightBy(Scene& scene, const LookLights& look) {
 // What no sky reaches is lit by what the surfaces around send to each other: wherever one walks, it is not
 // black.
 std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey) {
-    if (look == Look::Headlight) return {{"skyLight.on", false}, {"ambientOcclusion.on", false}};
+    std::vector<SettingAssignment> settings = exposureOf(look);
+    if (look == Look::Headlight) {
+        settings.insert(settings.end(), {{"skyLight.on", false}, {"ambientOcclusion.on", false}});
+        return settings;
+    }
     // Of what the model is about: wide ground does not make its rooms dark.
     const float diagonal = survey.subject.bounds.diagonal();
     const float reach = std::min(kReachOfDiagonal * diagonal, kReach * survey.axes.metre);
-    return {{"skyLight.on", true},
-            {"ambientOcclusion.on", true},
-            {"ambientOcclusion.distance", reach},
-            {"exposure.key", kKey}};
+    settings.insert(
+        settings.end(),
+        {{"skyLight.on", true}, {"ambientOcclusion.on", true}, {"ambientOcclusion.distance", reach}});
+    return settings;
+}
+
+// Out of doors and in rooms there is a wide range of light, for which film is made; an object in a studio
+// keeps its colours.
+std::vector<SettingAssignment> exposureOf(Look look) {
+    switch (look) {
+    case Look::Sky:
+        return exposureBy("incident", "agx", kFilterPasses);
+    case Look::Studio:
+        return exposureBy("incident", "neutral", kFilterPasses);
+    case Look::Headlight:
+        break;
+    }
+    return exposureBy("automatic", "luminance", 0);
 }
 
 bool isLitBy(const Scene& scene, const LookLights& look) {

@@ -49,6 +49,8 @@ void lightBy(Scene& scene, const LookLights& look);
 
 /// Settings for it, in the walk and in stills.
 std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey);
+/// Those of them that suit other light of its kind, too: how it is exposed, and what is made of it.
+std::vector<SettingAssignment> exposureOf(Look look);
 
 /// Whether the scene is lit by that: nothing was edited but what is switched on.
 bool isLitBy(const Scene& scene, const LookLights& look);

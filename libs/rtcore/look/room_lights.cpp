@@ -12,7 +12,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kBelowCeiling = 0.15F; ///< of the room's height
+constexpr float kBelowCeiling = 0.25F; ///< of the room's height
 constexpr float kSize = 0.06F;         ///< radius, of the room's height
 constexpr float kLittle = 0.04F;       ///< of what all places want: what one more light must bring
 constexpr float kMostScale = 2;

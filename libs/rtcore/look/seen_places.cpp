@@ -5,6 +5,7 @@
 #include "rtcore/render/closest_hit.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace rtcore {
@@ -70,6 +71,22 @@ bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> l
         lit += sum > least ? 1 : 0;
     }
     return 50 * lit >= places.size();
+}
+
+bool isOpen(const KdTree& tree, const Mesh& mesh, std::span<const SeenPlace> places) {
+    constexpr float kAcross = 0.7F; // beside the normal, as directions that much light comes from
+    std::size_t open = 0;
+    for (const SeenPlace& place : places) {
+        const Basis around = basisAround(place.normal);
+        const std::array<Vec3, 5> ways{
+            place.normal, place.normal + around.tangent * kAcross, place.normal - around.tangent * kAcross,
+            place.normal + around.bitangent * kAcross, place.normal - around.bitangent * kAcross};
+        const bool leaves = std::ranges::any_of(ways, [&](Vec3 way) {
+            return !occluded(tree, mesh, {place.position, 0, way, Box3::kHuge});
+        });
+        open += leaves ? 1 : 0;
+    }
+    return 50 * open >= places.size();
 }
 
 } // namespace rtcore

@@ -29,4 +29,7 @@ bool showsModel(std::span<const SeenPlace> places, const Box3& box);
 bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
                   std::span<const SeenPlace> places, Colour ambient);
 
+/// Whether the model is open to what surrounds it at some of the places.
+bool isOpen(const KdTree& tree, const Mesh& mesh, std::span<const SeenPlace> places);
+
 } // namespace rtcore

@@ -288,7 +288,7 @@ void Denoiser::fillImage(const HdrImage& picture, const Aovs& aovs, bool all, [[
 }
 
 const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) {
-    const int passes = run.settings.denoise.passes;
+    const int passes = filterPasses(run.settings);
     const bool whole = aovs.width() == picture.width && aovs.height() == picture.height;
     if (passes <= 0 || aovs.empty() || !whole) return picture;
     stop_ = run.stop;
@@ -309,7 +309,7 @@ const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const
 constinit const EffectRow kDenoiseEffect{
     .name = "denoise",
     .stage = EffectStage::Radiance,
-    .wanted = [](const RenderSettings& settings) { return settings.denoise.passes > 0; },
+    .wanted = [](const RenderSettings& settings) { return filterPasses(settings) > 0; },
     .bytesPerPixel = Denoiser::bytesPerPixel(),
     .needsAovs = true,
     .make = &makeEffect<Denoiser>};

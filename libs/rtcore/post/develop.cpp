@@ -15,6 +15,8 @@ constexpr float kDarkness = 1;
 /// replayed.
 constexpr float kLeast = 1e-30F;
 constexpr float kMost = 1e30F;
+/// Of what is shown as white by the light that falls on it, and the key by which it is.
+constexpr float kWhiteAlbedo = 0.9F, kUsualKey = 0.18F;
 
 /// The part of a row, of which the last block may be short. `radiance` and `pixels` begin at column 0.
 void developRow(const Development& how, const RowPart& part, const Colour* radiance, Rgba8* pixels) {
@@ -67,6 +69,14 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
     // Only background is visible: adapt to it.
     if (!found) found = average(frame, true, threads);
     return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
+}
+
+float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& settings,
+                                 std::optional<float> white, int threads) {
+    if (settings.exposure.mode != ExposureMode::Incident || !white)
+        return exposure(frame, settings.exposure, threads);
+    const float usual = exposureOfWhite(developmentOf(settings, 1), kWhiteAlbedo * *white);
+    return std::clamp(usual * (kUsualKey / settings.exposure.key), kLeast, kMost);
 }
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,

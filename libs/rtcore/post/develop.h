@@ -24,6 +24,11 @@ class PictureDeveloper {
     /// effects: bloom would brighten what is dark.
     float exposure(const Frame& frame, const ExposureSettings& settings, int threads);
 
+    /// The same where ExposureMode::Incident has what it needs, LightMeter's `white`: then that of a surface
+    /// of albedo 0.9 in this light, whatever the frame is. Without it, as ExposureMode::Automatic.
+    float exposure(const Frame& frame, const RenderSettings& settings, std::optional<float> white,
+                   int threads);
+
     /// The frame with the effects of EffectStage::Radiance. frame.radiance itself when there are none; else
     /// valid until the next call. A frame that is larger or smaller than the settings say gets effects in
     /// proportion. Returns soon, with an image that is undefined, when `stop` (may be null) becomes true.

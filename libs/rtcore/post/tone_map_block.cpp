@@ -9,6 +9,7 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/post/tone_map-inl.h"
+#include "rtcore/simd/portable_math.h"
 
 #ifndef RTCORE_POST_TONE_MAP_TYPES
 #define RTCORE_POST_TONE_MAP_TYPES
@@ -28,17 +29,31 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// First half: what is shown of each pixel, and its chords of the sRGB curve.
-void mapBlock(const Development& how, const float* radiance, ToneBlock& block) {
-    const Float c = how.exposure > 1e-30F ? how.exposure : 1e-30F;
+/// First half: what is shown of each pixel by `curve`, and its chords of the sRGB curve.
+template <typename Curve>
+HWY_INLINE void mapBlockBy(const float* radiance, ToneBlock& block, Curve&& curve) {
     for (std::size_t i = 0; i < kToneBlock; i += lanes()) {
-        const Float3 x = loadInterleaved(radiance + 3 * i);
-        const Float3 shown = how.toneMapping == ToneMapping::Luminance ? toneMapLuminance<Float>(x, c)
-                                                                       : toneMapChannels<Float>(x, c);
+        const Float3 shown = curve(loadInterleaved(radiance + 3 * i));
         store(shown, block.shown[0] + i, block.shown[1] + i, block.shown[2] + i);
         store(chordOf(shown.x), block.index[0] + i);
         store(chordOf(shown.y), block.index[1] + i);
         store(chordOf(shown.z), block.index[2] + i);
+    }
+}
+void mapBlock(const Development& how, const float* radiance, ToneBlock& block) {
+    const float constant = how.exposure > 1e-30F ? how.exposure : 1e-30F;
+    const Float c = constant, scale = 1 / constant;
+    switch (how.toneMapping) {
+    case ToneMapping::Luminance:
+        return mapBlockBy(radiance, block, [&](Float3 x) HWY_ATTR { return toneMapLuminance<Float>(x, c); });
+    case ToneMapping::Channels:
+        return mapBlockBy(radiance, block, [&](Float3 x) HWY_ATTR { return toneMapChannels<Float>(x, c); });
+    case ToneMapping::AgX:
+        return mapBlockBy(radiance, block,
+                          [&](Float3 x) HWY_ATTR { return toneMapAgx(x * scale, how.contrast); });
+    case ToneMapping::Neutral:
+        return mapBlockBy(radiance, block,
+                          [&](Float3 x) HWY_ATTR { return toneMapNeutral<Float>(x * scale); });
     }
 }
 
@@ -83,6 +98,27 @@ namespace rtcore {
 
 HWY_EXPORT(mapBlock);
 HWY_EXPORT(quantiseBlock);
+
+float exposureOfWhite(const Development& how, float white) {
+    constexpr float kShown = 0.8387990F; // the linear light of 236 of 255
+    // Greys between two bounds, three times, each time between two neighbours: within 2e-5.
+    Development one = how;
+    one.exposure = 1;
+    float low = 0.125F, high = 64;
+    for (int round = 0; round < 3; ++round) {
+        Colour greys[kToneBlock];
+        const float octaves = portableLog2(high / low);
+        for (std::size_t i = 0; i < kToneBlock; ++i)
+            greys[i] = kWhite * (low * portableExp2(octaves * static_cast<float>(i) / (kToneBlock - 1)));
+        ToneBlock block;
+        HWY_DYNAMIC_DISPATCH(mapBlock)(one, &greys[0].r, block);
+        std::size_t above = 1;
+        while (above + 1 < kToneBlock && block.shown[1][above] < kShown) ++above;
+        low = greys[above - 1].g;
+        high = greys[above].g;
+    }
+    return white / high;
+}
 
 void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels) {
     static_assert(std::endian::native == std::endian::little); // red is the lowest byte

@@ -13,11 +13,15 @@ inline constexpr std::size_t kToneBlock = 64;
 struct Development {
     ToneMapping toneMapping = ToneMapping::Luminance;
     bool dithering = true;
-    float exposure = 1; ///< the constant c of L = Y / (Y + c)
+    float contrast = 0; ///< RenderSettings::toneContrast
+    float exposure = 1; ///< the constant c of L = Y / (Y + c); the other curves get Y / c
 };
 inline Development developmentOf(const RenderSettings& settings, float exposure) {
-    return {settings.toneMapping, settings.dithering, exposure};
+    return {settings.toneMapping, settings.dithering, settings.toneContrast, exposure};
 }
+
+/// The exposure by which a grey of radiance `white` is shown as 236 of 255.
+float exposureOfWhite(const Development& how, float white);
 
 /// kToneBlock pixels of row `y` from column `x` on.
 void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels);

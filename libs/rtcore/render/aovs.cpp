@@ -30,6 +30,10 @@ void Aovs::add(std::span<const PrimaryHit> hits, std::span<const SampleId> sampl
         pixel.direct += hit.direct;
         pixel.soft += hit.soft;
         pixel.covered += 1;
+        if (hit.matte > hit.mirrored) {
+            pixel.matte += hit.matte;
+            ++sums_[at].matte;
+        }
         sums_[at].arriving += hit.arriving;
         sums_[at].whole += hit.whole;
     }
@@ -49,6 +53,7 @@ void Aovs::finish([[maybe_unused]] int threads) {
             pixel.direct = pixel.direct * fraction;
             pixel.soft = pixel.soft * fraction;
             pixel.covered *= fraction;
+            pixel.matte = sums.matte == sums.samples ? pixel.matte * fraction : 0;
             if (sums.whole > 0) pixel.visible = std::min(sums.arriving / sums.whole, 1.0F);
         }
     }

@@ -22,6 +22,8 @@ struct AovPixel {
     Colour soft;                    ///< radiance of sampled light (PrimaryHit)
     float visible = 1;              ///< fraction of the ambient light that arrives: ambient occlusion
     float covered = 0;              ///< fraction of the samples that hit something
+    float matte =
+        0; ///< mean of PrimaryHit::matte where that is more than what is mirrored of every sample, else 0
 };
 
 /// Samples are added by tiles, in any order of tiles: those of one pixel by one thread at a time, always in
@@ -49,7 +51,7 @@ class Aovs {
   private:
     struct Sums {
         float arriving = 0, whole = 0;
-        std::uint32_t samples = 0;
+        std::uint32_t samples = 0, matte = 0;
     };
 
     int width_ = 0, height_ = 0;

@@ -1,5 +1,6 @@
 #include "rtcore/render/axes.h"
 
+#include "rtcore/scene/up_axis.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -8,9 +9,8 @@
 namespace rtcore {
 
 Axes::Axes(Vec3 upwards, float metresPerUnit) : up(upwards), metre(1 / metresPerUnit) {
-    // What a viewer of the usual +Y models calls front is +Z; other up axes follow by turning the model.
-    right = std::fabs(up.x) < 0.5F ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    front = cross(right, up);
+    right = rightOf(up);
+    front = frontOf(up);
 }
 
 Vec3 Axes::horizontal(float angle) const { return right * portableCos(angle) + front * portableSin(angle); }

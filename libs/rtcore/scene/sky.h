@@ -25,9 +25,10 @@ struct Sky {
     std::optional<SunDate> date = SunDate{}; ///< absent: the sun stands where `direction` points to
     Vec3 direction{1, 2, 1}; ///< to the sun, in the scene; not zero, need not be of unit length
     float north = 0;         ///< degrees from straight ahead (-z; +y where up is along z) to the right
-    float turbidity = 3;     ///< haze: 2 very clear, 3 clear, 6 hazy, 10 thick
+    float turbidity = 3;     ///< of the air: 2 very clear, 3 clear, 6 hazy, 10 thick
     float strength = 1;      ///< factor on sun and sky, >= 0
     bool ground = false;     ///< the ground below it takes the shadow of the model (scene/sky_ground.h)
+    bool haze = false;       ///< white at the horizon, into which a light ground fades
 
     friend bool operator==(const Sky&, const Sky&) = default;
 };

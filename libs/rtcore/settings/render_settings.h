@@ -9,13 +9,16 @@ namespace rtcore {
 enum class Integrator { Whitted, Path };
 /// Whether surfaces that emit light light others. Automatic: unless lights of the scene stand in their place.
 enum class EmitterLight { Automatic, On, Off };
-enum class ExposureMode { Automatic, Fixed };
+/// Automatic: by the brightness of what is seen; Incident: by the light that falls on it, however dark or
+/// bright it is itself.
+enum class ExposureMode { Automatic, Fixed, Incident };
 /// What becomes of the exposure in a .cam file, which suits Whitted's image: by paths there is more light.
 /// Scaled: multiplied by the mean by paths over that by Whitted, both of the list's first frame.
 enum class RecordedExposure { Scaled, Exact, Automatic };
 /// Luminance keeps hue and saturation (bright colours fade to white only at the very top), Channels maps each
-/// of red, green and blue by itself.
-enum class ToneMapping { Luminance, Channels };
+/// of red, green and blue by itself; AgX (Sobotka 2022) is like film, with soft and pale lights, Neutral
+/// (Khronos PBR Neutral, 2024) keeps the colours of all but the brightest.
+enum class ToneMapping { Luminance, Channels, AgX, Neutral };
 enum class EnvironmentFilter { Bilinear, Nearest };
 /// Where the samples of a pixel lie. (thesis figure 5.1)
 enum class SamplingPattern { Grid, Random, Jittered, Rotated, Poisson };
@@ -53,6 +56,7 @@ struct PathSettings {
     EmitterLight emitters = EmitterLight::Automatic;
     int seed = 0;              ///< another one gives other noise
     bool seedPerFrame = false; ///< of a list: its number is added to the seed, so that noise is not static
+    int filter = 0;            ///< passes of the filter that smooths noise; 0 = DenoiseSettings::passes
 
     friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
@@ -100,8 +104,9 @@ struct BloomSettings {
 
 struct ExposureSettings {
     ExposureMode mode = ExposureMode::Automatic;
-    float value = 1;              ///< Fixed: the constant c of L = Y / (Y + c), in units of radiance
-    float key = 0.18F;            ///< Automatic: c = average / key, so a larger key makes the image brighter
+    float value = 1; ///< Fixed: the constant c of L = Y / (Y + c), in units of radiance
+    float key =
+        0.18F; ///< not Fixed: c is in inverse proportion to it, so a larger key makes the image brighter
     float brighterSeconds = 0.1F; ///< Automatic: time in which an eye gets used to 63 % of more light
     float darkerSeconds = 0.4F;   ///< and of less
     float local = 0;              ///< 0..1: how much of the exposure follows a pixel's own surroundings
@@ -135,10 +140,17 @@ struct RenderSettings {
     BloomSettings bloom;
     ExposureSettings exposure;
     ToneMapping toneMapping = ToneMapping::Luminance;
+    float toneContrast = 0; ///< 0..3, of ToneMapping::AgX: 0 its base, 1 its look "punchy", and beyond
     bool dithering = true;
     EnvironmentFilter environmentFilter = EnvironmentFilter::Bilinear;
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
+
+/// Of the filter that smooths the noise of an image by those settings.
+inline int filterPasses(const RenderSettings& settings) {
+    const bool own = settings.integrator == Integrator::Path && settings.path.filter > 0;
+    return own ? settings.path.filter : settings.denoise.passes;
+}
 
 } // namespace rtcore

@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kIntegrators{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kEmitterLights{"automatic", "on", "off"};
-constexpr std::array<std::string_view, 2> kExposureModes{"automatic", "fixed"};
+constexpr std::array<std::string_view, 3> kExposureModes{"automatic", "fixed", "incident"};
 constexpr std::array<std::string_view, 3> kRecordedExposures{"scaled", "exact", "automatic"};
-constexpr std::array<std::string_view, 2> kToneMappings{"luminance", "channels"};
+constexpr std::array<std::string_view, 4> kToneMappings{"luminance", "channels", "agx", "neutral"};
 constexpr std::array<std::string_view, 2> kEnvironmentFilters{"bilinear", "nearest"};
 constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "jittered", "rotated",
                                                             "poisson"};
@@ -198,6 +198,8 @@ std::vector<Setting> makeTable() {
         row<&S::path, &Path::emitters>(
             "path.emitters", "surfaces that emit light others; automatic: unless lights stand in them"),
         row<&S::path, &Path::seed>("path.seed", {0, (1 << 24) - 1}, "", "another number gives other noise"),
+        zeroIs("off", row<&S::path, &Path::filter>("path.filter", {0, 8}, "passes",
+                                                   "of the filter that smooths noise of images by paths")),
         row<&S::path, &Path::seedPerFrame>("path.seedPerFrame",
                                            "the number of a list's frame is added to the seed, so that noise "
                                            "does not stand still in a film"),
@@ -224,11 +226,14 @@ std::vector<Setting> makeTable() {
         row<&S::bloom, &Bloom::kernel>("bloom.kernel",
                                        "blur of a plain lens, or the coloured rings of a perfect one"),
         row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "fraction of all light that bloom spreads"),
-        row<&S::exposure, &Exposure::mode>("exposure.mode", "automatic follows the image's brightness"),
+        row<&S::exposure, &Exposure::mode>("exposure.mode",
+                                           "automatic follows the image's brightness, incident "
+                                           "the light on what is seen: a white room stays "
+                                           "white, a black car black"),
         row<&S::exposure, &Exposure::value>("exposure.value", {1e-30, 1e30}, "radiance",
                                             "fixed exposure: radiance that is shown as half of white"),
         row<&S::exposure, &Exposure::key>("exposure.key", {1e-4, 100}, "",
-                                          "automatic exposure: larger is brighter"),
+                                          "exposure that is not fixed: larger is brighter"),
         row<&S::exposure, &Exposure::brighterSeconds>("exposure.brighterSeconds", {0, 1000}, "seconds",
                                                       "time to get used to more light, in real time"),
         row<&S::exposure, &Exposure::darkerSeconds>("exposure.darkerSeconds", {0, 1000}, "seconds",
@@ -239,9 +244,13 @@ std::vector<Setting> makeTable() {
                                                "exposures of .cam files in stills; scaled: brighter light of "
                                                "paths looks as bright as recorded, by "
                                                "the list's first frame; automatic: measured anew"),
+        with("exposure", row<&S::toneMapping>(
+                             "toneMapping",
+                             "luminance keeps hues, channels lets bright colours fade to white, agx is like "
+                             "film, neutral keeps all but the brightest colours")),
         with("exposure",
-             row<&S::toneMapping>("toneMapping",
-                                  "luminance keeps hues, channels lets bright colours fade to white")),
+             row<&S::toneContrast>("toneContrast", {0, 3}, "",
+                                   "contrast and colour of agx: 0 as soft as film, 1 punchy, and beyond")),
         row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients"),
         with("rays", row<&S::environmentFilter>("environmentFilter", "lookup in environment maps")),
     };

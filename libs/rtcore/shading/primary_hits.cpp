@@ -30,6 +30,10 @@ Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
     return {albedo * scattered, mirrored, through};
 }
 
+bool shines(const MaterialRow& material) {
+    return material.emission[0] > 0 || material.emission[1] > 0 || material.emission[2] > 0;
+}
+
 /// Half the divergence of the normals of the triangle's corners, seen from the side of `normal`.
 float meanCurvature(const Mesh& mesh, std::uint32_t triangle, Vec3 normal) {
     const ShadingTriangle& corners = mesh.shading[triangle];
@@ -65,7 +69,7 @@ void PrimaryHits::start(std::size_t samples) {
     wave_ = 0;
 }
 
-void PrimaryHits::take(const Wave& wave, const Mesh& mesh) {
+void PrimaryHits::take(const Wave& wave, const Mesh& mesh, const MaterialTable& materials) {
     ++wave_;
     const SurfaceWave& surfaces = wave.surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -80,6 +84,7 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh) {
                .normal = surfaces.shadingNormal.at(i),
                .albedo = albedo.scattered + albedo.mirrored + albedo.through,
                .mirrored = std::clamp(luminance(albedo.mirrored + albedo.through), 0.0F, 1.0F),
+               .matte = shines(materials.rows()[surfaces.material[i]]) ? 0 : luminance(albedo.scattered),
                .direct = {},
                .soft = {},
                .wave = wave_,

@@ -5,6 +5,7 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/shading/light/hemisphere_wave.h"
 #include "rtcore/shading/sample_sums.h"
+#include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/wave.h"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ struct PrimaryHit {
     Vec3 normal;        ///< the shading normal, unit, on the side of the viewer
     Colour albedo;      ///< fraction of light that the surface scatters, mirrors or transmits
     float mirrored = 0; ///< luminance of the part of it that is mirrored or transmitted, 0..1
+    float matte = 0;    ///< luminance of the rest, of what shines by itself 0
     Colour direct;      ///< radiance due to direct light, once scattered
     Colour soft; ///< radiance by sampled, and so noisy, light: of area lights, ambient light and the sky
     float arriving = 0, whole = 0; ///< ambient light or the sky's, and what there would be without occlusion
@@ -50,7 +52,7 @@ class PrimaryHits {
     void start(std::size_t samples);
     /// Takes from a wave the hits of samples that had none so far: what their rays see first, holes passed.
     /// Of the others what these mirror and transmit.
-    void take(const Wave& wave, const Mesh& mesh);
+    void take(const Wave& wave, const Mesh& mesh, const MaterialTable& materials);
     /// Takes the light of the hits that the wave taken last found: all that the sums have by now.
     void takeOwnLight(const Wave& wave, const SampleSums& sums);
     /// Adds surfaces.added, the light of one light, at the hits that the wave taken last found.

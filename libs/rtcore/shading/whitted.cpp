@@ -77,7 +77,7 @@ void WhittedIntegrator::traceWave() {
     if (frame_.discs) addDiscs();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     addEmission();
-    if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh());
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh(), *frame_.materials);
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
     lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});

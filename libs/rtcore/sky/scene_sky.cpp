@@ -26,6 +26,12 @@ void removeSky(Scene& scene) {
     scene.sky.reset();
 }
 
+void giveGround(Scene& scene, const Sky& sky) {
+    const Colour albedo = kWhite * groundAlbedo(sky);
+    if (!scene.ground || scene.ground->up != scene.up || scene.ground->material.diffuse != albedo)
+        scene.ground = makeGround(scene.model, scene.up, albedo);
+}
+
 void addSky(Scene& scene, const Sky& sky) {
     SkyLight made = skyLightOf(sky, scene.up);
     scene.activeEnvironment = static_cast<int>(scene.environments.size());
@@ -41,8 +47,7 @@ void addSky(Scene& scene, const Sky& sky) {
 } // namespace
 
 void setSky(Scene& scene, const std::optional<Sky>& sky) {
-    if (sky && sky->ground && (!scene.ground || scene.ground->up != scene.up))
-        scene.ground = makeGround(scene.model, scene.up, kWhite * kGroundAlbedo);
+    if (sky && sky->ground) giveGround(scene, *sky);
     if (!scene.sky && sky) return addSky(scene, *sky);
     if (scene.sky && !sky) return removeSky(scene);
     if (!sky) return;

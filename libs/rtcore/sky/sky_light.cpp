@@ -39,7 +39,8 @@ class SkyPainter {
   public:
     SkyPainter(const Sky& sky, Vec3 up, Vec3 sun)
         : up_(up), sun_(sun), aboveHorizon_(onOrAbove(sun, up)), air_(dot(sun, up), sky.turbidity),
-          scale_(scaleOf(sky)), sunlight_(sunlightOf(sky, up, sun)) {}
+          scale_(scaleOf(sky)), sunlight_(sunlightOf(sky, up, sun)), haze_(sky.haze),
+          albedo_(groundAlbedo(sky)) {}
 
     HdrImage paint() {
         HdrImage image(kSkyWidth, kHeight);
@@ -52,7 +53,9 @@ class SkyPainter {
                 image.at(x, y) = skyIn({ring * a.x, height, ring * a.y}, ring);
             }
         }
+        if (haze_) addHaze(image);
         addGround(image, across);
+        if (haze_) fadeGround(image);
         return image;
     }
 
@@ -84,10 +87,8 @@ class SkyPainter {
     }
 
     void addGround(HdrImage& image, const std::vector<Vec2>& across) const {
-        const Colour fromSky{static_cast<float>(onGround_[0]), static_cast<float>(onGround_[1]),
-                             static_cast<float>(onGround_[2])};
-        const Colour irradiance = fromSky + sunlight_ * std::max(dot(sun_, up_), 0.0F);
-        const Colour ground = irradiance * (kGroundAlbedo / kPi);
+        const Colour irradiance = fromSky() + sunlight_ * std::max(dot(sun_, up_), 0.0F);
+        const Colour ground = irradiance * (albedo_ / kPi);
         for (int y = 0; y < kHeight; ++y) {
             const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
             const float ring = portableSin(polar), height = portableCos(polar);
@@ -98,10 +99,55 @@ class SkyPainter {
         }
     }
 
+    /// On level ground, of the sky as far as it is painted.
+    Colour fromSky() const {
+        return {static_cast<float>(onGround_[0]), static_cast<float>(onGround_[1]),
+                static_cast<float>(onGround_[2])};
+    }
+
+    /// What the sun and the sky light of the haze along a ray, which is white where enough of it is passed.
+    void addHaze(HdrImage& image) {
+        constexpr float kThickness = 0.025F; // straight up
+        const Colour lit = (sunlight_ + fromSky() * 3.0F) / (4 * kPi);
+        for (int y = 0; y < kHeight; ++y) {
+            const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
+            const float ring = portableSin(polar), height = portableCos(polar);
+            const float part = std::clamp(0.5F + height / kTexel, 0.0F, 1.0F);
+            if (part == 0) break;
+            const Colour added = lit * ((1 - portableExp(-kThickness * airMass(height))) * part);
+            const double weight =
+                kSkyWidth * static_cast<double>(std::max(height, 0.0F) * ring * kTexel * kTexel);
+            onGround_[0] += weight * static_cast<double>(added.r);
+            onGround_[1] += weight * static_cast<double>(added.g);
+            onGround_[2] += weight * static_cast<double>(added.b);
+            for (int x = 0; x < kSkyWidth; ++x) image.at(x, y) += added;
+        }
+    }
+    /// How much more air a ray passes than one straight up. (Rozenberg 1966)
+    static float airMass(float height) {
+        const float sine = std::max(height, 0.0F);
+        return 1 / (sine + 0.025F * portableExp(-11 * sine));
+    }
+
+    /// Towards the horizon, into what is seen just above it.
+    static void fadeGround(HdrImage& image) {
+        constexpr float kDepth = 0.026F; // sine of 1.5 degrees
+        for (int y = kHeight / 2; y < kHeight; ++y) {
+            const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
+            const float faded = portableExp(portableCos(polar) / kDepth);
+            for (int x = 0; x < kSkyWidth; ++x) {
+                const Colour sky = image.at(x, kHeight / 2 - 1);
+                image.at(x, y) += (sky - image.at(x, y)) * faded;
+            }
+        }
+    }
+
     Vec3 up_, sun_, aboveHorizon_;
     ClearSky air_;
     float scale_;
     Colour sunlight_;
+    bool haze_;
+    float albedo_;
     double onGround_[3] = {};
     float lastHeight_ = -2;
     ClearSky::Height last_{};

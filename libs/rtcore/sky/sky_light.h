@@ -12,8 +12,9 @@ namespace rtcore {
 /// Radiance 1 stands for so many cd/m^2: a white wall in the sun then has a radiance of 1 to 2. Of sun and
 /// sky alike, so that their ratio is that of nature.
 inline constexpr float kLuminanceOfOne = 20'000;
-/// What the ground below the horizon scatters back of sun and sky.
-inline constexpr float kGroundAlbedo = 0.2F;
+/// What the ground below the horizon scatters back of sun and sky: as stones and grass do, or light as dry
+/// sand where there is haze.
+constexpr float groundAlbedo(const Sky& sky) { return sky.haze ? 0.35F : 0.2F; }
 /// Of the equirectangular map: 0.35 degrees a texel. What is sharper than that is the horizon alone, and
 /// twice the width costs four times the time whenever the sun is moved.
 inline constexpr int kSkyWidth = 1024;

@@ -206,12 +206,15 @@ TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
                    {"parts", {1}},
                    {"key", "opacity"}};
     const std::set<std::string_view> stay{
-        "parts", "materials", "material", "seen",  "camera", "orthographic", "lookAt", "reset",
-        "angle", "lens",      "zoom",     "focus", "speed",  "walk",         "fly",    "bookmark"};
+        "parts", "materials", "material", "seen",     "camera", "orthographic", "lookAt", "reset",
+        "pivot", "orbit",     "pan",      "approach", "fit",    "side",         "angle",  "lens",
+        "zoom",  "focus",     "speed",    "walk",     "fly",    "bookmark"};
     for (const bridge::RequestName& row : bridge::requestNames()) {
         json request = any;
         request["do"] = row.name;
         if (row.name == "look") request["name"] = "sky";
+        if (row.name == "orbit" || row.name == "pan") request["right"] = request["up"] = 1;
+        if (row.name == "side") request["side"] = "front";
         EXPECT_EQ(refusalOf(request, edits) != "edits are locked here", stay.contains(row.name))
             << row.name << ": " << refusalOf(request, edits);
         EXPECT_TRUE(refusalOf(request).starts_with("taken as ")) << row.name << ": " << refusalOf(request);

@@ -122,6 +122,17 @@ TEST(Denoise, HalvesTheNoiseOfSoftShadows) {
     EXPECT_LT(rmse(denoised(frame, settings), reference), 0.7 * before);
 }
 
+TEST(Denoise, TheFilterOfPathsIsThatOfPathsAlone) {
+    RenderSettings settings;
+    settings.denoise.passes = 2;
+    settings.path.filter = 5;
+    EXPECT_EQ(filterPasses(settings), 2);
+    settings.integrator = Integrator::Path;
+    EXPECT_EQ(filterPasses(settings), 5);
+    settings.path.filter = 0;
+    EXPECT_EQ(filterPasses(settings), 2) << "as in files from before there was one";
+}
+
 TEST(Denoise, LeavesAPictureAloneThatSamplesNothing) {
     const test::TracedScene traced(test::sampleScene());
     RenderSettings settings = test::sampleSettings(160, 120);

@@ -90,6 +90,28 @@ TEST(SkyLightOf, TheGroundScattersBackAFifth) {
     EXPECT_NEAR(rtcore::luminance(far) / rtcore::luminance(ground), 1, 1e-5F);
 }
 
+TEST(SkyLightOf, HazeMakesTheHorizonLightByDayAndFadesTheGround) {
+    const auto seen = [](const SkyLight& light, Vec3 direction) {
+        return rtcore::luminance(light.environment->radiance(direction, TexelFilter::Bilinear));
+    };
+    for (const Vec3 sun : {Vec3{0, 3, 1}, Vec3{0.2F, 1, 1}}) {
+        Sky sky = skyTowards(sun);
+        const SkyLight clear = skyLightOf(sky, {0, 1, 0});
+        sky.haze = true;
+        const SkyLight hazy = skyLightOf(sky, {0, 1, 0});
+        EXPECT_EQ(hazy.sun.intensity, clear.sun.intensity);
+        for (const Vec3 across : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, -1}}) {
+            const Vec3 horizon = across + Vec3{0, 0.01F, 0};
+            EXPECT_GT(seen(hazy, horizon), 1.5F * seen(hazy, {0.1F, 1, -0.3F}));
+            EXPECT_NEAR(seen(hazy, across - Vec3{0, 0.004F, 0}) / seen(hazy, horizon), 1, 0.25F);
+            const Colour white = hazy.environment->radiance(horizon, TexelFilter::Bilinear);
+            EXPECT_NEAR(white.b / white.r, 1, 0.2F);
+        }
+        EXPECT_NEAR(seen(hazy, {0.1F, 1, -0.3F}) / seen(clear, {0.1F, 1, -0.3F}), 1.05F, 0.05F);
+        EXPECT_NEAR(seen(hazy, {0, -1, 0}) / seen(clear, {0, -1, 0}), 0.35F / 0.2F, 0.1F);
+    }
+}
+
 TEST(SkyLightOf, StrengthScalesBoth) {
     Sky sky = skyAt(10);
     const SkyLight one = skyLightOf(sky, {0, 1, 0});

@@ -21,7 +21,7 @@ export class Around {
     }
 
     nameAll() {
-        const buttons = { menu: "menu", close: "close", full: "full", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
+        const buttons = { menu: "menu", close: "close", full: "full", orbit: "orbit", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
         for (const [id, text] of Object.entries(buttons)) name(byId(id), t(text));
         const places = { view: "view", corner: "corner", pads: "pads", tabs: "tabs" };
         for (const [id, text] of Object.entries(places)) byId(id).setAttribute("aria-label", t(text));
@@ -82,7 +82,17 @@ export class Around {
     showHint() {
         const hint = byId("hint");
         hint.hidden = this.walked || !this.seen || !this.live || !this.app.drives();
-        hint.textContent = hint.hidden ? "" : t(byTouch ? "hintTouch" : "hint");
+        const hints = this.app.orbits() ? ["hintOrbit", "hintOrbitTouch"] : ["hint", "hintTouch"];
+        hint.textContent = hint.hidden ? "" : t(hints[byTouch ? 1 : 0]);
+    }
+
+    /** Whether hands turn the model. */
+    showOrbit() {
+        const button = byId("orbit");
+        button.hidden = !this.app.drives();
+        button.setAttribute("aria-pressed", this.app.orbits());
+        if (this.app.orbits()) byId("pads").hidden = true;
+        this.showHint();
     }
 
     driverText() {

@@ -1,6 +1,7 @@
 /**
  * Keyboard and mouse. Keys are the server's only while captured, by click or Enter; with the mouse locked where the browser
- * allows it, else by dragging. Whatever ends the capture lets all keys go.
+ * allows it, else by dragging. Whatever ends the capture lets all keys go. Where the model is turned in the hand, a drag
+ * needs no capture.
  */
 import { hasControl, onFullScreenEnd } from "./full_screen.js";
 import { keyCode, pageKeys } from "./key_table.js";
@@ -10,6 +11,7 @@ const DEGREES_PER_PIXEL = 0.12; // as in the window
 const TURN_RATE = 90;           // degrees per second, of Q and E, R and V
 const RETRY_MS = 1300;          // Chromium refuses the lock for a while after Esc
 const STEP = 100, LINE = STEP / 3; // pixels of the wheel for one step of the speed; of a line
+const NEARER = 1.2;             // by a step of the wheel
 const STRAY = 400;              // pixels: no hand moves so far between two events
 
 export class Input {
@@ -17,7 +19,7 @@ export class Input {
      * @param {HTMLCanvasElement} canvas
      * @param {Held} held
      * @param {Object} on `mayCapture()`, `captured(kind)` ("lock", "drag", "retry", ""), `wheel(steps)`, `pointed(x, y)`,
-     *     `focused(x, y)` with places in the window
+     *     `focused(x, y)` with places in the window; `orbit`
      */
     constructor(canvas, held, on) {
         this.canvas = canvas;
@@ -36,7 +38,7 @@ export class Input {
         addEventListener("keyup", (event) => this.onKey(event, false), true);
         canvas.addEventListener("pointerdown", (event) => this.onDown(event));
         canvas.addEventListener("pointermove", (event) => this.onMove(event));
-        canvas.addEventListener("pointerup", () => (this.dragging = false));
+        canvas.addEventListener("pointerup", () => (this.dragging = this.holding = false));
         canvas.addEventListener("wheel", (event) => this.onWheel(event), { passive: false });
         canvas.addEventListener("contextmenu", (event) => event.preventDefault());
         canvas.addEventListener("blur", () => this.release());
@@ -153,7 +155,9 @@ export class Input {
     }
 
     onDown(event) {
-        if (event.pointerType === "touch" || event.button !== 0) return;
+        if (event.pointerType === "touch") return;
+        if (this.orbits && (event.button === 0 || event.button === 1) && !event.ctrlKey) return this.grasp(event);
+        if (event.button !== 0) return;
         const now = performance.now(), first = this.first;
         this.first = { at: now, x: event.clientX, y: event.clientY };
         if (event.ctrlKey) return this.on.focused(event.clientX, event.clientY);
@@ -173,8 +177,34 @@ export class Input {
         this.capture();
     }
 
+    /** A drag does not turn the model while the keyboard and the mouse are captured. */
+    get orbits() {
+        return Boolean(this.on.orbit?.is) && !this.captured;
+    }
+
+    grasp(event) {
+        event.preventDefault();
+        if (!this.on.mayDrive()) return;
+        this.on.used();
+        this.canvas.focus({ preventScroll: true });
+        const now = performance.now(), first = this.first;
+        this.first = { at: now, x: event.clientX, y: event.clientY };
+        if (first && now - first.at < 400 && event.button === 0 && Math.hypot(event.clientX - first.x, event.clientY - first.y) < 8) {
+            this.first = null;
+            return this.on.orbit.centre(event.clientX, event.clientY);
+        }
+        this.canvas.setPointerCapture(event.pointerId);
+        this.holding = true;
+        this.on.orbit.grasp(event.clientX, event.clientY);
+    }
+
     onMove(event) {
-        if (event.pointerType === "touch" || !this.captured) return;
+        if (event.pointerType === "touch") return;
+        if (this.holding && event.buttons & 5) {
+            const pushes = event.shiftKey || event.buttons & 4;
+            return this.on.orbit[pushes ? "move" : "turn"](event.movementX, event.movementY);
+        }
+        if (!this.captured) return;
         if (this.kind === "drag" && !(this.dragging && event.buttons & 1)) return;
         const { movementX: x, movementY: y } = event;
         if (Math.abs(x) > STRAY || Math.abs(y) > STRAY) return; // jumps that some browsers make when they lock
@@ -192,6 +222,10 @@ export class Input {
         this.rolled += moved;
         const steps = Math.trunc(this.rolled / STEP);
         this.rolled -= steps * STEP;
-        if (steps !== 0) this.on.wheel(-steps);
+        if (steps === 0) return;
+        if (!this.orbits) return this.on.wheel(-steps);
+        if (!this.on.mayDrive()) return;
+        this.on.orbit.grasp(event.clientX, event.clientY);
+        this.on.orbit.approach(NEARER ** -steps);
     }
 }

@@ -12,6 +12,7 @@ import { Held } from "./held.js";
 import { Input } from "./input.js";
 import { Link } from "./link.js";
 import { Notices } from "./notices.js";
+import { Orbit } from "./orbit.js";
 import { lightsPanel } from "./panel_lights.js";
 import { modelPanel } from "./panel_model.js";
 import { pagePanel } from "./panel_page.js";
@@ -29,6 +30,7 @@ import { followPreference, forThisTab, preference } from "./storage.js";
 import { number, t } from "./texts.js";
 import { Token } from "./token.js";
 import { Touch } from "./touch.js";
+import { Upright } from "./upright.js";
 import { keepAwake } from "./wake_lock.js";
 import { viewMessage } from "./wire.js";
 
@@ -52,6 +54,7 @@ const app = {
         if (!answer.ok) tellRefusal(answer);
         return answer;
     },
+    orbits: () => orbit.is,
     edit: (thing, what, keys, goesOn) => app.edits.edit(thing, what, keys, goesOn),
     askToDrive: () => app.ask("ask"), // roles tell the rest
     setSpeed(factor) {
@@ -96,6 +99,9 @@ app.edits = new Edits((what, keys) => link.request(what, keys), tellRefusal);
 const held = new Held((message) => app.drives() && link.send(message));
 app.pixels = pixels;
 const picture = (app.picture = new Picture(canvas));
+const upright = new Upright({ drives: () => app.drives(), size: () => ({ width: app.status.width, height: app.status.height }), room: pixels,
+    request: (what, keys) => link.request(what, keys) });
+const orbit = new Orbit(picture, { ask: (what, keys) => app.ask(what, keys), changed: () => onOrbit() });
 const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => panels.show();
 const around = new Around(app), driving = new Driving(app);
@@ -107,8 +113,15 @@ function tellRefusal({ text }) {
     showFocusedAgain();
 }
 
+/** The same view goes on in other hands. */
+function onOrbit() {
+    input.release();
+    around.showOrbit();
+}
+
 // Hands
 const hands = {
+    orbit,
     mayCapture: () => app.drives() || (offerDriving(), false),
     mayDrive: () => app.drives() || (offerDriving(), false),
     captured: onCaptured,
@@ -131,7 +144,7 @@ const hands = {
     used() {
         around.walked = true;
         keepAwakeForNow();
-        byId("pads").hidden = false;
+        byId("pads").hidden = orbit.is;
         around.showHint();
     },
 };
@@ -221,6 +234,7 @@ function forgetServer() {
     app.state = {};
     app.status = app.statistics.status = {};
     app.speed = 1;
+    upright.forget();
     picture.exact = null;
     around.forget();
 }
@@ -233,13 +247,14 @@ on("roles", (roles) => {
     driving.follow(drove);
     canvas.classList.toggle("drives", app.drives());
     around.showHeader();
-    around.showHint();
+    around.showOrbit();
     around.showStatus();
     offerView();
     panels.show();
 });
 on("state", ({ event: _, values, ...rest }) => {
     app.state = { ...app.state, ...rest, values: { ...app.state.values, ...values } };
+    if ("scene" in rest || "indoors" in rest) orbit.begin(app.state.indoors);
     around.showHeader();
     panels.show();
 });
@@ -247,6 +262,7 @@ on("status", ({ event: _, ...status }) => {
     const first = !app.status.eye;
     app.status = app.statistics.status = status;
     if (first) offerView();
+    upright.follow();
     around.showStatus();
     panels.show();
 });
@@ -329,12 +345,14 @@ on("lost", ({ code, reason, final }) => {
 
 function letGo() {
     input.release();
+    orbit.forget();
     held.release();
 }
 
 // Buttons and keys of the page
 byId("full").addEventListener("click", toggleFullScreen);
 byId("full").hidden = !document.fullscreenEnabled;
+byId("orbit").addEventListener("click", () => orbit.choose(!orbit.is));
 const steps = new Steps(app.ask, link);
 for (const what of ["undo", "redo"]) byId(what).addEventListener("click", () => steps.take(what));
 byId("save").addEventListener("click", () => {

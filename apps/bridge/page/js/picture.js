@@ -15,8 +15,8 @@ export class Picture {
 
     /** Where the image lies in the canvas, CSS pixels of the window. */
     box() {
-        const room = this.canvas.getBoundingClientRect();
-        const width = Math.min(room.width, room.height * this.aspect), height = width / this.aspect;
+        const room = this.canvas.getBoundingClientRect(), cut = getComputedStyle(this.canvas).objectFit === "cover";
+        const width = Math[cut ? "max" : "min"](room.width, room.height * this.aspect), height = width / this.aspect;
         return { x: room.x + (room.width - width) / 2, y: room.y + (room.height - height) / 2, width, height };
     }
 

@@ -8,6 +8,7 @@ export default {
     tabs: "Oddíly nabídky",
     close: "Zavřít",
     full: "Celá obrazovka",
+    orbit: "Otáčet modelem v ruce",
     undo: "Zpět",
     redo: "Znovu",
     undoOf: "Zpět: {0}",
@@ -54,6 +55,8 @@ export default {
 
     hint: "Klikněte nebo stiskněte Enter a choďte",
     hintTouch: "Levá polovina je na chůzi, pravá na rozhlížení",
+    hintOrbit: "Tažením se model otáčí, kolečkem se přiblíží",
+    hintOrbitTouch: "Jedním prstem se model otáčí, dvěma posouvá a přibližuje",
     captured: "Zachyceno. Esc uvolní klávesnici a myš",
     capturedDrag: "Rozhlížejte se tažením. Esc uvolní klávesnici",
     watching: "Řídí {0}",

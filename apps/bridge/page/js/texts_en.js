@@ -8,6 +8,7 @@ export default {
     tabs: "Subjects of the menu",
     close: "Close",
     full: "Full screen",
+    orbit: "Turn the model in the hand",
     undo: "Undo",
     redo: "Redo",
     undoOf: "Undo: {0}",
@@ -54,6 +55,8 @@ export default {
 
     hint: "Click or press Enter to walk",
     hintTouch: "Touch the left half to walk, the right half to look",
+    hintOrbit: "Drag to turn the model; the wheel goes nearer",
+    hintOrbitTouch: "One finger turns the model, two move it and bring it nearer",
     captured: "Captured. Esc releases keyboard and mouse",
     capturedDrag: "Drag to look around. Esc releases the keyboard",
     watching: "{0} drives",

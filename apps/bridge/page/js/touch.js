@@ -1,4 +1,7 @@
-/** Thumbs: on the left half a stick that walks, on the right half the view turns. Two fingers there change the speed. */
+/**
+ * Thumbs: on the left half a stick that walks, on the right half the view turns. Two fingers there change the speed. Where the
+ * model is in the hand, one finger turns it, two move it and bring it nearer.
+ */
 import { byId } from "./dom.js";
 import { KEYS } from "./key_table.js";
 
@@ -18,7 +21,7 @@ export function stickKeys(x, y) {
 }
 
 export class Touch {
-    /** @param {Object} on `mayDrive()`, `wheel(steps)`, `pointed(x, y)`, `used()` at the first touch */
+    /** @param {Object} on `mayDrive()`, `wheel(steps)`, `pointed(x, y)`, `used()` at the first touch; `orbit` */
     constructor(canvas, held, on) {
         this.canvas = canvas;
         this.held = held;
@@ -50,12 +53,20 @@ export class Touch {
         if (!this.on.mayDrive()) return;
         this.on.used();
         this.canvas.setPointerCapture(event.pointerId);
-        const room = this.canvas.getBoundingClientRect();
-        const walks = event.clientX < room.x + room.width / 2 && ![...this.fingers.values()].some((f) => f.walks);
+        const room = this.canvas.getBoundingClientRect(), orbits = this.on.orbit.is;
+        const walks = !orbits && event.clientX < room.x + room.width / 2 && ![...this.fingers.values()].some((f) => f.walks);
         this.fingers.set(event.pointerId, { walks, x: event.clientX, y: event.clientY, startX: event.clientX, startY: event.clientY,
             at: performance.now() });
         if (walks) this.showStick(event.clientX - room.x, event.clientY - room.y);
         this.apart = this.distance();
+        if (orbits) this.grasp();
+    }
+
+    /** About what is under the finger, or between two. */
+    grasp() {
+        const all = [...this.fingers.values()];
+        const middle = (key) => all.reduce((sum, finger) => sum + finger[key], 0) / all.length;
+        if (all.length > 0) this.on.orbit.grasp(middle("x"), middle("y"));
     }
 
     onMove(event) {
@@ -65,6 +76,7 @@ export class Touch {
         finger.x = event.clientX;
         finger.y = event.clientY;
         if (finger.walks) return this.walk(finger);
+        if (this.on.orbit.is) return this.handle(dx, dy);
         const apart = this.distance();
         if (apart === null) return this.held.turn(dx * DEGREES_PER_PIXEL, -dy * DEGREES_PER_PIXEL);
         const steps = Math.trunc((apart - this.apart) / PINCH_STEP);
@@ -73,11 +85,20 @@ export class Touch {
         this.on.wheel(steps);
     }
 
+    handle(dx, dy) {
+        const { orbit } = this.on, apart = this.distance();
+        if (apart === null) return this.fingers.size === 1 && orbit.turn(dx, dy);
+        orbit.move(dx / 2, dy / 2); // each finger moves the middle by half its way
+        if (this.apart > 0 && apart > 0) orbit.approach(apart / this.apart);
+        this.apart = apart;
+    }
+
     onUp(event) {
         const finger = this.fingers.get(event.pointerId);
         if (!finger) return;
         this.fingers.delete(event.pointerId);
         this.apart = this.distance();
+        if (this.on.orbit.is) this.grasp();
         if (finger.walks) {
             this.stick.hidden = true;
             this.held.hold("stick", []);
@@ -92,7 +113,8 @@ export class Touch {
         this.tap = { at: now, x, y };
         if (!first || now - first.at > 2 * TAP_MS || Math.hypot(x - first.x, y - first.y) > 3 * TAP_MOVE) return;
         this.tap = null;
-        this.on.pointed(x, y);
+        if (this.on.orbit.is) this.on.orbit.centre(x, y);
+        else this.on.pointed(x, y);
     }
 
     walk({ x, y, startX, startY }) {

@@ -23,7 +23,7 @@ LightDescription readLight(StrictTable& table);
 MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& folder);
 PartDescription readPart(StrictTable& table);
 EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path& folder);
-Sky readSky(StrictTable& table);
+Sky readSky(StrictTable& table, const Sky& usual = {});
 
 /// All [[bookmark]] of the root; `up` as in readCamera().
 SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);

@@ -39,12 +39,13 @@ SunDate readDate(StrictTable& table) {
 
 } // namespace
 
-Sky readSky(StrictTable& table) {
-    Sky sky;
+Sky readSky(StrictTable& table, const Sky& usual) {
+    Sky sky = usual;
     sky.north = table.number("north", kNorth).value_or(sky.north);
     sky.turbidity = table.number("turbidity", kTurbidity).value_or(sky.turbidity);
     sky.strength = table.number("strength", kNotNegative).value_or(sky.strength);
     sky.ground = table.boolean("ground").value_or(sky.ground);
+    sky.haze = table.boolean("haze").value_or(sky.haze);
     const SunDate date = readDate(table);
     const auto direction = table.vector("direction");
     table.finish();
@@ -77,6 +78,7 @@ void writeSky(TomlWriter& writer, const Sky& sky) {
     writer.add("turbidity", sky.turbidity);
     writer.add("strength", sky.strength);
     if (sky.ground) writer.add("ground", true);
+    if (sky.haze) writer.add("haze", true);
 }
 
 } // namespace rtcore

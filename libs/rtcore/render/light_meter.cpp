@@ -1,0 +1,72 @@
+#include "rtcore/render/light_meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kWidth = 48;
+constexpr int kAntialiasing = 3;      ///< each way
+constexpr int kPathsOfPixel = 64;     ///< of a pixel
+constexpr float kLeastMatte = 0.005F; ///< less says nothing of the light
+constexpr float kBrighter = 0.1F;     ///< of the pixels that count
+constexpr float kLeastPixels = 0.01F; ///< of all
+
+RenderSettings smallSettings(const RenderSettings& whole) {
+    RenderSettings small = whole;
+    const double aspect = static_cast<double>(whole.height) / std::max(whole.width, 1);
+    small.width = kWidth;
+    small.height = std::clamp(static_cast<int>(std::lround(kWidth * aspect)), 1, 4 * kWidth);
+    small.antialiasing = kAntialiasing;
+    small.sampling = SamplingPattern::Grid;
+    small.adaptive = 0;
+    small.depthOfField.on = false;
+    small.path.samples = kPathsOfPixel;
+    small.path.seed = 0;
+    return small;
+}
+
+} // namespace
+
+bool LightMeter::findSurfaces(const View& view, RenderControl& control) {
+    RenderSettings rays = view.settings;
+    rays.integrator = Integrator::Whitted;
+    rays.ambientOcclusion.on = rays.skyLight.on = rays.shadows = false;
+    rays_.collectAovs(true);
+    return rays_.render({view.scene, view.tracer, view.camera, rays}, control, surfaces_);
+}
+
+/// frame_ has the light, and surfaces_.aovs what it falls on.
+bool LightMeter::render(const View& view, RenderControl& control) {
+    if (view.settings.integrator == Integrator::Path)
+        return paths_.render(view, control, frame_) && findSurfaces(view, control);
+    rays_.collectAovs(true);
+    if (!rays_.render(view, control, frame_)) return false;
+    std::swap(surfaces_.aovs, frame_.aovs);
+    return true;
+}
+
+std::optional<float> LightMeter::white(const View& view, RenderControl& control) {
+    const RenderSettings small = smallSettings(view.settings);
+    RenderControl quietly{.threads = control.threads};
+    if (control.cancel || !render({view.scene, view.tracer, view.camera, small}, quietly) || control.cancel)
+        return std::nullopt;
+    const std::vector<AovPixel>& surfaces = surfaces_.aovs.pixels();
+    whites_.clear();
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (!(surfaces[i].matte > kLeastMatte)) continue;
+        const float white = luminance(frame_.radiance.pixels[i]) / surfaces[i].matte;
+        if (std::isfinite(white)) whites_.push_back(white);
+    }
+    const auto count = static_cast<float>(whites_.size());
+    if (count < kLeastPixels * static_cast<float>(surfaces.size())) return std::nullopt;
+    const auto at = whites_.begin() + static_cast<std::ptrdiff_t>((1 - kBrighter) * (count - 1));
+    std::nth_element(whites_.begin(), at, whites_.end());
+    if (!(*at > 0)) return std::nullopt;
+    return *at;
+}
+
+} // namespace rtcore

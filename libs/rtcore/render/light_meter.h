@@ -1,0 +1,36 @@
+/// The light that falls on what a view shows, as a photographer's incident meter measures it.
+#pragma once
+
+#include "rtcore/render/frame.h"
+#include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/path_renderer.h"
+#include "rtcore/render/view.h"
+
+#include <optional>
+#include <vector>
+
+namespace rtcore {
+
+/// Measures one view after another and keeps its memory. Not for several threads at once: it uses those of
+/// the control itself.
+class LightMeter {
+  public:
+    /// The radiance of a surface that scatters all light, in light that a tenth of what is seen has more of:
+    /// of a small image by the settings' integrator, each pixel's luminance over what its surface scatters.
+    /// The background, what shines by itself, and what mostly mirrors or lets light through are left out.
+    /// Nothing where little else is seen, where no light falls, or when control.cancel was set. A function of
+    /// the scene, the camera, the settings and the image's aspect alone: the same bits for any size of the
+    /// image, any number of threads and any instruction set.
+    std::optional<float> white(const View& view, RenderControl& control);
+
+  private:
+    bool render(const View& view, RenderControl& control);
+    bool findSurfaces(const View& view, RenderControl& control);
+
+    FrameRenderer rays_;
+    PathRenderer paths_;
+    Frame frame_, surfaces_;
+    std::vector<float> whites_; ///< of the pixels that count
+};
+
+} // namespace rtcore
