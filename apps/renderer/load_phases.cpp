@@ -125,6 +125,10 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
         const bool forPeople =
             options.progress != app::ProgressStyle::None && options.progress != app::ProgressStyle::Json;
         if (!guess.empty() && forPeople) progress.print(options.scene.filename().string() + ": " + guess);
+        rtcore::useGuesses(loaded.scene, loaded.guesses);
+        if (!loaded.guesses.empty() && forPeople)
+            progress.print(options.scene.filename().string() + ": " + rtcore::guessedText(loaded.guesses) +
+                           "; a .scn of it has them as they are");
         app::selectParts(options.selection, loaded.scene);
         app::selectLights(options.selection, loaded.scene);
         if (options.verbose) tellOpenGlass(loaded.openGlass, progress);

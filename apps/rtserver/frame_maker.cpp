@@ -15,6 +15,9 @@ namespace rtserver {
 
 namespace {
 
+/// Of live frames: it takes as long as a sixth of one, and an eye does not follow sooner.
+constexpr int kMeterEvery = 4;
+
 bool canBeLive(const ServerState& state) {
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
     const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, 1);
@@ -56,7 +59,7 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = state.shownSettings();
     if (detail.live()) effects.denoise.passes = 0;
-    meter(state, effects, control);
+    if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery) meter(state, effects, control);
     target_ = developer_.exposure(frame, effects, white_, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
@@ -70,10 +73,11 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     return true;
 }
 
-/// The light on what is seen, once for each view: coarse, live and whole frames have the same exposure.
+/// The light on what is seen: coarse and whole frames of a view have the same exposure.
 void FrameMaker::meter(const ServerState& state, const rtcore::RenderSettings& settings,
                        rtcore::RenderControl& control) {
     white_.reset();
+    unmetered_ = 0;
     if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
     white_ = meter_.white({*scene, *state.tracer(), state.camera(), settings}, control);

@@ -111,6 +111,7 @@ class FrameMaker {
     rtcore::Subscription adapted_; ///< what the adaptation knows of the state
     rtcore::LightMeter meter_;
     std::optional<float> white_; ///< by the meter, of the last frame's view; nothing where it is not asked
+    int unmetered_ = 0;          ///< live frames since then
     float target_ = 1;           ///< the exposure that suits the last frame
     Clock::time_point adaptedAt_;
     /// The eye when a whole frame was begun of a view that had been seen before.

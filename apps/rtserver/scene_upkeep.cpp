@@ -53,7 +53,13 @@ void SceneUpkeep::show(std::unique_ptr<World> world) {
     messages_.forget();
     rtcore::allowRegularFilesOnly(); // from here on paths come from clients
     tellFrame();
-    for (const std::string& warning : state_.world().loaded.warnings) messages_.warn(warning);
+    const rtcore::LoadedScene& loaded = state_.world().loaded;
+    if (!loaded.guesses.empty()) {
+        const std::string text = rtcore::guessedText(loaded.guesses);
+        Messages::print(state_.title() + ": " + text);
+        messages_.offer(text + "; 'material reset *' takes them as they are");
+    }
+    for (const std::string& warning : loaded.warnings) messages_.warn(warning);
 }
 
 void SceneUpkeep::tellFrame() {

@@ -59,6 +59,7 @@ void ServerState::show(std::unique_ptr<World> world) {
     rtcore::LoadedScene& loaded = world->loaded;
     rtcore::numberLights(loaded.scene);
     rtcore::Scene scene = loaded.scene;
+    rtcore::useGuesses(scene, loaded.guesses);
     std::optional<rtcore::CameraFile> camera;
     std::filesystem::path path;
     if (first && options_.camera) path = *options_.camera;

@@ -88,6 +88,10 @@ Result skyGround(const Call& call) {
     return editSky(call, [&](rtcore::Sky& sky) { sky.ground = flag(call[0]); });
 }
 
+Result skyHaze(const Call& call) {
+    return editSky(call, [&](rtcore::Sky& sky) { sky.haze = flag(call[0]); });
+}
+
 Result look(const Call& call) {
     call.state.setLook(*rtcore::lookNamed(call[0]));
     return {};
@@ -128,6 +132,7 @@ constexpr std::array kSkyFunctions{
     CommandFunction{app::CommandId::SkyTurbidity, skyTurbidity},
     CommandFunction{app::CommandId::SkyStrength, skyStrength},
     CommandFunction{app::CommandId::SkyGround, skyGround},
+    CommandFunction{app::CommandId::SkyHaze, skyHaze},
     CommandFunction{app::CommandId::Look, look},
     CommandFunction{app::CommandId::EnvironmentRotation, environmentRotation},
     CommandFunction{app::CommandId::EnvironmentStrength, environmentStrength},

@@ -152,10 +152,10 @@ TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     preferences.set(pref::globalIllumination, true);
     preferences.set(pref::stillPathSamples, 2);
     const QStringList byPaths = rendererOptions(stillQuality(preferences));
-    EXPECT_EQ(byPaths,
-              (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
-                           QStringLiteral("--samples=2"), QStringLiteral("--setting=exposure.mode=automatic"),
-                           QStringLiteral("--setting=denoise.passes=4")}));
+    EXPECT_EQ(byPaths, (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
+                                    QStringLiteral("--samples=2"),
+                                    QStringLiteral("--setting=exposure.recorded=automatic"),
+                                    QStringLiteral("--setting=path.filter=4")}));
     std::vector<std::string> words{"room.obj", "-o", "a.png", "-w", "8", "-h", "8"};
     for (const QString& option : byPaths) words.push_back(option.toStdString());
     EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);

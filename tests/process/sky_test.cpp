@@ -39,12 +39,13 @@ class Skies : public testing::Test {
 
 TEST_F(Skies, AnOptionIsWhatASceneSays) {
     writeScene("plain.scn", "");
-    writeScene("sky.scn", "[sky]\nhour = 9\nlatitude = 48.2\nturbidity = 4\n");
+    writeScene("sky.scn", "[sky]\nhour = 9\nlatitude = 48.2\nturbidity = 4\nhaze = true\n");
     const std::string sky = image("sky.scn");
     EXPECT_NE(sky, image("plain.scn"));
     EXPECT_EQ(sky, image("plain.scn", {"--sky=hour=9,latitude=48.2,turbidity=4"}));
     EXPECT_NE(sky, image("sky.scn", {"--sky=17"}));
-    writeScene("pointed.scn", "[sky]\ndirection = [1, 2, -1]\n");
+    EXPECT_NE(sky, image("plain.scn", {"--sky=hour=9,latitude=48.2,turbidity=4,haze=false"}));
+    writeScene("pointed.scn", "[sky]\ndirection = [1, 2, -1]\nhaze = true\n");
     EXPECT_EQ(image("pointed.scn"), image("plain.scn", {"--sky=direction=1/2/-1"}));
 }
 

@@ -161,7 +161,7 @@ Shown shown(const rtcore::LoadedScene& loaded) {
     rtcore::applySettings(settings, loaded.live);
     settings.width = 128;
     settings.height = 72;
-    settings.antialiasing = 2;
+    settings.antialiasing = 1;
     const rtcore::KdTree tree = rtcore::visibleTree(loaded.tree, loaded.scene);
     const auto surfaces = std::make_shared<const rtcore::KdRayTracer>(tree, loaded.scene.model.mesh);
     const auto tracer = rtcore::withGround(surfaces, loaded.scene);

@@ -57,6 +57,7 @@ CommandUse commandUse(app::CommandId id) {
     case SkyTurbidity:
     case SkyStrength:
     case SkyGround:
+    case SkyHaze:
     case Look:
     case CameraPivot:
     case CameraOrbit:

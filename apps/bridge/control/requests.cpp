@@ -268,6 +268,7 @@ constexpr std::array kRows{
     RequestRow{"skyTurbidity", CommandId::SkyTurbidity, skyTurbidity, false, AnswerShape::Text, kFirstSky},
     RequestRow{"skyStrength", CommandId::SkyStrength, factor, false, AnswerShape::Text, kFirstSky},
     RequestRow{"skyGround", CommandId::SkyGround, onOff, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyHaze", CommandId::SkyHaze, onOff, false, AnswerShape::Text, kFirstSky},
     RequestRow{"partHide", CommandId::PartHide, partList},
     RequestRow{"partShow", CommandId::PartShow, partList},
     RequestRow{"partIsolate", CommandId::PartIsolate, partList},

@@ -77,7 +77,8 @@ json skyJson(const app::StateReport& state) {
              {"north", sky.north},
              {"turbidity", sky.turbidity},
              {"strength", sky.strength},
-             {"ground", sky.ground}};
+             {"ground", sky.ground},
+             {"haze", sky.haze}};
     if (!sky.date) return row;
     constexpr double kHour = 3600;
     row["date"] = {{"year", sky.date->year}, {"month", sky.date->month}, {"day", sky.date->day}};

@@ -130,6 +130,7 @@ std::string skyDirection(const std::array<float, 3>& toSun) { return line(Comman
 std::string skyTurbidity(double turbidity) { return line(CommandId::SkyTurbidity, turbidity); }
 std::string skyStrength(double factor) { return line(CommandId::SkyStrength, factor); }
 std::string skyGround(bool on) { return line(CommandId::SkyGround, on ? "on" : "off"); }
+std::string skyHaze(bool on) { return line(CommandId::SkyHaze, on ? "on" : "off"); }
 
 std::string parts(int from) { return line(CommandId::Parts, from); }
 std::string materials(int from) { return line(CommandId::Materials, from); }
@@ -148,6 +149,7 @@ std::string materialSwitch(int number, const std::string& key, bool on) {
 }
 
 std::string materialReset(int number) { return line(CommandId::MaterialReset, number); }
+std::string materialReset(const std::string& pattern) { return line(CommandId::MaterialReset, pattern); }
 std::string seen(double right, double down) { return line(CommandId::Seen, right, down); }
 
 std::string mask(bool ofMaterial, int number) {
@@ -172,7 +174,7 @@ std::string cameraPivot(double right, double down) { return line(CommandId::Came
 std::string cameraOrbit(double right, double up) { return line(CommandId::CameraOrbit, right, up); }
 std::string cameraPan(double right, double up) { return line(CommandId::CameraPan, right, up); }
 std::string cameraApproach(double factor) { return line(CommandId::CameraApproach, factor); }
-std::string cameraFit() { return line(CommandId::CameraFit); }
+std::string cameraFit(const std::vector<std::string>& parts) { return line(CommandId::CameraFit, parts); }
 std::string cameraView(const std::string& side) { return line(CommandId::CameraView, side); }
 std::string cameraReset() { return line(CommandId::CameraReset); }
 std::string cameraAngle(double degrees) { return line(CommandId::CameraAngle, degrees); }

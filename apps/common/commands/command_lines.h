@@ -82,6 +82,7 @@ std::string skyDirection(const std::array<float, 3>& toSun);
 std::string skyTurbidity(double turbidity);
 std::string skyStrength(double factor);
 std::string skyGround(bool on);
+std::string skyHaze(bool on);
 
 std::string parts(int from);     ///< from 1
 std::string materials(int from); ///< from 1
@@ -94,6 +95,7 @@ std::string materialGet(int number);
 std::string materialSet(int number, const std::string& key, const std::vector<double>& values);
 std::string materialSwitch(int number, const std::string& key, bool on);
 std::string materialReset(int number);
+std::string materialReset(const std::string& pattern);
 std::string seen(double right, double down);   ///< 0..1
 std::string mask(bool ofMaterial, int number); ///< of a part, else
 
@@ -108,7 +110,7 @@ std::string cameraPivot(double right, double down); ///< 0..1
 std::string cameraOrbit(double right, double up);   ///< degrees
 std::string cameraPan(double right, double up);     ///< of the image's width
 std::string cameraApproach(double factor);
-std::string cameraFit();
+std::string cameraFit(const std::vector<std::string>& parts = {});
 std::string cameraView(const std::string& side); ///< a word of the table's
 std::string cameraReset();
 std::string cameraAngle(double degrees); ///< of the field of view

@@ -107,6 +107,7 @@ enum class CommandId {
     SkyTurbidity,
     SkyStrength,
     SkyGround,
+    SkyHaze,
     Look,
     Lights,
     Environments,

@@ -73,6 +73,8 @@ constexpr ActionRow kRows[]{
               "F2", NeedsServer | Checkable},
     ActionRow{ActionId::FitView, MenuId::View, TEXT("&Whole model"),
               TEXT("All of the model, from the side where you are"), "Home", NeedsServer},
+    ActionRow{ActionId::FitSelection, MenuId::View, TEXT("Selected &part"),
+              TEXT("The part that is selected, from the side where you are"), "Shift+Home", NeedsServer},
     ActionRow{ActionId::ResetCamera, MenuId::View, TEXT("Reset ca&mera"),
               TEXT("The view that the scene names"), "Ctrl+Home", NeedsServer},
     ActionRow{ActionId::ViewThreeQuarter, MenuId::View, TEXT("From the front, a&slant"),

@@ -33,6 +33,7 @@ enum class ActionId {
     ResetCamera,
     Orbit,
     FitView,
+    FitSelection,
     ViewFront,
     ViewBack,
     ViewLeft,

@@ -61,6 +61,7 @@ QString editText(app::CommandId id) {
     case app::CommandId::SkyTurbidity:
     case app::CommandId::SkyStrength:
     case app::CommandId::SkyGround:
+    case app::CommandId::SkyHaze:
         return text(QT_TRANSLATE_NOOP("Edits", "sky"));
     case app::CommandId::Look:
         return text(QT_TRANSLATE_NOOP("Edits", "light of the scene"));

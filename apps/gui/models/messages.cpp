@@ -117,6 +117,23 @@ std::optional<QString> readUnitOffer(const QString& offer) {
         .arg(QLocale().toString(found.captured(1).toDouble(), 'g', 4), reasonText(found.captured(2)));
 }
 
+std::optional<QString> readMaterialOffer(const QString& offer) {
+    static const QRegularExpression form(
+        QStringLiteral("^(\\d+) materials? (?:is|are) guessed by name \\((.*)\\); 'material reset \\*' takes "
+                       "them as they are$"));
+    const QRegularExpressionMatch found = form.match(offer);
+    if (!found.hasMatch()) return std::nullopt;
+    const QHash<QString, QString> kinds{
+        {QStringLiteral("glass"), tr("glass")},    {QStringLiteral("water"), tr("water")},
+        {QStringLiteral("mirror"), tr("mirror")},  {QStringLiteral("chrome"), tr("chrome")},
+        {QStringLiteral("metal"), tr("metal")},    {QStringLiteral("polished"), tr("polished")},
+        {QStringLiteral("lacquer"), tr("lacquer")}};
+    QStringList named;
+    for (const QString& kind : found.captured(2).split(QStringLiteral(", ")))
+        named.append(kinds.value(kind, kind));
+    return tr("Materials guessed by name: %1 (%2).").arg(found.captured(1), named.join(QStringLiteral(", ")));
+}
+
 QString warningsText(const QStringList& warnings) {
     QStringList kinds;
     QHash<QString, QStringList> ofKind;

@@ -28,6 +28,9 @@ std::optional<UpOffer> readUpOffer(const QString& offer);
 /// nothing where the text is none.
 std::optional<QString> readUnitOffer(const QString& offer);
 
+/// What an offer to take guessed materials back says, in the user's language.
+std::optional<QString> readMaterialOffer(const QString& offer);
+
 /// Lines that are none are left out.
 QList<Message> readMessages(const QString& answer);
 

@@ -17,11 +17,15 @@
 namespace gui {
 
 MessageOperations::MessageOperations(const GuiContext& context, QObject* parent)
-    : QObject(parent), context_(context), turn_(new QAction(this)) {
+    : QObject(parent), context_(context), turn_(new QAction(this)), takeBack_(new QAction(tr("Undo"), this)) {
     connect(turn_, &QAction::triggered, this, [this] {
         if (!upOffer_) return;
         context_.editor.edit(app::command::up(upOffer_->other.toStdString()));
         upOffer_.reset();
+    });
+    connect(takeBack_, &QAction::triggered, this, [this] {
+        context_.editor.edit(app::command::materialReset("*"));
+        materialOffer_.clear();
     });
     context_.actions.on(ActionId::ServerLog, [this] { showLog(); });
     connect(&context_.session, &Session::stateChanged, this, &MessageOperations::onState);
@@ -88,8 +92,10 @@ void MessageOperations::warn(const QStringList& warnings) {
 void MessageOperations::offer(const QString& text) {
     const std::optional<UpOffer> up = readUpOffer(text);
     const std::optional<QString> unit = readUnitOffer(text);
-    if (!up && !unit) return;
+    const std::optional<QString> materials = readMaterialOffer(text);
+    if (!up && !unit && !materials) return;
     forgetClosed();
+    if (materials) materialOffer_ = *materials;
     if (up) {
         upOffer_ = up;
         turn_->setText(tr("%1 is up").arg(up->other.toUpper()));
@@ -101,6 +107,7 @@ void MessageOperations::offer(const QString& text) {
 void MessageOperations::forgetOffers() {
     upOffer_.reset();
     unitOffer_.clear();
+    materialOffer_.clear();
 }
 
 void MessageOperations::forgetClosed() {
@@ -119,6 +126,10 @@ void MessageOperations::notify() {
     if (!unitOffer_.isEmpty()) {
         lines.append(unitOffer_);
         actions.append(context_.actions[ActionId::UpAndUnit]);
+    }
+    if (!materialOffer_.isEmpty()) {
+        lines.append(materialOffer_);
+        actions.append(takeBack_);
     }
     if (!warnings_.isEmpty()) {
         lines.append(warningsText(warnings_));

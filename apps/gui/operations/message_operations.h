@@ -41,6 +41,8 @@ class MessageOperations : public QObject {
     QAction* turn_;                  ///< accepts offer_
     std::optional<UpOffer> upOffer_; ///< of the notice that is shown
     QString unitOffer_;              ///< the same
+    QAction* takeBack_;              ///< accepts materialOffer_
+    QString materialOffer_;          ///< the same
     QString shown_;                  ///< that notice
 };
 

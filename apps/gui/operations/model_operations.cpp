@@ -56,6 +56,7 @@ ModelOperations::ModelOperations(const GuiContext& context, QObject* parent)
     });
     connect(&context_.session, &Session::frameChanged, this, &ModelOperations::onFrame);
     connect(&context_.view.input(), &InputCapture::picked, this, &ModelOperations::pick);
+    context_.actions.on(ActionId::FitSelection, [this] { fitSelected(); });
     connect(&context_.view.input(), &InputCapture::capturedChanged, this, [this](bool captured) {
         if (captured) select(false, 0);
     });
@@ -179,8 +180,8 @@ void ModelOperations::openMenu(const QPoint& place) {
         menu->addAction(tr("&Hide"), this, [&editor, part] { editor.edit(command::partHide(part)); });
     QAction* isolate =
         menu->addAction(tr("&Isolate"), this, [&editor, part] { editor.edit(command::partIsolate(part)); });
-    hide->setEnabled(marked_ != 0);
-    isolate->setEnabled(marked_ != 0);
+    QAction* fit = menu->addAction(tr("&Go there"), this, &ModelOperations::fitSelected);
+    for (QAction* action : {hide, isolate, fit}) action->setEnabled(marked_ != 0);
     menu->addAction(tr("Show &all"), this, [&editor] { editor.edit(command::partShowAll()); });
     menu->addSeparator();
     menu->addAction(tr("Edit the &material"), this, [this] {
@@ -189,6 +190,13 @@ void ModelOperations::openMenu(const QPoint& place) {
         panel_->fields().setFocus();
     });
     menu->popup(place);
+}
+
+void ModelOperations::fitSelected() {
+    if (marked_ == 0 || markMaterial_)
+        return context_.view.tell(
+            tr("No part is selected: a right click on the image, or a row of the model panel, selects one."));
+    context_.editor.edit(command::cameraFit({std::to_string(marked_)}));
 }
 
 void ModelOperations::select(bool material, int number) {

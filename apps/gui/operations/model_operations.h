@@ -35,6 +35,7 @@ class ModelOperations : public QObject {
     void pick(const QPointF& position);
     void openMenu(const QPoint& place);
     void select(bool material, int number);
+    void fitSelected();
     void onFrame();
     void askMark();
     void setMaterial(const QString& key, const std::string& line);

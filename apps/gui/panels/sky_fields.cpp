@@ -174,6 +174,10 @@ void SkyFields::addAir() {
     form_->addRow(ground_);
     connect(ground_, &QCheckBox::clicked, this,
             [this](bool on) { send("sky ground", command::skyGround(on)); });
+    haze_ = new QCheckBox(tr("White horizon"));
+    haze_->setToolTip(tr("Haze at the horizon, into which a light ground fades"));
+    form_->addRow(haze_);
+    connect(haze_, &QCheckBox::clicked, this, [this](bool on) { send("sky haze", command::skyHaze(on)); });
 }
 
 void SkyFields::sendPlace() {
@@ -217,6 +221,7 @@ void SkyFields::showSky(const rtcore::Sky& sky) {
     put(turbidity_, static_cast<double>(sky.turbidity));
     put(strength_, static_cast<double>(sky.strength));
     ground_->setChecked(sky.ground);
+    haze_->setChecked(sky.haze);
 }
 
 void SkyFields::showRows() {
@@ -224,7 +229,8 @@ void SkyFields::showRows() {
     for (QWidget* row : {static_cast<QWidget*>(mapRotation_), static_cast<QWidget*>(mapStrength_)})
         form_->setRowVisible(row, map);
     for (QWidget* row : {static_cast<QWidget*>(sun_), static_cast<QWidget*>(turbidity_),
-                         static_cast<QWidget*>(strength_), static_cast<QWidget*>(ground_)})
+                         static_cast<QWidget*>(strength_), static_cast<QWidget*>(ground_),
+                         static_cast<QWidget*>(haze_)})
         form_->setRowVisible(row, sky);
     for (QWidget* row :
          {timeRow_, static_cast<QWidget*>(date_), static_cast<QWidget*>(latitude_),

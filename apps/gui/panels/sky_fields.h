@@ -76,7 +76,7 @@ class SkyFields : public QWidget {
     SceneState state_;
     bool showing_ = false; ///< what changes is not the user's
     ValueBox *mapRotation_, *mapStrength_;
-    QCheckBox *sky_, *ground_;
+    QCheckBox *sky_, *ground_, *haze_;
     QComboBox* sun_;
     QSlider* hour_;
     QTimeEdit* time_;

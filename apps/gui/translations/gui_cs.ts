@@ -1098,6 +1098,50 @@
         <source>The direction of the view in the corner, and whether you orbit, walk or fly</source>
         <translation>Směr pohledu v rohu, a zda se model otáčí, chodí se nebo létá</translation>
     </message>
+    <message>
+        <source>Selected &amp;part</source>
+        <translation>&amp;Vybraná část</translation>
+    </message>
+    <message>
+        <source>The part that is selected, from the side where you are</source>
+        <translation>Vybraná část ze strany, kde jste</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation>sklo</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>voda</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>zrcadlo</translation>
+    </message>
+    <message>
+        <source>chrome</source>
+        <translation>chrom</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>kov</translation>
+    </message>
+    <message>
+        <source>polished</source>
+        <translation>leštěné</translation>
+    </message>
+    <message>
+        <source>lacquer</source>
+        <translation>lak</translation>
+    </message>
+    <message>
+        <source>Materials guessed by name: %1 (%2).</source>
+        <translation>Materiály odhadnuté podle názvu: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>otáčení</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2350,6 +2394,10 @@ Alt+%2</translation>
         <source>%1 is up</source>
         <translation>Vzhůru je %1</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zpět</translation>
+    </message>
 </context>
 <context>
     <name>gui::ModeOperations</name>
@@ -2387,6 +2435,14 @@ Alt+%2</translation>
     <message>
         <source>Edit the &amp;material</source>
         <translation>Upravit &amp;materiál</translation>
+    </message>
+    <message>
+        <source>&amp;Go there</source>
+        <translation>&amp;Jít tam</translation>
+    </message>
+    <message>
+        <source>No part is selected: a right click on the image, or a row of the model panel, selects one.</source>
+        <translation>Žádná část není vybrána: vybere ji pravé tlačítko v obraze nebo řádek panelu modelu.</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3461,14 @@ Alt+%2</translation>
     <message>
         <source>A wide ground below the model</source>
         <translation>Široká zem pod modelem</translation>
+    </message>
+    <message>
+        <source>White horizon</source>
+        <translation>Bílý obzor</translation>
+    </message>
+    <message>
+        <source>Haze at the horizon, into which a light ground fades</source>
+        <translation>Opar na obzoru, do nějž přechází světlá zem</translation>
     </message>
 </context>
 <context>

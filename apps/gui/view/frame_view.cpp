@@ -175,7 +175,8 @@ void FrameView::paintEvent(QPaintEvent* event) {
     drawWords(painter, rect(), words_);
     if (showOverlay_ && session_.live())
         drawOverlay(painter, rect(),
-                    overlayText(session_.status(), picture.size(), still_, activity_, sharing_));
+                    overlayText(session_.status(), picture.size(), still_, activity_, sharing_,
+                                input_->hand() == Hand::Turns));
     if (told_.isEmpty()) return;
     const int line = 4 * painter.fontMetrics().height();
     drawWords(painter, QRect(0, height() - line, width(), line), told_);

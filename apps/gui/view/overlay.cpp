@@ -37,7 +37,7 @@ void drawBox(QPainter& painter, const QRect& box) {
 } // namespace
 
 QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering,
-                    const QString& sharing) {
+                    const QString& sharing, bool orbits) {
     if (status.resolution.isEmpty()) return {};
     QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     constexpr int kPercent = 100;
@@ -45,7 +45,7 @@ QString overlayText(const ServerStatus& status, const QSize& frame, bool still, 
     const bool coarse = fraction > 0 && fraction < kPercent;
     if (coarse) size += tr(" (%1 %)").arg(fraction);
     if (!status.idle && status.kept > 0) size += QStringLiteral("  ·  ") + newPart(status.kept);
-    const QString mode = status.view.walking ? tr("Walk") : tr("Fly");
+    const QString mode = orbits ? tr("Orbit") : status.view.walking ? tr("Walk") : tr("Fly");
     QStringList parts{size, mode};
     const bool complete = status.idle && !status.paused;
     if (!complete || rendering.isEmpty()) parts.append(activity(status, coarse && still));

@@ -14,8 +14,9 @@ namespace gui {
 /// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels. Does
 /// the camera stand still, more pixels follow: "refining". `rendering`: what the Renderer does with the view,
 /// such as "refined"; empty = nothing. It takes the place of "complete". `sharing`: "shared", or empty.
+/// `orbits`: the model is in the hand.
 QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering,
-                    const QString& sharing = {});
+                    const QString& sharing = {}, bool orbits = false);
 /// What stands in the middle while there is no live frame; empty when there is.
 QString stateText(const Session& session);
 

@@ -542,6 +542,7 @@ class Loader {
         takeSurroundings();
         giveLight();
         lightTheDark();
+        if (!out_.sceneFile) out_.guesses = guessMaterials(scene);
         numberLights(scene);
         scene.closed = findClosedSurfaces(scene.model, scene.materials, out_.openGlass);
         phase(LoadPhase::Done);

@@ -6,6 +6,7 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/look/look.h"
+#include "rtcore/look/material_names.h"
 #include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/scene.h"
 
@@ -69,6 +70,8 @@ struct LoadedScene {
     ModelOrigin origin;                       ///< of the model
     bool ownCamera = true;                    ///< false: defaultCamera()
     bool indoors = false;                     ///< the camera has walls around it (isEnclosed())
+    /// What materials of a model without a .scn are taken for, which the user of the scene is to use and tell.
+    std::vector<MaterialGuess> guesses;
     std::optional<Look> look; ///< lightBy() it was lit by, with that camera; nothing: light of its own
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };

@@ -82,10 +82,11 @@ void addLight(Scene& scene, const Light& light, const std::string& name) {
     scene.lightNames.push_back(name);
 }
 
-std::vector<SettingAssignment> exposureBy(const char* mode, const char* toneMapping, int filterPasses) {
+std::vector<SettingAssignment> exposureBy(const char* mode, const char* toneMapping, float contrast,
+                                          int filterPasses) {
     return {{"exposure.mode", mode},
             {"toneMapping", toneMapping},
-            {"toneContrast", kContrast},
+            {"toneContrast", contrast},
             {"path.filter", filterPasses}};
 }
 
@@ -161,13 +162,13 @@ std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey) {
 std::vector<SettingAssignment> exposureOf(Look look) {
     switch (look) {
     case Look::Sky:
-        return exposureBy("incident", "agx", kFilterPasses);
+        return exposureBy("incident", "agx", kContrast, kFilterPasses);
     case Look::Studio:
-        return exposureBy("incident", "neutral", kFilterPasses);
+        return exposureBy("incident", "neutral", 0, kFilterPasses);
     case Look::Headlight:
         break;
     }
-    return exposureBy("automatic", "luminance", 0);
+    return exposureBy("automatic", "luminance", 0, 0);
 }
 
 bool isLitBy(const Scene& scene, const LookLights& look) {

@@ -108,7 +108,7 @@ TEST_F(Completion, OfSettings) {
     EXPECT_EQ(complete("Renderer --setting=maxD"), Replies{"maxDepth="});
     EXPECT_EQ(complete("Renderer --setting exposure.mode=f"), Replies{"fixed"});
     EXPECT_EQ(complete("CUI set exposure.m"), Replies{"exposure.mode"});
-    EXPECT_EQ(complete("CUI set exposure.mode "), (Replies{"automatic", "fixed"}));
+    EXPECT_EQ(complete("CUI set exposure.mode "), (Replies{"automatic", "fixed", "incident"}));
     EXPECT_EQ(complete("CUI set ambientOcclusion.on "), (Replies{"on", "off"}));
     EXPECT_EQ(complete("CUI get maxD"), Replies{"maxDepth"});
 }

@@ -87,7 +87,7 @@ TEST_F(Recordings, ArePlayed) {
     ask({"wait-idle"});
     ask({"export", "camera", "last.cam"});
     EXPECT_EQ(rtcore::readCameraFile(folder() / "last.cam").camera, path.back().camera);
-    EXPECT_EQ(ask({"get", "exposure.mode"}), "automatic\n") << "a played exposure is no setting";
+    EXPECT_EQ(ask({"get", "exposure.mode"}), "incident\n") << "a played exposure is no setting";
 
     ask({"play", "walk.lst"});
     ask({"key", "tap", "i"}); // a movement ends the playback

@@ -27,6 +27,7 @@ const std::set<std::string_view> kCheap{
     "exposure.brighterSeconds",
     "exposure.darkerSeconds",
     "exposure.local",
+    "toneContrast",
 };
 
 bool takes(std::string_view name, const json& value, const Limits& limits = {}) {

@@ -124,6 +124,7 @@ const std::vector<Case> kCases = {
     {"sky turbidity 5", {Change::Sky, Change::Light, Change::Setting}},
     {"sky strength 0.5", {Change::Sky, Change::Light, Change::Setting}},
     {"sky ground on", {Change::Sky, Change::Light, Change::Setting}},
+    {"sky haze on", {Change::Sky, Change::Light, Change::Setting}},
     {"look headlight", {Change::Sky, Change::Light}},
     {"look sky", {Change::Sky, Change::Light, Change::Setting}},
     {"lights", {}, "1 on left\n2 on"},

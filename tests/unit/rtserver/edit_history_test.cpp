@@ -70,6 +70,7 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"sky hour 9", "sky hour"},
         {"sky strength 2", "sky strength"},
         {"sky ground on", "sky ground"},
+        {"sky haze on", "sky haze"},
         {"sky off", "sky"},
         {"sky on", "sky"},
         {"environment none", "environment none"},

@@ -97,6 +97,21 @@ TEST_F(FramesOfAState, AdaptToAChangeButNotToAnotherScene) {
 
 constexpr rtserver::FrameDetail kLive{1, true, 0.1};
 
+// However coarse an image is, and whatever its surfaces are.
+TEST_F(FramesOfAState, AreExposedByTheLightAlone) {
+    float exposures[3] = {};
+    for (int i = 0; i < 3; ++i) {
+        const float albedo = i == 2 ? 0.1F : 0.6F;
+        state.show(test::worldOf(test::makeRoom(albedo)));
+        state.assign({{"exposure.mode", "incident"}});
+        rtserver::FrameMaker maker(1);
+        test::draw(maker, state, i == 0 ? rtserver::kCoarsest : rtserver::FrameDetail());
+        exposures[i] = maker.exposure();
+    }
+    EXPECT_EQ(exposures[0], exposures[1]);
+    EXPECT_NEAR(exposures[2] / exposures[1], 1, 0.02) << "but for what mirrors or shines of itself";
+}
+
 TEST_F(FramesOfAState, LiveOnesBeginWithTheLightOfTheWholeOne) {
     state.frameSeconds = 0.03;
     test::draw(frames, state);

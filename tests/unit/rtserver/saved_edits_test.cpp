@@ -162,6 +162,7 @@ class RandomCommands {
             "sky north " + real(-90, 90),
             "sky turbidity " + real(2, 9),
             "sky ground " + one({"on", "off"}),
+            "sky haze " + one({"on", "off"}),
             "material set 1 diffuse " + real(0, 1) + " " + real(0, 1) + " 0.5",
             "material set 1 " + one({"roughness", "reflectivity", "opacity"}) + " " + real(0, 1),
             "material reset 1",

@@ -115,6 +115,7 @@ TEST_F(SavingRounds, GiveTheSameBytesAndTheSameScene) {
                                              "sky turbidity 4.4",
                                              "sky north 33.3",
                                              "sky ground on",
+                                             "sky haze on",
                                              "sky strength 0.7",
                                              "sky off",
                                              "sky place 49.2 16.6 1",

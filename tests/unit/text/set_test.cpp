@@ -46,7 +46,7 @@ TEST(Set, ErrorsNameTheirPlace) {
     EXPECT_EQ(problem("version = 1\n[live.ambientOcclusion]\nsamples = 5000"),
               "x.set:3:11: ambientOcclusion.samples is 5000, but takes a whole number, 1 to 4096 rays");
     EXPECT_EQ(problem("version = 1\n[live]\nexposure.mode = \"manual\""),
-              "x.set:3:17: exposure.mode is 'manual', but takes automatic or fixed");
+              "x.set:3:17: exposure.mode is 'manual', but takes automatic or fixed or incident");
     EXPECT_EQ(problem("version = 1\n[live]\nwidth = [3]"),
               "x.set:3:9: width is an array, but takes one value");
     EXPECT_EQ(problem("version = 1\n[live.width]\n"), "x.set:2:1: width is a table, but takes one value");

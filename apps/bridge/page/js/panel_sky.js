@@ -61,6 +61,8 @@ export function skyPanel(app) {
             { min: 0, slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), on, () => app.state.sky.strength);
         add(place, toggle(of("SkyFields", "Ground that takes the shadow"), (value) => app.ask("skyGround", { on: value }),
             { help: of("SkyFields", "A wide ground below the model") }), on, () => app.state.sky.ground);
+        add(place, toggle(of("SkyFields", "White horizon"), (value) => app.ask("skyHaze", { on: value }),
+            { help: of("SkyFields", "Haze at the horizon, into which a light ground fades") }), on, () => app.state.sky.haze);
     }
 
     return {
