@@ -228,9 +228,9 @@ void SkyFields::showRows() {
     const bool sky = state_.sky.has_value(), date = sky && state_.sky->date, map = state_.map.has_value();
     for (QWidget* row : {static_cast<QWidget*>(mapRotation_), static_cast<QWidget*>(mapStrength_)})
         form_->setRowVisible(row, map);
-    for (QWidget* row : {static_cast<QWidget*>(sun_), static_cast<QWidget*>(turbidity_),
-                         static_cast<QWidget*>(strength_), static_cast<QWidget*>(ground_),
-                         static_cast<QWidget*>(haze_)})
+    for (QWidget* row :
+         {static_cast<QWidget*>(sun_), static_cast<QWidget*>(turbidity_), static_cast<QWidget*>(strength_),
+          static_cast<QWidget*>(ground_), static_cast<QWidget*>(haze_)})
         form_->setRowVisible(row, sky);
     for (QWidget* row :
          {timeRow_, static_cast<QWidget*>(date_), static_cast<QWidget*>(latitude_),

@@ -70,7 +70,8 @@ struct LoadedScene {
     ModelOrigin origin;                       ///< of the model
     bool ownCamera = true;                    ///< false: defaultCamera()
     bool indoors = false;                     ///< the camera has walls around it (isEnclosed())
-    /// What materials of a model without a .scn are taken for, which the user of the scene is to use and tell.
+    /// What materials of a model without a .scn are taken for, which the user of the scene is to use and
+    /// tell.
     std::vector<MaterialGuess> guesses;
     std::optional<Look> look; ///< lightBy() it was lit by, with that camera; nothing: light of its own
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better

@@ -181,7 +181,8 @@ TEST(SettingsTable, RefusalsTellTheRangeOrTheChoices) {
               "ambientOcclusion.distance is -1, but takes at least 0 scene units, or automatic");
     EXPECT_EQ(refusal("exposure.mode", std::string("auto")),
               "exposure.mode is 'auto', but takes automatic or fixed or incident");
-    EXPECT_EQ(refusal("toneMapping", true), "toneMapping is true, but takes luminance or channels or agx or neutral");
+    EXPECT_EQ(refusal("toneMapping", true),
+              "toneMapping is true, but takes luminance or channels or agx or neutral");
     EXPECT_EQ(textRefusal("bloom.radius", "much"),
               "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels, or off");
 }
