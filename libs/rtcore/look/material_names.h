@@ -16,8 +16,8 @@ struct MaterialGuess {
 };
 
 /// None where a material has more than a colour: a texture, a mirror, transparency, light of its own, or a
-/// roughness that another lacks: then they are as an author wants them. Names in English, German, French, Spanish,
-/// Italian, Czech, Polish, Portuguese and Dutch; a compound counts by its last part.
+/// roughness that another lacks: then they are as an author wants them. Names in English, German, French,
+/// Spanish, Italian, Czech, Polish, Portuguese and Dutch; a compound counts by its last part.
 std::vector<MaterialGuess> guessMaterials(const Scene& scene);
 
 /// Makes them edits of the scene, which are kept with it and can be taken back. The scene's materials must be
