@@ -60,6 +60,7 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     rtcore::RenderSettings effects = state.shownSettings();
     if (detail.live()) effects.denoise.passes = 0;
     if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery) meter(state, effects, control);
+    if (control.cancel) return false; // what was measured then says nothing
     target_ = developer_.exposure(frame, effects, white_, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);

@@ -26,7 +26,8 @@ TEST_F(LostServer, AnotherServerIsShownAsSoonAsItRuns) {
         "document.getElementById('menu').click(); document.getElementById('tab-settings').click();"
         "document.querySelectorAll('#panels details').forEach((one) => one.open = true); window.mark = 1");
     ASSERT_TRUE(page.becomes(widthField() + "?.value === '160'"));
-    const std::string before = page.pixels();
+    const std::string before = screenshotPixels();
+    ASSERT_TRUE(test::eventually([&] { return page.pixels() == before; }, std::chrono::seconds(20)));
     killServer();
     ASSERT_TRUE(isStale(page));
     EXPECT_TRUE(page.becomes("document.querySelector('#notices .warn')"));

@@ -40,7 +40,8 @@ TEST_F(SlowLink, TheLastFrameIsShownAfterAWalk) {
     page.keyUp("KeyE");
     ask("wait-idle");
     EXPECT_TRUE(isExact(page)) << "nothing is queued for minutes";
-    EXPECT_EQ(page.pixels(), screenshotPixels());
+    const std::string drawn = screenshotPixels();
+    EXPECT_TRUE(test::eventually([&] { return page.pixels() == drawn; }, 20s));
     EXPECT_EQ(testing::PrintToString(page.complaints()), "{}");
 }
 
@@ -160,7 +161,8 @@ TEST_F(SlowLink, ALostLinkComesBack) {
     const WebPage page(browser(), driverLink());
     ASSERT_TRUE(showsFrame(page));
     ASSERT_TRUE(isExact(page));
-    const std::string before = page.pixels();
+    const std::string before = screenshotPixels();
+    ASSERT_TRUE(test::eventually([&] { return page.pixels() == before; }, 20s)); // the worker draws later
     page.value("window.mark = 1");
     link_.cut();
     EXPECT_TRUE(page.becomes("document.getElementById('notices').textContent.includes('Connection lost')"));
