@@ -69,4 +69,9 @@ std::optional<float> LightMeter::white(const View& view, RenderControl& control)
     return *at;
 }
 
+std::optional<float> whiteFor(const View& view, RenderControl& control) {
+    if (view.settings.exposure.mode != ExposureMode::Incident) return std::nullopt;
+    return LightMeter().white(view, control);
+}
+
 } // namespace rtcore

@@ -5,6 +5,7 @@
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/light_meter.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/format.h>
@@ -55,8 +56,10 @@ rtcore::LdrImage WalkReferences::picture(const rtcore::View& view) const {
     rtcore::RenderControl control;
     rtcore::Frame frame;
     renderer.render(view, control, frame);
-    rtcore::LdrImage image =
-        rtcore::develop(frame, view.settings, rtcore::exposureFor(frame, view.settings.exposure));
+    rtcore::PictureDeveloper developer;
+    const float exposure =
+        developer.exposure(frame, view.settings, rtcore::whiteFor(view, control), control.threads);
+    rtcore::LdrImage image = rtcore::develop(frame, view.settings, exposure);
     rtcore::writeImage(path, image);
     return image;
 }
