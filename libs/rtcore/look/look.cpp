@@ -16,9 +16,9 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kFilterPasses = 4; ///< of images by paths
-constexpr float kContrast = 2;   ///< of film: with its own, colours are pale where white is near 240
-constexpr float kStudioBackground = 0.35F;
+constexpr int kFilterPasses = 4;          ///< of images by paths
+constexpr float kContrast = 2;            ///< of film: with its own, colours are pale where white is near 240
+constexpr float kStudioBackground = 1.2F; ///< nearly white beside what the lights show
 /// Of ambient occlusion: metres, or a part of the model.
 constexpr float kReach = 5, kReachOfDiagonal = 0.15F;
 
