@@ -15,7 +15,7 @@ namespace rtserver {
 
 namespace {
 
-/// Of live frames: it takes as long as a sixth of one, and an eye does not follow sooner.
+/// Of live frames, which trace few pixels themselves; an eye does not follow sooner.
 constexpr int kMeterEvery = 4;
 
 bool canBeLive(const ServerState& state) {

@@ -237,7 +237,8 @@ TEST_F(Strangers, AreShownInGoodLight) {
         EXPECT_GE(seen.mean, 70);
         EXPECT_LE(seen.mean, most) << "albedo " << seen.albedo;
         EXPECT_LE(seen.black, 0.03);
-        EXPECT_LE(seen.white, 0.05) << "the pools of light on ceilings";
+        // Lights under ceilings have bright pools of light above them.
+        EXPECT_LE(seen.white, stranger.where == "in" ? 0.05 : 0.03);
     }
 }
 

@@ -457,12 +457,16 @@ class Loader {
         take(settingsOf(look, surveyed()), last);
     }
 
+    /// A material gives off light.
+    bool shines() const {
+        return std::any_of(out_.scene.materials.begin(), out_.scene.materials.end(),
+                           [](const Material& m) { return !isBlack(m.emission); });
+    }
+
     bool hasLight() const {
-        const bool emits = std::any_of(out_.scene.materials.begin(), out_.scene.materials.end(),
-                                       [](const Material& m) { return !isBlack(m.emission); });
         // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
         const bool chosen =
-            out_.sceneFile && (!out_.sceneFile->defaultLight || emits || !isBlack(out_.scene.ambient));
+            out_.sceneFile && (!out_.sceneFile->defaultLight || shines() || !isBlack(out_.scene.ambient));
         return chosen || out_.scene.lights.size() > (options_.surroundings.sky ? 1 : 0);
     }
 
@@ -490,10 +494,7 @@ class Loader {
     /// What no light reaches is seen by one beside the viewer.
     void lightTheDark() {
         Scene& scene = out_.scene;
-        if (out_.sceneFile || out_.look == Look::Headlight || options_.surroundings.look) return;
-        if (std::any_of(scene.materials.begin(), scene.materials.end(),
-                        [](const Material& m) { return !isBlack(m.emission); }))
-            return;
+        if (out_.sceneFile || out_.look == Look::Headlight || options_.surroundings.look || shines()) return;
         const Mesh& mesh = scene.model.mesh;
         const std::vector<SeenPlace> places = seenPlaces(out_.tree, mesh, out_.camera);
         if (places.empty() || isOpen(out_.tree, mesh, places) ||
