@@ -10,6 +10,7 @@ namespace {
 constexpr double kSpared = 0.85;                                 ///< of the time: frames are not all alike
 constexpr double kSecondsPerRay = 1e-6, kSecondsPerPixel = 1e-7; ///< guesses
 constexpr double kLeastSamples = 0.004, kMostSamples = 1;        ///< of the pixels of a frame
+constexpr double kWantedSamples = 0.02;                          ///< of them: for these the size gives way
 constexpr double kStep = 1.0 / 12;                               ///< of the scale
 constexpr double kGrows = 0.9; ///< of the time, in which a larger frame must fit before there is one
 
@@ -41,7 +42,7 @@ void LiveGovernor::learn(const FrameDetail& detail, double pixels, double target
     follow(secondsPerPixel_, std::max(cost.seconds - cost.sampleSeconds, 0.0) / count);
     if (!(target > 0)) return;
     const auto least = [&](double scale) {
-        return pixels * area(scale) * (secondsPerPixel_ + kLeastSamples * secondsPerSample_);
+        return pixels * area(scale) * (secondsPerPixel_ + kWantedSamples * secondsPerSample_);
     };
     if (least(scale_) > target) {
         scale_ = std::max(kLeastLiveScale, scale_ - kStep);

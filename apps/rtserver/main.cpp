@@ -3,7 +3,9 @@
 #include "rtserver/server_run.h"
 
 #include "common/cli/run_program.h"
+#include "common/process/threads.h"
 
 int main(int argc, char** argv) {
+    app::spinLittle(argv);
     rtserver::endProcess(app::runProgram(argc, argv, rtserver::serverSpec(), rtserver::runServer));
 }

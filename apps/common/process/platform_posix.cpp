@@ -17,6 +17,7 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -130,6 +131,18 @@ void installSignalHandlers() {
 
 void ignoreWritingSignals() noexcept {
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+}
+
+void spinLittle([[maybe_unused]] char** argv) noexcept {
+#if defined(_OPENMP) && defined(__linux__)
+    constexpr const char* kSpins = "GOMP_SPINCOUNT"; // a few microseconds; as it is, more than a millisecond
+    if (std::getenv(kSpins) != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+    char program[PATH_MAX];
+    const ssize_t length = ::readlink("/proc/self/exe", program, sizeof program - 1);
+    if (length <= 0 || ::setenv(kSpins, "1000", 1) != 0) return;
+    program[length] = '\0';
+    ::execv(program, argv);
+#endif
 }
 
 void shareMemoryAmongThreads() noexcept {

@@ -13,6 +13,12 @@ int threadCount(std::optional<long long> asked);
 /// What is parallel without being told a number uses `threads` from now on; 0 changes nothing.
 void useThreads(int threads);
 
+/// Lets threads that wait for each other sleep soon: those that spin use up, beside other programs, the time
+/// that they are granted. What the environment asks for (OMP_WAIT_POLICY, GOMP_SPINCOUNT) stays. GNU's OpenMP
+/// reads it before main() does anything, so the program is started anew in this process, with `argv`: call it
+/// before all else. Nothing where that fails, or without OpenMP.
+void spinLittle(char** argv) noexcept;
+
 /// Lets threads that come and go share the allocator's memory, where each would leave an arena of its own
 /// behind. Call it before the first thread. Nothing where the system has no such switch.
 void shareMemoryAmongThreads() noexcept;

@@ -37,6 +37,8 @@ inline constexpr std::int32_t kLeft = 0 << kWayShift, kRight = 1 << kWayShift, k
 // is shown.
 inline constexpr std::uint64_t kNoSample = ~std::uint64_t{0}, kBeside = std::uint64_t{1} << 63;
 inline constexpr int kKeyShift = 32;
+/// Of depths, some 1/20: what is so much further away than what is around is seen through a gap.
+inline constexpr std::uint64_t kNearer = std::uint64_t{8} << 48;
 /// Staleness of samples that are shown beside where they are.
 inline constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
                       kBorrowedSteps = static_cast<std::uint32_t>(kKeySteps);
@@ -117,9 +119,12 @@ std::size_t samplesIn(const std::int32_t* pixelsAndWays, std::size_t count, std:
     return found;
 }
 
-/// The entries of a row of pixels; `rows` has those above, of itself and below. A pixel without a sample, two
-/// of whose neighbours have one, gets the nearest of theirs. Reads and writes a vector behind the last.
-void borrowBeside(const std::uint64_t* const rows[3], std::size_t width, std::uint64_t* to) {
+/// The entries of a row of pixels; `rows` has two above, itself and two below. A pixel without a sample, two
+/// of whose neighbours have one, gets the nearest of theirs; and so does, where `gaps` are closed, one whose
+/// sample is seen through a gap in a surface that comes nearer: within two pixels to each side there is one
+/// that is nearer. (What is beyond the image to the side counts as what follows in memory.) Reads and writes
+/// a vector behind the last.
+void borrowBeside(const std::uint64_t* const rows[5], bool gaps, std::size_t width, std::uint64_t* to) {
     using Entry = Wide<std::uint64_t>;
     constexpr std::uint64_t kStaleness = std::uint64_t{kStalenessOfKey} << kKeyShift,
                             kStaler = std::uint64_t{kBorrowedSteps} << kKeyShift;
@@ -127,19 +132,26 @@ void borrowBeside(const std::uint64_t* const rows[3], std::size_t width, std::ui
                           HWY_ATTR -> Entry { return hn::LoadU(Entry::Tag(), from); };
     const auto least = [](Entry a, Entry b) HWY_ATTR -> Entry { return hn::Min(a.raw, b.raw); };
     for (std::size_t x = 0; x < width; x += hn::Lanes(Entry::Tag())) {
-        Entry entry = load(rows[1] + x);
+        Entry entry = load(rows[2] + x);
         const Entry::Mask empty = entry == kNoSample;
-        if (any(empty)) {
+        const std::uint64_t* const around[] = {rows[2] + x - 1, rows[2] + x + 1, rows[1] + x, rows[3] + x};
+        const Entry near = gaps ? (entry & ~kBeside) - kNearer : Entry(std::uint64_t{0});
+        const auto isNearer = [&](const std::uint64_t* one, const std::uint64_t* other) HWY_ATTR {
+            return least(load(one) & ~kBeside, load(other) & ~kBeside) < near;
+        };
+        const Entry::Mask covered = isNearer(rows[2] + x - 1, rows[2] + x - 2) &
+                                    isNearer(rows[2] + x + 1, rows[2] + x + 2) &
+                                    isNearer(rows[1] + x, rows[0] + x) & isNearer(rows[3] + x, rows[4] + x);
+        if (any(empty | covered)) {
             Entry best = kNoSample, known = std::uint64_t{0};
-            for (const std::uint64_t* const beside :
-                 {rows[1] + x - 1, rows[1] + x + 1, rows[0] + x, rows[2] + x}) {
+            for (const std::uint64_t* const beside : around) {
                 const Entry there = load(beside);
                 const Entry::Mask some = there != kNoSample;
                 known += selectOrZero(some, Entry(std::uint64_t{1}));
                 best = least(best, select(some, there & ~kBeside, Entry(kNoSample)));
             }
             const Entry stale = least((best & kStaleness) + kStaler, kStaleness);
-            const Entry::Mask borrows = empty & ((known & ~std::uint64_t{1}) != std::uint64_t{0});
+            const Entry::Mask borrows = (empty | covered) & ((known & ~std::uint64_t{1}) != std::uint64_t{0});
             entry = select(borrows, (best & ~kStaleness) | stale, entry);
         }
         store(entry, to + x);
@@ -287,9 +299,9 @@ void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32
 const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
     std::vector<std::uint64_t>& row = rows_[static_cast<std::size_t>(threadNumber())];
     row.resize(rowLength(plane) + kMostLanes);
-    const std::uint64_t* const rows[] = {&nearest_[firstPixel(plane, y - 1)], &nearest_[firstPixel(plane, y)],
-                                         &nearest_[firstPixel(plane, y + 1)]};
-    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, static_cast<std::size_t>(plane.width), row.data());
+    const auto rowAt = [&](int at) { return &nearest_[firstPixel(plane, std::clamp(at, -1, plane.height))]; };
+    const std::uint64_t* const rows[] = {rowAt(y - 2), rowAt(y - 1), rowAt(y), rowAt(y + 1), rowAt(y + 2)};
+    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, eyeMoves_, static_cast<std::size_t>(plane.width), row.data());
     return row.data();
 }
 
@@ -330,6 +342,7 @@ void Reprojection::takeMirrored(const LiveSamples& past, const std::uint64_t* en
 
 void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done) {
     const LiveSamples& own = present.own;
+    eyeMoves_ = past.own.plane().eye != own.plane().eye;
     staleness_.resize(own.size());
     const auto forEachRow = [&](auto&& work, bool last) {
         forEachRows(own.plane().height, kRowsOfBand, threads, [&](int from, int to) {

@@ -19,8 +19,9 @@ class Reprojection {
     /// Gives each pixel of `present`, whose plane says of which view, that sample of the past that is seen
     /// there, in each layer: of several the nearest to the viewer, and of those about as near the least
     /// stale. Of the others each goes to the pixel beside that it is next to, where that has none. A pixel in
-    /// which none is seen, but beside which there are some, borrows one of them; else it has none then. The
-    /// same for any number of `threads`; both images may differ in size.
+    /// which none is seen, but beside which there are some, borrows one of them; else it has none then. So
+    /// does one, where the eye has moved, in which something far is seen through a gap between near ones of
+    /// some two pixels: surfaces that come nearer have such. The same for any number of `threads`; both images may differ in size.
     ///
     /// `done` is called by them with each part of the rows that is done, from the first row to before the
     /// last: all layers of these pixels are there then.
@@ -57,6 +58,7 @@ class Reprojection {
     void takeMirrored(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
                       std::size_t first, std::size_t last);
 
+    bool eyeMoves_ = false;
     std::vector<Part> parts_;
     // By sample of the past.
     PixelArray<std::int32_t> pixels_{6}; ///< the pixel that shows it, and the way to the next one; -1: none

@@ -209,4 +209,7 @@ app::ExitCode runWalk(const app::Arguments& arguments) {
 
 } // namespace bench
 
-int main(int argc, char** argv) { return app::runProgram(argc, argv, bench::walkSpec(), bench::runWalk); }
+int main(int argc, char** argv) {
+    app::spinLittle(argv); // as the server does
+    return app::runProgram(argc, argv, bench::walkSpec(), bench::runWalk);
+}

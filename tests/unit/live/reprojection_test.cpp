@@ -132,6 +132,29 @@ TEST_F(Wall, LendsItsLightToACrack) {
     EXPECT_FALSE(known(20, 15)) << "a hole is no crack";
 }
 
+TEST_F(Wall, HidesWhatIsSeenThroughItsGaps) {
+    constexpr float kLittle = 0.01F;
+    const auto setBehind = [&](int x, int y) {
+        const Vec3 way = past.plane().towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+        past.set(past.index(x, y), {.position = past.plane().eye + way * (2 * kDepth), .light = {500, 0, 0}});
+    };
+    setBehind(20, 15);
+    setBehind(21, 15);
+    carryTo(0, 0);
+    EXPECT_GT(seen(20, 15).r, 400) << "for an eye at rest it is a hole";
+    carryTo(kLittle, 0);
+    EXPECT_LT(seen(20, 15).r, 100);
+    EXPECT_LT(seen(21, 15).r, 100);
+    EXPECT_GT(staleness(20, 15), 0.9F);
+    for (int y = 0; y < kWallRows; ++y) setBehind(10, y);
+    for (int y = 20; y < 24; ++y) {
+        for (int x = 30; x < 35; ++x) setBehind(x, y);
+    }
+    carryTo(kLittle, 0);
+    for (int y = 0; y < kWallRows; ++y) EXPECT_GT(seen(10, y).r, 400) << "a slit is no gap";
+    EXPECT_GT(seen(32, 22).r, 400) << "nor is a hole";
+}
+
 TEST_F(Wall, HasNoMoreSamplesThanWereThere) {
     carryTo(0, 0);
     EXPECT_EQ(samples(), kWallColumns * kWallRows);

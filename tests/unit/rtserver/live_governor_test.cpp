@@ -39,13 +39,14 @@ TEST(LiveGovernor, FillsTheTimeWithSamples) {
     EXPECT_GT(seconds, 0.7 * kTarget);
 }
 
-TEST(LiveGovernor, GivesSizeUpLast) {
+TEST(LiveGovernor, GivesSizeUpRatherThanFreshLight) {
     LiveGovernor governor;
-    const FrameDetail detail = settled(governor, 25e-9, 4e-6);
+    const FrameDetail detail = settled(governor, 25e-9, 1e-6);
     EXPECT_LT(detail.scale, 1);
     EXPECT_GT(detail.scale, 0.6);
-    EXPECT_LT(detail.newSamples, 0.02);
-    EXPECT_LT(secondsOf(detail, 25e-9, 4e-6), 1.1 * kTarget);
+    EXPECT_GT(detail.newSamples, 0.01);
+    EXPECT_LT(detail.newSamples, 0.04);
+    EXPECT_LT(secondsOf(detail, 25e-9, 1e-6), 1.1 * kTarget);
     EXPECT_EQ(settled(governor, 5e-9, 1e-6).scale, 1) << "and takes it back";
 }
 
@@ -67,11 +68,11 @@ TEST(LiveGovernor, TracesFewOfASceneThatNothingIsKnownOf) {
 
 TEST(LiveGovernor, BelievesInMoreSoonerThanInLess) {
     LiveGovernor governor;
-    const double before = settled(governor, 10e-9, 1e-6).newSamples;
-    const double slower = settled(governor, 10e-9, 2e-6, 2).newSamples;
+    const double before = settled(governor, 5e-9, 0.4e-6).newSamples;
+    const double slower = settled(governor, 5e-9, 0.8e-6, 2).newSamples;
     EXPECT_LT(slower, 0.75 * before);
-    EXPECT_LT(settled(governor, 10e-9, 1e-6, 2).newSamples, 0.95 * before);
-    EXPECT_NEAR(settled(governor, 10e-9, 1e-6).newSamples, before, 0.05 * before);
+    EXPECT_LT(settled(governor, 5e-9, 0.4e-6, 2).newSamples, 0.95 * before);
+    EXPECT_NEAR(settled(governor, 5e-9, 0.4e-6).newSamples, before, 0.05 * before);
 }
 
 TEST(LiveGovernor, ForgetsAScene) {
