@@ -1,5 +1,7 @@
 #include "rtcore/motion/player.h"
 
+#include "rtcore/motion/clearance.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,8 @@ double between(double a, double b, double fraction) { return a + (b - a) * fract
 } // namespace
 
 Player::Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options)
-    : frame_(options.up, options.metresPerUnit), walker_(tree, mesh, frame_, WalkShape(options.walk)),
+    : tree_(&tree), mesh_(mesh), frame_(options.up, options.metresPerUnit),
+      walker_(tree, mesh, frame_, WalkShape(options.walk)),
       flyingSpeed_(flyingSpeedIn(tree.bounds, frame_.metresPerUnit())) {
     Camera camera;
     camera.forward = frame_.turnBack({0, 1, 0});
@@ -29,8 +32,14 @@ Player::Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& option
     setCamera(camera);
 }
 
+void Player::useTree(const KdTree& tree) {
+    tree_ = &tree;
+    walker_.useTree(tree);
+}
+
 void Player::setCamera(const Camera& camera) {
     given_ = camera;
+    pace_ = 0;
     moved_ = turned_ = narrowed_ = false;
     flight_ = {frame_.toMetres(camera.eye), {}};
     if (camera.kind == CameraKind::Orthographic) flight_.width = double{camera.orthographicWidth};
@@ -101,9 +110,7 @@ void Player::step() {
     if (mode_ == MotionMode::Walk) {
         stepWalking(held);
     } else {
-        fly(flight_, now_.heading, held, flyingSpeed_ * speedFactor_);
-        now_.eye = flight_.eye;
-        now_.width = flight_.width;
+        stepFlying(held);
     }
     narrowed_ = narrowed_ || now_.width != before_.width;
     moved_ = moved_ || now_.eye != before_.eye;
@@ -123,6 +130,20 @@ void Player::stepWalking(const ActionSet& held) {
     if (inWorld) return;
     flight_ = {now_.eye, {}, now_.width};
     mode_ = MotionMode::View;
+}
+
+// A room is crossed slowly, whatever else the scene has.
+void Player::stepFlying(const ActionSet& held) {
+    constexpr double kPerSecond = 1, kSlowest = 0.3; // m/s
+    constexpr double kFollow = 4 * kTickSeconds;
+    if (!held.none() || flight_.velocity != Vec3d{}) {
+        const double here = kPerSecond * clearance(*tree_, mesh_, frame_, now_.eye);
+        const double wanted = std::min(flyingSpeed_, std::max(here, kSlowest));
+        pace_ = pace_ > 0 ? pace_ + (wanted - pace_) * kFollow : wanted;
+    }
+    fly(flight_, now_.heading, held, pace_ * speedFactor_);
+    now_.eye = flight_.eye;
+    now_.width = flight_.width;
 }
 
 bool Player::atRest() const {

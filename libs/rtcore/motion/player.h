@@ -36,7 +36,7 @@ class Player {
     Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options);
 
     /// Another tree of the same mesh, or of a part of it; must outlive it. Nothing moves.
-    void useTree(const KdTree& tree) { walker_.useTree(tree); }
+    void useTree(const KdTree& tree);
 
     /// Jumps there. In walk-through mode the body comes along; where there is no room for it the mode becomes
     /// View.
@@ -74,7 +74,8 @@ class Player {
     bool atRest() const;
 
     double metresPerUnit() const { return frame_.metresPerUnit(); }
-    /// Of the flying eye, in scene units a second: a tenth of the scene's diagonal.
+    /// Of the flying eye in the open, in scene units a second: a tenth of the scene's diagonal. Where things
+    /// are around it, it goes as far in a second as they are away (clearance()), if that is less.
     double flyingSpeed() const { return flyingSpeed_ / frame_.metresPerUnit(); }
 
   private:
@@ -88,10 +89,14 @@ class Player {
 
     void step();
     void stepWalking(const ActionSet& held);
+    void stepFlying(const ActionSet& held);
 
+    const KdTree* tree_;
+    Mesh mesh_;
     WorldFrame frame_;
     Walker walker_;
     double flyingSpeed_; ///< m/s
+    double pace_ = 0;    ///< m/s: that of the place, followed smoothly; 0: not known yet
     double speedFactor_ = 1;
     MotionMode mode_ = MotionMode::View;
     Camera given_;

@@ -88,6 +88,26 @@ TEST(Flying, MovesByTheSizeOfTheScene) {
     EXPECT_TRUE(player->atRest());
 }
 
+TEST(Flying, CrossesARoomSlowly) {
+    WalkWorld world;
+    world.floor(-0.1, 600).box(metres(-3, -2.5, 0), metres(3, 2.5, 2.5));
+    const auto speedFrom = [&](rtcore::Vec3 eye) {
+        const auto player = world.player(0, 0, 0);
+        rtcore::Camera camera = player->camera();
+        camera.eye = eye;
+        player->setCamera(camera);
+        player->press(Action::Right);
+        fly(*player, 20);
+        const rtcore::Vec3 from = player->camera().eye;
+        fly(*player, 5);
+        return double{length(player->camera().eye - from)} / 0.1;
+    };
+    const double inside = speedFrom(metres(0, 0, 1.6)), open = speedFrom(metres(0, 20, 30));
+    EXPECT_GT(inside, 1);
+    EXPECT_LT(inside, 3);
+    EXPECT_GT(open, 100);
+}
+
 TEST(Flying, TurnsAndLooks) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
