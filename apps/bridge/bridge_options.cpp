@@ -84,6 +84,9 @@ app::OptionGroup addressOptions() {
           .argument = "FILE",
           .help = "the key of the certificate",
           .files = {"pem", "key"}},
+         {.name = "tls-own",
+          .help = "https by a certificate that is made for this machine, and kept",
+          .more = "Browsers do not know it and ask whether to go on; its fingerprint is printed, to compare"},
          {.name = "insecure", .help = "let other machines in without TLS: who listens can read all of it"}}};
 }
 
@@ -231,10 +234,11 @@ std::optional<int> qualityOf(const std::optional<std::string>& given) {
 void checkSafety(const BridgeOptions& options, bool insecure) {
     const bool here = !options.listen.socketPath.empty() || options.listen.host.starts_with("127.") ||
                       options.listen.host == "::1";
-    if (here || insecure || !options.tls.certificate.empty()) return;
+    if (here || insecure || options.names.tls) return;
     throw app::UsageError(
         "other machines reach " + options.listen.host +
-        ": listen to 127.0.0.1 and use 'ssh -L 8931:127.0.0.1:8931', or give --tls-cert and --tls-key; "
+        ": listen to 127.0.0.1 and use 'ssh -L 8931:127.0.0.1:8931', or give --tls-own, or --tls-cert "
+        "and --tls-key; "
         "--insecure lets everybody in between read pictures and tokens");
 }
 
@@ -253,8 +257,10 @@ const app::ProgramSpec& bridgeSpec() {
                      {"RTBridge --lock=edits -i hall", "pages may walk, but change nothing"}},
         .environment = {app::instanceEnvironmentNote(),
                         {"RT_SERVER", "the program that --start runs [RTServer, beside RTBridge]"},
+                        {"XDG_STATE_HOME", "the folder for the certificate of --tls-own [~/.local/state]"},
                         {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
         .files = {{"TOKENS", "of --token-file: a line with the driver's token, one with the viewer's"},
+                  {"$XDG_STATE_HOME/rts/certificate.pem", "the certificate of --tls-own, and its key"},
                   {"$XDG_RUNTIME_DIR/rts/NAME.web", "the socket of --listen=unix"}},
         .features = {{"OpenSSL", kHasTls, "no --tls-cert: https by a proxy or ssh"}},
     };
@@ -268,7 +274,10 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.tls = {arguments.text("tls-cert").value_or(""), arguments.text("tls-key").value_or("")};
     if (options.tls.certificate.empty() != options.tls.key.empty())
         throw app::UsageError("--tls-cert and --tls-key belong together");
-    options.names.tls = !options.tls.certificate.empty();
+    options.ownCertificate = arguments.has("tls-own");
+    if (options.ownCertificate && !options.tls.certificate.empty())
+        throw app::UsageError("--tls-own and --tls-cert exclude each other");
+    options.names.tls = options.ownCertificate || !options.tls.certificate.empty();
     options.names.allowNoOrigin = arguments.has("allow-no-origin");
     if (const auto origin = arguments.text("origin")) options.origin = parseOrigin(*origin);
     options.limits.locked = lockedOf(arguments.text("lock").value_or(""));

@@ -22,6 +22,7 @@ struct BridgeOptions {
     std::vector<std::string> instances; ///< at least one
     ListenAddress listen;
     TlsFiles tls;
+    bool ownCertificate = false; ///< in place of these, one that is made and kept
     Names names; ///< without those that follow from the port
     std::optional<OriginOption> origin;
     Limits limits;

@@ -2,6 +2,7 @@
 
 #include "bridge/bridge_options.h"
 #include "bridge/hub.h"
+#include "bridge/net/own_certificate.h"
 #include "bridge/server_start.h"
 
 #include "common/process/message.h"
@@ -16,6 +17,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <utility>
 
 namespace bridge {
@@ -36,6 +38,21 @@ bool isEverywhere(const std::string& host) { return host == "0.0.0.0" || host ==
 std::string hostWithPort(const std::string& host, std::uint16_t port) {
     return host.find(':') == std::string::npos ? fmt::format("{}:{}", host, port)
                                                : fmt::format("[{}]:{}", host, port);
+}
+
+std::string stateFolder() {
+    const char* const state = std::getenv("XDG_STATE_HOME"); // NOLINT(concurrency-mt-unsafe)
+    if (state != nullptr && *state == '/') return std::string(state) + "/rts";
+    const char* const home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe)
+    if (home != nullptr && *home == '/') return std::string(home) + "/.local/state/rts";
+    throw rtcore::FileError(rtcore::FailureKind::CannotWrite, "HOME",
+                            "is not set; set it, or XDG_STATE_HOME, for the certificate of --tls-own");
+}
+
+/// What a certificate for that address has to name.
+std::vector<std::string> namesOf(const ListenAddress& address) {
+    if (isEverywhere(address.host)) return {app::hostName()};
+    return {address.host};
 }
 
 constexpr std::uint16_t kHttpPort = 80, kHttpsPort = 443; // which browsers leave out
@@ -90,6 +107,10 @@ class Serving {
             options_.names.prefix = options_.origin->prefix;
         }
         if (options_.parent) app::stopWithParent(*options_.parent);
+        if (options_.ownCertificate) {
+            own_ = ownCertificate(stateFolder(), namesOf(options_.listen));
+            options_.tls = {own_.file, own_.file};
+        }
         if (options_.start) started_ = startServer(*options_.start, options_.instances.front());
         server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
         server_->addHosts(hostsOf(options_.listen, server_->port(), options_.names.tls));
@@ -107,6 +128,9 @@ class Serving {
 
     app::ExitCode run() {
         app::writeOutput(linkLines(options_, tokens_, server_->port()));
+        if (options_.ownCertificate)
+            app::writeOutput("Certificate: SHA-256 " + own_.fingerprint +
+                             "\nBrowsers do not know it: compare this with what they show, then go on.\n");
         server_->every(0.05, [this] { tick(); });
         if (options_.watch) server_->every(1, [this] { printWatch(); });
         server_->run();
@@ -169,6 +193,7 @@ class Serving {
     }
 
     BridgeOptions options_;
+    OwnCertificate own_; ///< of --tls-own
     Tokens tokens_;
     std::unique_ptr<app::StartedProcess> started_;
     std::unique_ptr<HttpServer> server_;

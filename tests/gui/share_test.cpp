@@ -291,8 +291,9 @@ TEST_F(ShareTest, AnotherNetworkIsAChoiceThatSaysWhatItCosts) {
     ASSERT_TRUE(press(by, "Share"));
     EXPECT_TRUE(wanted && wanted->address.isEmpty()) << "this machine alone at first";
     field<QComboBox>(by, "From")->setCurrentIndex(1);
-    EXPECT_FALSE(press(by, "Share")) << "TLS without a certificate";
     field<QComboBox>(by, "Encryption")->setCurrentIndex(1);
+    EXPECT_FALSE(press(by, "Share")) << "TLS without a certificate";
+    field<QComboBox>(by, "Encryption")->setCurrentIndex(2);
     EXPECT_TRUE(says(by, "everybody in between can read images and links"));
     ASSERT_TRUE(press(by, "Share"));
     wanted->instance = name();
@@ -321,6 +322,46 @@ TEST_F(ShareTest, AnotherNetworkIsAChoiceThatSaysWhatItCosts) {
             EXPECT_EQ(image.pixelColor(corner + inwards * (i * unit + 1)),
                       i == 5 || i == 9 ? QColor(Qt::white) : QColor(Qt::black));
     }
+}
+
+// One that is made, and kept for the next time.
+TEST_F(ShareTest, ACertificateIsMadeForOtherNetworks) {
+    const QString state = file("state");
+    qputenv("XDG_STATE_HOME", state.toUtf8());
+    OtherNetwork network(window->preferences());
+    auto& [by, wanted] = network;
+    field<QComboBox>(by, "From")->setCurrentIndex(1);
+    ASSERT_TRUE(press(by, "Share"));
+    ASSERT_TRUE(wanted && wanted->ownCertificate && wanted->encrypted());
+    wanted->instance = name();
+    QString known;
+    for (int time = 0; time < 2; ++time) {
+        BridgeProcess bridge;
+        bridge.start(*wanted);
+        ASSERT_TRUE(comes([&] { return !bridge.links().certificate.isEmpty(); }));
+        EXPECT_EQ(QUrl(bridge.links().viewer).scheme(), QStringLiteral("https"));
+        EXPECT_TRUE(bridge.links().certificate.startsWith(QStringLiteral("SHA-256 ")));
+        EXPECT_TRUE(time == 0 || bridge.links().certificate == known);
+        known = bridge.links().certificate;
+        by.showLinks(*wanted, bridge.links());
+        EXPECT_TRUE(says(by, "Browsers ask once"));
+        EXPECT_FALSE(says(by, "Not encrypted"));
+        const QList<QSslCertificate> made =
+            QSslCertificate::fromPath(state + QStringLiteral("/rts/certificate.pem"));
+        ASSERT_EQ(made.size(), 1);
+        EXPECT_EQ("SHA-256 " + made.first().digest(QCryptographicHash::Sha256).toHex(':').toUpper(),
+                  known.toLatin1());
+        QSslSocket browser;
+        QSslConfiguration trusting = QSslConfiguration::defaultConfiguration();
+        trusting.setCaCertificates(made);
+        browser.setSslConfiguration(trusting);
+        const QUrl viewer(bridge.links().viewer);
+        browser.connectToHostEncrypted(viewer.host(), static_cast<quint16>(viewer.port()));
+        EXPECT_TRUE(comes([&] { return browser.isEncrypted(); })) << browser.errorString().toStdString();
+    }
+    const QFileInfo kept(state + QStringLiteral("/rts/certificate.pem"));
+    EXPECT_EQ(kept.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+    qunsetenv("XDG_STATE_HOME");
 }
 
 // A certificate of the user's own, as a browser sees it.

@@ -39,7 +39,10 @@ QString visitorsText(const QList<Visitor>& visitors) {
 }
 
 QString wayText(const BridgeRequest& request, const BridgeLinks& links) {
-    if (!request.address.isEmpty() && request.certificate.isEmpty())
+    if (!request.address.isEmpty() && !links.certificate.isEmpty())
+        return ShareLinksPage::tr("Browsers ask once whether to go on. This certificate is known by %1")
+            .arg(links.certificate);
+    if (!request.address.isEmpty() && !request.encrypted())
         return ShareLinksPage::tr("Not encrypted: everybody in between can read images and links.");
     if (!request.address.isEmpty()) return {};
     return ShareLinksPage::tr("From another machine: ssh -L %1:127.0.0.1:%1 %2, and then the same links.")

@@ -14,7 +14,7 @@ namespace gui {
 
 namespace {
 
-enum Encryption { WithTls, Unencrypted };
+enum Encryption { ByOwnCertificate, ByCertificate, Unencrypted };
 
 } // namespace
 
@@ -32,11 +32,13 @@ SharePlanPage::SharePlanPage(Preferences& preferences, const QList<OwnAddress>& 
     from_->addItem(tr("this machine only"));
     for (const OwnAddress& each : addresses)
         from_->addItem(tr("other machines, by %1 (%2)").arg(each.address, each.network), each.address);
-    encryption_->addItems({tr("TLS, by a certificate"), tr("none")});
+    encryption_->addItems(
+        {tr("TLS, by a certificate that is made"), tr("TLS, by a certificate of yours"), tr("none")});
     drive_->setChecked(preferences_.get(pref::shareDriving));
     edit_->setChecked(preferences_.get(pref::shareEdits));
     certificate_->setPath(preferences_.get(pref::shareCertificate));
     key_->setPath(preferences_.get(pref::shareKey));
+    if (!certificate_->path().isEmpty()) encryption_->setCurrentIndex(ByCertificate);
     build();
     check();
 }
@@ -63,13 +65,16 @@ void SharePlanPage::build() {
 }
 
 bool SharePlanPage::outside() const { return from_->currentData().isValid(); }
-bool SharePlanPage::encrypted() const { return outside() && encryption_->currentIndex() == WithTls; }
+bool SharePlanPage::takesCertificate() const {
+    return outside() && encryption_->currentIndex() == ByCertificate;
+}
+bool SharePlanPage::encrypted() const { return outside() && encryption_->currentIndex() != Unencrypted; }
 
 void SharePlanPage::check() {
     edit_->setEnabled(drive_->isChecked());
     form_->setRowVisible(encryption_, outside());
-    form_->setRowVisible(certificate_, encrypted());
-    form_->setRowVisible(key_, encrypted());
+    form_->setRowVisible(certificate_, takesCertificate());
+    form_->setRowVisible(key_, takesCertificate());
     QString hint = tr("Other machines get there by ssh; the next page shows how.");
     if (encrypted()) hint = tr("Browsers warn of a certificate that they do not know.");
     if (outside() && !encrypted())
@@ -82,13 +87,15 @@ void SharePlanPage::check() {
 }
 
 bool SharePlanPage::complete() const {
-    return !encrypted() || (QFileInfo(certificate_->path()).isFile() && QFileInfo(key_->path()).isFile());
+    return !takesCertificate() ||
+           (QFileInfo(certificate_->path()).isFile() && QFileInfo(key_->path()).isFile());
 }
 
 BridgeRequest SharePlanPage::request() const {
     BridgeRequest request;
     request.address = from_->currentData().toString();
-    if (encrypted()) {
+    request.ownCertificate = encrypted() && !takesCertificate();
+    if (takesCertificate()) {
         request.certificate = certificate_->path();
         request.key = key_->path();
     }

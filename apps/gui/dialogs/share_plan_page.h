@@ -36,6 +36,7 @@ class SharePlanPage : public QWidget {
     void check();
     bool outside() const;
     bool encrypted() const;
+    bool takesCertificate() const;
 
     Preferences& preferences_;
     QComboBox* from_;

@@ -18,8 +18,9 @@ constexpr int kBridgePatience = 3000; ///< milliseconds, with a bridge that does
 /// "Driver: LINK" gives LINK to the driver.
 void takeLink(const QByteArray& line, BridgeLinks& links) {
     const QString text = QString::fromUtf8(line).trimmed();
-    for (const auto& [title, link] :
-         {std::pair(QStringLiteral("Driver: "), &links.driver), {QStringLiteral("Viewer: "), &links.viewer}})
+    for (const auto& [title, link] : {std::pair(QStringLiteral("Driver: "), &links.driver),
+                                      {QStringLiteral("Viewer: "), &links.viewer},
+                                      {QStringLiteral("Certificate: "), &links.certificate}})
         if (text.startsWith(title)) *link = text.mid(title.size());
 }
 
@@ -32,8 +33,9 @@ QStringList bridgeWords(const BridgeRequest& request) {
         const bool colons = request.address.contains(QLatin1Char(':'));
         words.append(QStringLiteral("--listen=") +
                      (colons ? QStringLiteral("[%1]") : QStringLiteral("%1")).arg(request.address));
-        if (request.certificate.isEmpty()) words.append(QStringLiteral("--insecure"));
+        if (!request.encrypted()) words.append(QStringLiteral("--insecure"));
     }
+    if (request.ownCertificate) words.append(QStringLiteral("--tls-own"));
     if (!request.certificate.isEmpty())
         words << QStringLiteral("--tls-cert=") + request.certificate
               << QStringLiteral("--tls-key=") + request.key;

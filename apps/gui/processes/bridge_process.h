@@ -10,11 +10,13 @@ class QProcess;
 namespace gui {
 
 struct BridgeRequest {
-    QString instance;         ///< of the server
-    QString address;          ///< a numeric one of this machine; empty: pages of this machine alone
-    QString certificate, key; ///< files in PEM; both empty: without TLS
-    bool mayDrive = true;     ///< pages with the driver's link
-    bool mayEdit = true;      ///< those that drive: settings, lights, materials
+    QString instance;            ///< of the server
+    QString address;             ///< a numeric one of this machine; empty: pages of this machine alone
+    bool ownCertificate = false; ///< TLS by one that the bridge makes and keeps
+    QString certificate, key;    ///< TLS by these files in PEM; both empty, and none of its own: without
+    bool encrypted() const { return ownCertificate || !certificate.isEmpty(); }
+    bool mayDrive = true; ///< pages with the driver's link
+    bool mayEdit = true;  ///< those that drive: settings, lights, materials
 };
 
 /// As RTBridge takes them.
@@ -22,6 +24,7 @@ QStringList bridgeWords(const BridgeRequest& request);
 
 struct BridgeLinks {
     QString driver, viewer; ///< the driver's is empty where pages cannot drive
+    QString certificate;    ///< of its own, as browsers show it: what it is known by
     friend bool operator==(const BridgeLinks&, const BridgeLinks&) = default;
 };
 
