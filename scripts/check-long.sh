@@ -148,6 +148,8 @@ for check in "$@"; do
         ;;
     window)
         RT_INTERRUPTIONS=${RT_INTERRUPTIONS:-1000} $release/test_gui --gtest_filter='*Interrupted*'
+        # So many drags by every button, after which the model is there again.
+        RT_DRAGS=${RT_DRAGS:-1000} $release/test_gui --gtest_filter='OrbitTest.HomeShows*'
         ;;
     walks)
         [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: only our own nave" >&2

@@ -2,8 +2,12 @@
 #include "gui/view/view_cube.h"
 #include "gui/window_support.h"
 
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QVector3D>
+
+#include <cstdlib>
+#include <random>
 
 namespace {
 
@@ -22,17 +26,19 @@ class OrbitTest : public WindowFixture {
                                           "f 3 4 8 7\nf 4 1 5 8\n");
     }
     QVector3D eye() { return status().view.eye; }
-    void drag(QPoint from, QPoint by, Qt::KeyboardModifiers modifiers = {}) {
+    void drag(QPoint from, QPoint by, Qt::KeyboardModifiers modifiers = {},
+              Qt::MouseButton button = Qt::LeftButton) {
         FrameView& view = window->view();
-        QTest::mousePress(&view, Qt::LeftButton, modifiers, from);
+        QTest::mousePress(&view, button, modifiers, from);
         for (int i = 1; i <= 4; ++i) {
             const QPoint to = from + by * i / 4;
-            QMouseEvent move(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                             modifiers);
+            QMouseEvent move(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, modifiers);
             QCoreApplication::sendEvent(&view, &move);
         }
-        QTest::mouseRelease(&view, Qt::LeftButton, modifiers, from + by);
+        QTest::mouseRelease(&view, button, modifiers, from + by);
     }
+    void useMouse(MouseScheme scheme) { window->preferences().set(pref::mouse, nameOf(scheme)); }
+    QPoint middle() { return window->view().pictureArea().center().toPoint(); }
     bool moves(const QVector3D& before) {
         return comes([&] { return (eye() - before).length() > 0.1F; }) &&
                comes([&] { return status().idle; });
@@ -43,8 +49,7 @@ TEST_F(OrbitTest, AnObjectOpensInItAndIsTurnedByADrag) {
     ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));
     ASSERT_TRUE(comes([&] { return action(ActionId::Orbit)->isChecked(); }));
     const QVector3D before = eye();
-    const QPoint middle = window->view().pictureArea().center().toPoint();
-    drag(middle, {60, 0});
+    drag(middle(), {60, 0});
     ASSERT_TRUE(moves(before));
     EXPECT_FALSE(window->view().input().captured());
     EXPECT_NEAR(eye().y(), before.y(), 0.6F);
@@ -52,7 +57,7 @@ TEST_F(OrbitTest, AnObjectOpensInItAndIsTurnedByADrag) {
     EXPECT_NEAR(eye().length(), before.length(), 1.5F);
 
     const QVector3D turned = eye();
-    drag(middle, {40, 0}, Qt::ShiftModifier);
+    drag(middle(), {40, 0}, Qt::ShiftModifier);
     ASSERT_TRUE(moves(turned));
     action(ActionId::FitView)->trigger();
     ASSERT_TRUE(comes([&] { return std::abs(eye().length() - before.length()) < 0.5F; })) << eye().length();
@@ -100,6 +105,67 @@ TEST_F(OrbitTest, ButtonsChangeBetweenOrbitWalkAndFly) {
     ASSERT_TRUE(comes([&] { return status().view.walking || !window->view().told().isEmpty(); }));
     ASSERT_TRUE(comes([&] { return cube->mode() == (status().view.walking ? Mode::Walk : Mode::Orbit); }));
     EXPECT_TRUE(buttons[static_cast<int>(cube->mode())]->isChecked());
+}
+
+TEST_F(OrbitTest, DragsAsBlenderDoesByPreference) {
+    useMouse(MouseScheme::Blender);
+    ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Orbit)->isChecked(); }));
+    const QVector3D before = eye();
+    drag(middle(), {60, 0});
+    drag(middle(), {0, -60}, Qt::ControlModifier, Qt::MiddleButton);
+    ASSERT_TRUE(moves(before));
+    const QVector3D nearer = eye();
+    EXPECT_LT(nearer.length(), before.length() - 0.1F);
+    EXPECT_GT(QVector3D::dotProduct(nearer.normalized(), before.normalized()), 0.99F)
+        << "a drag by the left button turns nothing";
+    drag(middle(), {60, 0}, {}, Qt::MiddleButton);
+    ASSERT_TRUE(moves(nearer));
+    EXPECT_LT(QVector3D::dotProduct(eye().normalized(), nearer.normalized()), 0.99F);
+}
+
+TEST_F(OrbitTest, DragsAsF3dDoesByPreference) {
+    useMouse(MouseScheme::F3d);
+    ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Orbit)->isChecked(); }));
+    const QSignalSpy picked(&window->view().input(), &InputCapture::picked);
+    const QVector3D before = eye();
+    drag(middle(), {0, -60}, {}, Qt::RightButton);
+    ASSERT_TRUE(moves(before));
+    EXPECT_LT(eye().length(), before.length() - 0.1F);
+    EXPECT_EQ(picked.size(), 0);
+    const QVector3D nearer = eye();
+    drag(middle(), {2, -1}, {}, Qt::RightButton);
+    EXPECT_EQ(picked.size(), 1) << "a click selects, as ever";
+    EXPECT_EQ(eye(), nearer);
+}
+
+// RT_DRAGS: how many (check-long.sh: 1,000).
+TEST_F(OrbitTest, HomeShowsTheModelAfterAnyDrags) {
+    const char* const wanted = std::getenv("RT_DRAGS");
+    const int count = wanted != nullptr ? std::atoi(wanted) : 40, atOnce = 20;
+    ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Orbit)->isChecked(); }));
+    action(ActionId::FitView)->trigger();
+    ASSERT_TRUE(comes([&] { return status().idle; }));
+    const float fitted = eye().length();
+    std::mt19937 random(11);
+    const auto number = [&](int from, int to) { return std::uniform_int_distribution(from, to)(random); };
+    const QRect area = window->view().pictureArea().toRect();
+    for (int i = 0; i < count; ++i) {
+        useMouse(static_cast<MouseScheme>(number(0, 2)));
+        const QPoint from(number(area.left(), area.right()), number(area.top(), area.bottom()));
+        const Qt::KeyboardModifiers modifiers[]{Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier};
+        const Qt::MouseButton buttons[]{Qt::LeftButton, Qt::MiddleButton};
+        drag(from, {number(-400, 400), number(-300, 300)}, modifiers[number(0, 2)], buttons[number(0, 1)]);
+        if (i % atOnce != atOnce - 1) continue;
+        action(ActionId::FitView)->trigger();
+        ASSERT_TRUE(comes([&] { return std::abs(eye().length() - fitted) < 0.35F * fitted; }))
+            << i << ": " << eye().length() << " in place of " << fitted;
+        ASSERT_TRUE(comes([&] { return status().idle; }));
+        const QVector3D ahead = status().view.forward.normalized();
+        EXPECT_GT(QVector3D::dotProduct(ahead, -eye().normalized()), 0.95F) << i;
+    }
 }
 
 TEST_F(OrbitTest, CanBeLeftAndKeepsTheView) {

@@ -3,6 +3,7 @@
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/key_bindings_page.h"
+#include "gui/models/mouse_scheme.h"
 #include "gui/session/session.h"
 #include "gui/view/plain_widgets.h"
 
@@ -93,6 +94,7 @@ QWidget* ConfigureDialog::inputPage() {
     auto* form = new QFormLayout(page);
     addSensitivity(*form);
     addSwitch(*form, tr("In&vert up and down"), pref::invertMouse);
+    addMouseScheme(*form);
     return page;
 }
 
@@ -147,6 +149,15 @@ void ConfigureDialog::addShortcuts(QFormLayout& form) {
     stores_.append([this, box] { preferences_.set(pref::shortcuts, box->currentData().toString()); });
 }
 
+void ConfigureDialog::addMouseScheme(QFormLayout& form) {
+    auto* box = new QComboBox;
+    for (const MouseSchemeText& each : mouseSchemeTexts()) box->addItem(each.text, nameOf(each.scheme));
+    box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::mouse))));
+    box->setToolTip(tr("While a drag turns the model (View > Orbit)"));
+    form.addRow(tr("&Drags:"), box);
+    stores_.append([this, box] { preferences_.set(pref::mouse, box->currentData().toString()); });
+}
+
 void ConfigureDialog::addScale(QFormLayout& form) {
     auto* box = new QComboBox;
     for (const int percent : {100, 75, 50, 33, 25})
@@ -161,8 +172,10 @@ void ConfigureDialog::addScale(QFormLayout& form) {
 void ConfigureDialog::addStillQuality(QFormLayout& form) {
     constexpr int kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
     const QString asLive = tr("same as viewport");
-    constexpr int kMostPaths = 65536;
+    constexpr int kMostPaths = 65536, kMostFilterPasses = 8;
     addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 1, kMostPaths, {}, {});
+    addNumber(form, tr("Global illumination, noise &filter:"), pref::stillFilter, 0, kMostFilterPasses,
+              tr(" passes"), tr("none"));
     addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {}, {});
     auto* occlusion = new QComboBox;
     occlusion->addItem(asLive, QStringLiteral("live"));

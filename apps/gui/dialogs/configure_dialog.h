@@ -35,6 +35,7 @@ class ConfigureDialog : public QDialog {
     void addTheme(QFormLayout& form);
     void addShortcuts(QFormLayout& form);
     void addLanguage(QFormLayout& form);
+    void addMouseScheme(QFormLayout& form);
     void addScale(QFormLayout& form);
     void addStillQuality(QFormLayout& form);
     void addSensitivity(QFormLayout& form);

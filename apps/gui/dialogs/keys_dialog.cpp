@@ -51,20 +51,20 @@ QString shortcutRows(ShortcutScheme scheme) {
 
 } // namespace
 
-QString keysPage(const QList<Binding>& bindings, ShortcutScheme scheme) {
+QString keysPage(const QList<Binding>& bindings, ShortcutScheme scheme, MouseScheme mouse) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("gui", text); };
     QString view;
-    for (const ViewKey& each : viewKeys()) view += row(each.keys, each.meaning);
+    for (const ViewKey& each : viewKeys(mouse)) view += row(each.keys, each.meaning);
     return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1%2</td><td>%3</td></tr></table>")
         .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Image"), view),
              table(tr("Menus"), shortcutRows(scheme)));
 }
 
-KeysDialog::KeysDialog(Session& session, ShortcutScheme scheme, QWidget* parent)
+KeysDialog::KeysDialog(Session& session, ShortcutScheme scheme, MouseScheme mouse, QWidget* parent)
     : QDialog(parent), page_(new QTextBrowser) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Keys"));
-    page_->setHtml(keysPage(defaultBindings(), scheme));
+    page_->setHtml(keysPage(defaultBindings(), scheme, mouse));
     page_->setAccessibleName(tr("Keys"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -74,9 +74,9 @@ KeysDialog::KeysDialog(Session& session, ShortcutScheme scheme, QWidget* parent)
     constexpr QSize kSize(760, 640);
     resize(kSize);
     if (!session.live()) return;
-    session.send(command::bindings(), this, [this, scheme](const Answer& answer) {
+    session.send(command::bindings(), this, [this, scheme, mouse](const Answer& answer) {
         const QList<Binding> bindings = answer.done ? readBindings(answer.text) : QList<Binding>();
-        if (!bindings.isEmpty()) page_->setHtml(keysPage(bindings, scheme));
+        if (!bindings.isEmpty()) page_->setHtml(keysPage(bindings, scheme, mouse));
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "gui/models/action_table.h"
 #include "gui/models/bindings.h"
+#include "gui/models/mouse_scheme.h"
 
 #include <QDialog>
 
@@ -18,13 +19,14 @@ class KeysDialog : public QDialog {
   public:
     /// Asks the server for its bindings; shows the built-in ones until it answers.
     explicit KeysDialog(Session& session, ShortcutScheme scheme = ShortcutScheme::Desktop,
-                        QWidget* parent = nullptr);
+                        MouseScheme mouse = MouseScheme::Usual, QWidget* parent = nullptr);
 
   private:
     QTextBrowser* page_;
 };
 
 /// The page, as HTML.
-QString keysPage(const QList<Binding>& bindings, ShortcutScheme scheme = ShortcutScheme::Desktop);
+QString keysPage(const QList<Binding>& bindings, ShortcutScheme scheme = ShortcutScheme::Desktop,
+                 MouseScheme mouse = MouseScheme::Usual);
 
 } // namespace gui

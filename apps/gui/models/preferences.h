@@ -27,6 +27,7 @@ inline const Preference<QString> language{"display/language", QStringLiteral("sy
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<bool> globalIllumination{"render/globalIllumination", true}; ///< at rest
 inline const Preference<int> stillPathSamples{"render/stillPathSamples", 256};
+inline const Preference<int> stillFilter{"render/stillFilter", 4}; ///< passes over paths; 0 = none
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live frame
 inline const Preference<QString> stillOcclusion{"render/stillOcclusion", QStringLiteral("live")}; ///< on, off
@@ -42,6 +43,7 @@ inline const Preference<QString> shareCertificate{"share/certificate", QString()
 inline const Preference<QString> shareKey{"share/key", QString()};
 inline const Preference<double> mouseSensitivity{"input/mouseSensitivity", 0.12}; ///< degrees per pixel
 inline const Preference<bool> invertMouse{"input/invertMouse", false};
+inline const Preference<QString> mouse{"input/mouse", QStringLiteral("usual")};           ///< f3d, blender
 inline const Preference<QString> shortcuts{"input/shortcuts", QStringLiteral("desktop")}; ///< thesis
 inline const Preference<QString> bindings{"input/bindings", QString()}; ///< as readBindings() reads it
 inline const Preference<QString> pictureFolder{"files/pictureFolder", QString()};

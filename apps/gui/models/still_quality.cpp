@@ -4,15 +4,10 @@
 
 namespace gui {
 
-namespace {
-
-constexpr int kFilterPasses = 4;
-
-} // namespace
-
 StillQuality stillQuality(const Preferences& preferences) {
     StillQuality quality;
     if (preferences.get(pref::globalIllumination)) quality.paths = preferences.get(pref::stillPathSamples);
+    quality.filter = preferences.get(pref::stillFilter);
     quality.antialiasing = preferences.get(pref::stillAntialiasing);
     quality.bloom = preferences.get(pref::stillBloom);
     const QString occlusion = preferences.get(pref::stillOcclusion);
@@ -31,7 +26,7 @@ QStringList rendererOptions(const StillQuality& quality) {
         return options << QStringLiteral("--integrator=path")
                        << QStringLiteral("--samples=%1").arg(quality.paths)
                        << QStringLiteral("--setting=exposure.recorded=automatic")
-                       << QStringLiteral("--setting=path.filter=%1").arg(kFilterPasses);
+                       << QStringLiteral("--setting=path.filter=%1").arg(quality.filter);
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));

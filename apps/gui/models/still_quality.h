@@ -12,6 +12,7 @@ enum class StillOcclusion { AsLive, On, Off };
 
 struct StillQuality {
     int paths = 0;        ///< per pixel, with all light that surfaces send to each other; 0 = not by paths
+    int filter = 4;       ///< passes that take noise from these; 0 = none
     int antialiasing = 1; ///< n x n samples per pixel; not of paths, nor is occlusion
     int bloom = -1;       ///< pixels; -1 = as the live frame
     StillOcclusion occlusion = StillOcclusion::AsLive;

@@ -4,9 +4,8 @@
 
 namespace gui {
 
-namespace {} // namespace
-
-QList<ViewKey> viewKeys() {
+QList<ViewKey> viewKeys(MouseScheme scheme) {
+    const DragTexts drags = dragTexts(scheme);
     return {{tr("Click, Enter"), tr("Capture mouse and keyboard")},
             {tr("Esc"), tr("Release them")},
             {tr("Mouse"), tr("Look around")},
@@ -15,9 +14,10 @@ QList<ViewKey> viewKeys() {
             {tr("Right click"), tr("Select a part and its material")},
             {tr("Alt+digit"), tr("Go to a bookmark")},
             {tr("Wheel"), tr("Speed")},
-            {tr("Drag"), tr("While orbiting: turn the model")},
-            {tr("Shift+drag, middle button"), tr("While orbiting: move the model")},
-            {tr("Wheel, double click"), tr("While orbiting: go nearer, look there")},
+            {drags.turning, tr("While orbiting: turn the model")},
+            {drags.moving, tr("While orbiting: move the model")},
+            {drags.nearing, tr("While orbiting: go nearer")},
+            {tr("Double click"), tr("While orbiting: look there")},
             {QStringLiteral("E"), tr("Export the camera")},
             {QStringLiteral("H"), tr("Export the camera for high quality")},
             {QStringLiteral("R"), tr("Render in higher quality")},

@@ -1,6 +1,8 @@
 /// What keys and the mouse do in the image beside the bindings of keys: for F1 and docs/window.md.
 #pragma once
 
+#include "gui/models/mouse_scheme.h"
+
 #include <QList>
 #include <QString>
 
@@ -10,6 +12,6 @@ struct ViewKey {
     QString keys, meaning; ///< in the window's language
 };
 
-QList<ViewKey> viewKeys();
+QList<ViewKey> viewKeys(MouseScheme scheme = MouseScheme::Usual);
 
 } // namespace gui

@@ -51,6 +51,7 @@ void DisplayOperations::applyPreferences() {
     context_.view.setShowOverlay(preferences.get(pref::showOverlay));
     context_.view.input().setMouseSensitivity(preferences.get(pref::mouseSensitivity),
                                               preferences.get(pref::invertMouse));
+    context_.view.input().setMouseScheme(mouseSchemeNamed(preferences.get(pref::mouse)));
     if (theme_ == preferences.get(pref::theme)) return;
     theme_ = preferences.get(pref::theme);
     useTheme(theme_);
@@ -79,7 +80,8 @@ void DisplayOperations::configure() {
 
 void DisplayOperations::showKeys() {
     const ShortcutScheme scheme = shortcutSchemeOf(context_.preferences.get(pref::shortcuts));
-    if (keys_ == nullptr) keys_ = new KeysDialog(context_.session, scheme, &context_.window);
+    const MouseScheme mouse = mouseSchemeNamed(context_.preferences.get(pref::mouse));
+    if (keys_ == nullptr) keys_ = new KeysDialog(context_.session, scheme, mouse, &context_.window);
     present(*keys_);
 }
 

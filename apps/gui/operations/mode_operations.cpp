@@ -63,7 +63,9 @@ void ModeOperations::choose(Mode mode) {
 void ModeOperations::setOrbits(bool orbits) {
     context_.actions[ActionId::Orbit]->setChecked(orbits);
     context_.view.input().setHand(orbits ? Hand::Turns : Hand::Looks);
-    context_.view.tell(orbits ? tr("A drag turns the model; Shift moves it, the wheel goes nearer.")
+    const DragTexts drags = dragTexts(context_.view.input().mouseScheme());
+    context_.view.tell(orbits ? tr("Turn the model: %1; move it: %2; go nearer: %3")
+                                    .arg(drags.turning, drags.moving, drags.nearing)
                               : tr("A click takes the mouse, which looks around; Esc gives it back."));
     showMode();
 }

@@ -21,8 +21,9 @@ namespace {
 
 constexpr double kStepsPerDoubling = 2;
 constexpr double kMostWheelSteps = 12;
-constexpr double kHalfTurn = 180; ///< degrees
-constexpr double kNearer = 1.2;   ///< by a step of the wheel
+constexpr double kHalfTurn = 180;     ///< degrees
+constexpr double kNearer = 1.2;       ///< by a step of the wheel
+constexpr double kPixelsPerStep = 15; ///< of a drag that goes nearer
 
 struct Side {
     ActionId action;
@@ -71,6 +72,8 @@ void MotionOperations::bindOrbit() {
         const double width = std::max(context_.view.pictureArea().width(), 1.0);
         session.pan(by.x() / width, -by.y() / width);
     });
+    connect(&input, &InputCapture::neared, this,
+            [&session](double by) { session.approach(std::pow(kNearer, by / kPixelsPerStep)); });
     connect(&input, &InputCapture::reached, this, [this, &session](const QPointF& position, double steps) {
         takeHold(position);
         session.approach(std::pow(kNearer, steps));

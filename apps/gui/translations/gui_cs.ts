@@ -1079,14 +1079,6 @@
         <translation>Při otáčení: posunout model</translation>
     </message>
     <message>
-        <source>Wheel, double click</source>
-        <translation>Kolečko, dvojklik</translation>
-    </message>
-    <message>
-        <source>While orbiting: go nearer, look there</source>
-        <translation>Při otáčení: přiblížit, podívat se tam</translation>
-    </message>
-    <message>
         <source>&amp;Whole model</source>
         <translation>&amp;Celý model</translation>
     </message>
@@ -1141,6 +1133,46 @@
     <message>
         <source>Orbit</source>
         <translation>otáčení</translation>
+    </message>
+    <message>
+        <source>left button turns, Shift moves</source>
+        <translation>levé tlačítko otáčí, se Shiftem posouvá</translation>
+    </message>
+    <message>
+        <source>Middle button, Shift+drag</source>
+        <translation>Prostřední tlačítko, Shift+tažení</translation>
+    </message>
+    <message>
+        <source>Right button, wheel</source>
+        <translation>Pravé tlačítko, kolečko</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Prostřední tlačítko</translation>
+    </message>
+    <message>
+        <source>Shift+middle button</source>
+        <translation>Shift+prostřední tlačítko</translation>
+    </message>
+    <message>
+        <source>Ctrl+middle button, wheel</source>
+        <translation>Ctrl+prostřední tlačítko, kolečko</translation>
+    </message>
+    <message>
+        <source>While orbiting: go nearer</source>
+        <translation>Při otáčení: přiblížit</translation>
+    </message>
+    <message>
+        <source>While orbiting: look there</source>
+        <translation>Při otáčení: podívat se tam</translation>
+    </message>
+    <message>
+        <source>as f3d: left turns, middle moves, right goes nearer</source>
+        <translation>jako f3d: levé otáčí, prostřední posouvá, pravé přibližuje</translation>
+    </message>
+    <message>
+        <source>as Blender: middle turns, Shift moves, Ctrl goes nearer</source>
+        <translation>jako Blender: prostřední otáčí, se Shiftem posouvá, s Ctrl přibližuje</translation>
     </message>
 </context>
 <context>
@@ -1576,6 +1608,22 @@ Alt+%2</translation>
     <message>
         <source>The language holds from the next start of the window.</source>
         <translation>Jazyk platí od příštího spuštění okna.</translation>
+    </message>
+    <message>
+        <source>While a drag turns the model (View &gt; Orbit)</source>
+        <translation>Když tažení otáčí model (Pohled &gt; Otáčet model)</translation>
+    </message>
+    <message>
+        <source>&amp;Drags:</source>
+        <translation>&amp;Tažení:</translation>
+    </message>
+    <message>
+        <source>Global illumination, noise &amp;filter:</source>
+        <translation>Globální osvětlení, &amp;filtr šumu:</translation>
+    </message>
+    <message>
+        <source> passes</source>
+        <translation> průchodů</translation>
     </message>
 </context>
 <context>
@@ -2402,12 +2450,12 @@ Alt+%2</translation>
 <context>
     <name>gui::ModeOperations</name>
     <message>
-        <source>A drag turns the model; Shift moves it, the wheel goes nearer.</source>
-        <translation>Tažení model otáčí, Shift ho posouvá, kolečko přibližuje.</translation>
-    </message>
-    <message>
         <source>A click takes the mouse, which looks around; Esc gives it back.</source>
         <translation>Kliknutí převezme myš, která se rozhlíží; Esc ji vrátí.</translation>
+    </message>
+    <message>
+        <source>Turn the model: %1; move it: %2; go nearer: %3</source>
+        <translation>Otočit model: %1; posunout: %2; přiblížit: %3</translation>
     </message>
 </context>
 <context>
@@ -3237,6 +3285,10 @@ Alt+%2</translation>
         <source>The link is good once, for one page; then the next one is shown here.</source>
         <translation>Odkaz platí jednou, pro jednu stránku; potom je tu další.</translation>
     </message>
+    <message>
+        <source>Browsers ask once whether to go on. This certificate is known by %1</source>
+        <translation>Prohlížeče se jednou zeptají, zda pokračovat. Tento certifikát se pozná podle %1</translation>
+    </message>
 </context>
 <context>
     <name>gui::ShareOperations</name>
@@ -3286,10 +3338,6 @@ Alt+%2</translation>
     <message>
         <source>other machines, by %1 (%2)</source>
         <translation>z jiných počítačů přes %1 (%2)</translation>
-    </message>
-    <message>
-        <source>TLS, by a certificate</source>
-        <translation>TLS s certifikátem</translation>
     </message>
     <message>
         <source>none</source>
@@ -3342,6 +3390,14 @@ Alt+%2</translation>
     <message>
         <source>Encryption</source>
         <translation>Šifrování</translation>
+    </message>
+    <message>
+        <source>TLS, by a certificate that is made</source>
+        <translation>TLS, certifikátem, který se vytvoří</translation>
+    </message>
+    <message>
+        <source>TLS, by a certificate of yours</source>
+        <translation>TLS, vaším certifikátem</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace gui {
 
@@ -69,6 +70,11 @@ void InputCapture::setMouseSensitivity(double degreesPerPixel, bool invert) {
 void InputCapture::setHand(Hand hand) {
     if (hand == Hand::Turns) release();
     hand_ = hand;
+    grasp_ = Qt::NoButton;
+}
+
+void InputCapture::setMouseScheme(MouseScheme scheme) {
+    scheme_ = scheme;
     grasp_ = Qt::NoButton;
 }
 
@@ -207,11 +213,16 @@ void InputCapture::commandRelease(int code) {
 // --- Mouse ---
 
 bool InputCapture::onMousePress(const QMouseEvent& event) {
+    const bool turns = hand_ == Hand::Turns && !captured_;
+    if (turns && hasDrags(scheme_, event.button())) return onGrasp(event);
     if (event.button() == Qt::RightButton && !captured_) {
         emit picked(event.position());
         return true;
     }
-    if (hand_ == Hand::Turns && !captured_) return onGrasp(event);
+    if (turns) {
+        widget_->setFocus(Qt::MouseFocusReason);
+        return event.button() == Qt::LeftButton;
+    }
     if (event.button() != Qt::LeftButton) return false;
     const bool was = captured_;
     capture();
@@ -264,10 +275,10 @@ bool InputCapture::onMouseMove(const QMouseEvent& event) {
 }
 
 bool InputCapture::onGrasp(const QMouseEvent& event) {
-    if (event.button() != Qt::LeftButton && event.button() != Qt::MiddleButton) return false;
     widget_->setFocus(Qt::MouseFocusReason);
     grasp_ = event.button();
-    last_ = event.position().toPoint();
+    last_ = pressed_ = event.position().toPoint();
+    picks_ = grasp_ == Qt::RightButton;
     widget_->setCursor(Qt::ClosedHandCursor);
     emit grasped(event.position());
     return true;
@@ -275,10 +286,23 @@ bool InputCapture::onGrasp(const QMouseEvent& event) {
 
 bool InputCapture::onDrag(const QMouseEvent& event) {
     const QPoint now = event.position().toPoint(), moved = now - last_;
+    if (picks_ && (now - pressed_).manhattanLength() < kTremble) return true;
+    picks_ = false;
     last_ = now;
     if (moved.isNull()) return true;
-    const bool pushes = grasp_ == Qt::MiddleButton || (event.modifiers() & Qt::ShiftModifier) != 0;
-    pushes ? emit pushed(moved) : emit dragged(moved);
+    switch (dragOf(scheme_, grasp_, event.modifiers())) {
+    case Drag::Turns:
+        emit dragged(moved);
+        break;
+    case Drag::Moves:
+        emit pushed(moved);
+        break;
+    case Drag::Nears:
+        emit neared(-moved.y());
+        break;
+    case Drag::None:
+        break;
+    }
     return true;
 }
 
@@ -286,6 +310,7 @@ bool InputCapture::onMouseRelease(const QMouseEvent& event) {
     if (grasp_ == Qt::NoButton || event.button() != grasp_) return false;
     grasp_ = Qt::NoButton;
     if (!captured_) widget_->unsetCursor();
+    if (std::exchange(picks_, false)) emit picked(event.position());
     return true;
 }
 

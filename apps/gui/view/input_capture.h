@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gui/models/camera_keys.h"
+#include "gui/models/mouse_scheme.h"
 
 #include <QHash>
 #include <QObject>
@@ -38,6 +39,8 @@ class InputCapture : public QObject {
     void setMouseSensitivity(double degreesPerPixel, bool invert);
     Hand hand() const { return hand_; }
     void setHand(Hand hand);
+    MouseScheme mouseScheme() const { return scheme_; }
+    void setMouseScheme(MouseScheme scheme);
     /// What the keys do on the server.
     void setBindings(const QList<Binding>& bindings) { keys_ = CameraKeys(bindings); }
 
@@ -49,9 +52,10 @@ class InputCapture : public QObject {
     void turned(double right, double upwards); ///< degrees
     void wheelTurned(double steps);            ///< away from the user is positive
     // Of a hand that turns; widget pixels.
-    void grasped(const QPointF& position); ///< a drag begins there
-    void dragged(const QPointF& by);       ///< the model is to turn
-    void pushed(const QPointF& by);        ///< the same with Shift or the middle button: it is to move
+    void grasped(const QPointF& position);               ///< a drag begins there
+    void dragged(const QPointF& by);                     ///< the model is to turn
+    void pushed(const QPointF& by);                      ///< it is to move
+    void neared(double by);                              ///< it is to come nearer: pixels upwards
     void reached(const QPointF& position, double steps); ///< the wheel, there
     void centred(const QPointF& position);               ///< a double click
     void zoomed(double steps);                           ///< the same with Ctrl
@@ -61,7 +65,7 @@ class InputCapture : public QObject {
     /// A double click that took the keyboard and the mouse, and gave them back; widget pixels.
     void pointed(const QPointF& position);
     void focused(const QPointF& position); ///< the same with Ctrl
-    /// The right button, while nothing is captured.
+    /// The right button, while nothing is captured; where it drags, when it is let go at the same place.
     void picked(const QPointF& position);
 
   protected:
@@ -95,7 +99,9 @@ class InputCapture : public QObject {
     QPoint pressed_;           ///< where the button went down
     bool byThisClick_ = false; ///< captured, and the mouse has not moved since
     Hand hand_ = Hand::Looks;
+    MouseScheme scheme_ = MouseScheme::Usual;
     Qt::MouseButton grasp_ = Qt::NoButton; ///< of a drag that goes on
+    bool picks_ = false;                   ///< and it is no drag yet but a click
     double degreesPerPixel_ = 0.12;
     double upwards_ = 1; ///< -1: inverted
 };
