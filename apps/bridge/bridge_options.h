@@ -23,7 +23,7 @@ struct BridgeOptions {
     ListenAddress listen;
     TlsFiles tls;
     bool ownCertificate = false; ///< in place of these, one that is made and kept
-    Names names; ///< without those that follow from the port
+    Names names;                 ///< without those that follow from the port
     std::optional<OriginOption> origin;
     Limits limits;
     bool viewOnly = false;

@@ -21,7 +21,8 @@ class Reprojection {
     /// stale. Of the others each goes to the pixel beside that it is next to, where that has none. A pixel in
     /// which none is seen, but beside which there are some, borrows one of them; else it has none then. So
     /// does one, where the eye has moved, in which something far is seen through a gap between near ones of
-    /// some two pixels: surfaces that come nearer have such. The same for any number of `threads`; both images may differ in size.
+    /// some two pixels: surfaces that come nearer have such. The same for any number of `threads`; both
+    /// images may differ in size.
     ///
     /// `done` is called by them with each part of the rows that is done, from the first row to before the
     /// last: all layers of these pixels are there then.
