@@ -411,6 +411,7 @@ def catalogue():
     yield "skybox_figure", "out", sky_box(figure(), 200.0), glb, "m", "y", ("heaven",)
     yield "stray_far", "out", stray(figure(), (40, -60, 30), (0, 0, 1)), glb, "m", "y", ()
     yield "stray_past", "out", stray(bowl(), (0.4, -0.5, 0.2), (3, -4, 3)), glb, "m", "y", ()
+    yield "stray_near", "out", stray(vehicle(), (2.6, -1.4, 0.5), (2.2, -0.9, 0.4)), glb, "m", "y", ()
     yield "stray_lamp", "own", stray(chair(), (1.5, -2.2, 1.2), (0, 0, 0.5), (0, 0, -300)), glb, "m", "y", ()
     yield "crawl_space", "own", stray(room(6, 6, 1.0, window=False, furniture=False), (1, -1, 0.5), (-2, 2, 0.5)), glb, "m", "y", ()
     yield "own_camera", "own", stray(vehicle(), (6, -6, 2.5), (0, 0, 0.7)), glb, "m", "y", ()

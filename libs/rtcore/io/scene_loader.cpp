@@ -379,9 +379,8 @@ class Loader {
             out_.bookmarks = out_.sceneFile->bookmarks;
         } else if (hasCamera_) {
             const std::span<const Camera> cameras = out_.scene.model.cameras;
-            const auto shown = std::find_if(cameras.begin(), cameras.end(), [&](const Camera& camera) {
-                return showsModel(seenPlaces(out_.tree, mesh, camera), surveyed().subject.bounds);
-            });
+            const auto shown = std::find_if(cameras.begin(), cameras.end(),
+                                            [&](const Camera& camera) { return isFirstView(camera); });
             hasCamera_ = shown != cameras.end();
             if (hasCamera_ && shown != cameras.begin()) out_.camera = *shown;
             bookmarkCameras(static_cast<std::size_t>(shown - cameras.begin()));
@@ -389,6 +388,22 @@ class Loader {
         out_.ownCamera = hasCamera_;
         if (!hasCamera_) out_.camera = defaultCamera(out_.tree, mesh, surveyed());
         out_.indoors = isEnclosed(out_.tree, mesh, axesOf(out_.scene), out_.camera.eye);
+    }
+
+    /// Whether one who does not know the model sees it by that camera: not so near that most of an object is
+    /// beyond the image.
+    bool isFirstView(const Camera& camera) {
+        constexpr float kLeastPart = 0.5F;
+        const Mesh& mesh = out_.scene.model.mesh;
+        const Axes axes = axesOf(out_.scene);
+        const Box3& bounds = surveyed().subject.bounds;
+        if (!showsModel(seenPlaces(out_.tree, mesh, camera), bounds)) return false;
+        const bool object = !surveyed().inside() && !surveyed().isStage();
+        if (!object || isIndoors(out_.tree, mesh, axes, camera.eye)) return true;
+        std::vector<SeenPlace> model =
+            seenPlaces(out_.tree, mesh, defaultCamera(out_.tree, mesh, surveyed()));
+        std::erase_if(model, [&](const SeenPlace& place) { return !bounds.contains(place.position); });
+        return partInImage(model, camera) >= kLeastPart;
     }
 
     /// All but the one that is shown, under their names.
@@ -407,8 +422,8 @@ class Loader {
         }
         if (unused.empty()) return;
         const bool one = unused.size() == 1;
-        warn({(one ? "its camera " : "its cameras ") + firstOf(unused) + (one ? " does" : " do") +
-              " not show the model; kept as " + (one ? "a bookmark" : "bookmarks")});
+        warn({(one ? "its camera " : "its cameras ") + firstOf(unused) + (one ? " shows" : " show") +
+              " little or nothing of the model; kept as " + (one ? "a bookmark" : "bookmarks")});
     }
 
     /// The parts that are the skies around the model, one value for each; none where a part is more than

@@ -59,6 +59,24 @@ bool showsModel(std::span<const SeenPlace> places, const Box3& box) {
                          [&](const SeenPlace& place) { return grown.contains(place.position); }) >= kLeast;
 }
 
+float partInImage(std::span<const SeenPlace> places, const Camera& camera) {
+    const bool perspective = camera.kind == CameraKind::Perspective;
+    if (places.empty() || (!perspective && camera.kind != CameraKind::Orthographic)) return 1;
+    const CameraRays rays(camera, kSeenAcross, kSeenDown);
+    const auto& [corner, right, down] = rays.plane();
+    const Vec3 across = right / dot(right, right), downwards = down / dot(down, down);
+    const auto isIn = [&](const SeenPlace& place) {
+        const Vec3 way = place.position - rays.eye();
+        const float depth = dot(way, rays.forward());
+        if (!(depth > 0)) return false;
+        const Vec3 inPlane = (perspective ? way / depth : way) - corner;
+        const float x = dot(inPlane, across), y = dot(inPlane, downwards);
+        return x >= 0 && x < kSeenAcross && y >= 0 && y < kSeenDown;
+    };
+    return static_cast<float>(std::count_if(places.begin(), places.end(), isIn)) /
+           static_cast<float>(places.size());
+}
+
 bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
                   std::span<const SeenPlace> places, Colour ambient) {
     constexpr float kNoticed = 0.02F; // beside what the ambient light brings

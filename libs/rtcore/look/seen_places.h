@@ -25,6 +25,10 @@ std::vector<SeenPlace> seenPlaces(const KdTree& tree, const Mesh& mesh, const Ca
 /// exporter left somewhere does not.
 bool showsModel(std::span<const SeenPlace> places, const Box3& box);
 
+/// How much of them is in the camera's image, whatever is before it: 0 to 1. Of cameras that are neither
+/// perspective nor orthographic 1.
+float partInImage(std::span<const SeenPlace> places, const Camera& camera);
+
 /// Whether one of the lights that are on can be noticed beside `ambient` at some of the places.
 bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
                   std::span<const SeenPlace> places, Colour ambient);

@@ -132,6 +132,15 @@ bool isIndoors(const Stand& stand) {
                            : stand.steep >= kWalled && stand.enclosed >= kCourt;
 }
 
+bool isIndoors(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 eye) {
+    for (const Space& space : spacesAt(tree, mesh, axes, eye)) {
+        const float height = dot(eye - space.floor, axes.up);
+        if (height > 0 && height < space.headroom)
+            return isIndoors(lookAround(tree, mesh, axes, space, height));
+    }
+    return false;
+}
+
 bool isEnclosed(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 eye) {
     constexpr float kMost = 0.7F;
     return !tree.bounds.empty() && lookAround(tree, mesh, axes, {eye, 0}, 0).enclosed >= kMost;

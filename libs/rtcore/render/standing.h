@@ -52,6 +52,9 @@ std::optional<Stand> standIn(const KdTree& tree, const Mesh& mesh, const Axes& a
 /// windows and doors, or in a court under the sky.
 bool isIndoors(const Stand& stand);
 
+/// The same of wherever an eye is.
+bool isIndoors(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 eye);
+
 /// Whether at the eye most horizontal directions end at a surface.
 bool isEnclosed(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 eye);
 
