@@ -277,6 +277,8 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.ownCertificate = arguments.has("tls-own");
     if (options.ownCertificate && !options.tls.certificate.empty())
         throw app::UsageError("--tls-own and --tls-cert exclude each other");
+    if (options.ownCertificate && !options.listen.socketPath.empty())
+        throw app::UsageError("--tls-own is for addresses; what comes to --listen=unix is encrypted by ssh");
     options.names.tls = options.ownCertificate || !options.tls.certificate.empty();
     options.names.allowNoOrigin = arguments.has("allow-no-origin");
     if (const auto origin = arguments.text("origin")) options.origin = parseOrigin(*origin);

@@ -127,10 +127,10 @@ class Serving {
     Serving& operator=(const Serving&) = delete;
 
     app::ExitCode run() {
-        app::writeOutput(linkLines(options_, tokens_, server_->port()));
         if (options_.ownCertificate)
             app::writeOutput("Certificate: SHA-256 " + own_.fingerprint +
                              "\nBrowsers do not know it: compare this with what they show, then go on.\n");
+        app::writeOutput(linkLines(options_, tokens_, server_->port())); // programs read on from here
         server_->every(0.05, [this] { tick(); });
         if (options_.watch) server_->every(1, [this] { printWatch(); });
         server_->run();

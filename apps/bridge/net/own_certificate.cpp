@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -46,19 +47,21 @@ bool isAddress(const std::string& name) {
     return !error;
 }
 
-/// What OpenSSL takes for a list of names: those of no other letters than such have.
-std::string listOf(const std::vector<std::string>& names) {
+/// An address, or a name of no other letters than those of host names: others would be read as OpenSSL's
+/// own words.
+bool canBeNamed(const std::string& name) {
     const auto plain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
                c == '-';
     };
+    return isAddress(name) || (!name.empty() && std::all_of(name.begin(), name.end(), plain));
+}
+
+/// As OpenSSL takes it.
+std::string listOf(const std::vector<std::string>& names) {
     std::string list = "DNS:localhost,IP:127.0.0.1,IP:::1";
     for (const std::string& name : names) {
-        if (isAddress(name)) {
-            list += ",IP:" + name;
-        } else if (!name.empty() && std::all_of(name.begin(), name.end(), plain)) {
-            list += ",DNS:" + name;
-        }
+        if (canBeNamed(name)) list += (isAddress(name) ? ",IP:" : ",DNS:") + name;
     }
     return list;
 }
@@ -130,7 +133,7 @@ OwnCertificate ownCertificate(const std::string& folder, const std::vector<std::
     const std::string file = folder + "/certificate.pem";
     const auto kept = app::readPrivateFile(file);
     if (const Certificate old = readPem(kept.value_or(""))) {
-        const auto good = [&](const std::string& name) { return isGoodFor(*old, name); };
+        const auto good = [&](const std::string& name) { return !canBeNamed(name) || isGoodFor(*old, name); };
         if (isGoodStill(*old) && std::all_of(names.begin(), names.end(), good))
             return {file, fingerprintOf(*old)};
     }

@@ -12,7 +12,8 @@ struct OwnCertificate {
 };
 
 /// The one that is kept in `folder`, if it is good for all of `names` and a month more; else a new one, for
-/// these and a year, in its place (P-256, signed by itself). `names`: addresses and host names. Throws
+/// these and a year, in its place (P-256, signed by itself). `names`: addresses and host names; a name
+/// with other signs than letters, digits, dots and hyphens is left out. Throws
 /// rtcore::FileError: CannotWrite, BadData where others may read the file; NoInput without OpenSSL.
 OwnCertificate ownCertificate(const std::string& folder, const std::vector<std::string>& names);
 

@@ -23,6 +23,8 @@ TEST(BridgeOptions, WrongOnesEndWithTwo) {
                                                       {"--instance=a/b"},
                                                       {"--origin=viz.example"},
                                                       {"--tls-cert=x.pem"},
+                                                      {"--tls-own", "--listen=unix"},
+                                                      {"--tls-own", "--tls-cert=x.pem", "--tls-key=x.pem"},
                                                       {"--clients=0"},
                                                       {"--max-mbit=-1"},
                                                       {"--ping=16"},
