@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -56,6 +55,7 @@ struct CommandLink::State {
 
     void run();
     void waitForWork();
+    bool takeRequests();
     void work();
     void watchOnly();
     bool findServer();
@@ -74,9 +74,13 @@ struct CommandLink::State {
     void askForMessages(std::uint32_t count);
     void fail(const std::string& why);
     void ask(std::string command, std::function<void(ipc::Reply)> done);
-    /// Under the lock.
+    // Under the lock.
     void keysChanged() {
         if (!keysSince) keysSince = LinkClock::now();
+    }
+    void forgetInput() {
+        taps.clear();
+        right = up = 0;
     }
 
     const std::string instance;
@@ -89,7 +93,7 @@ struct CommandLink::State {
     KeySet keys;
     std::vector<std::uint8_t> taps;
     double right = 0, up = 0;
-    std::deque<Request> incoming;
+    std::list<Request> incoming; ///< not seen by the thread yet
     CommandFigures counted;
     std::optional<LinkClock::time_point> keysSince; ///< the oldest change that the server does not know yet
 
@@ -113,15 +117,13 @@ struct CommandLink::State {
 void CommandLink::State::run() {
     for (;;) {
         waitForWork();
-        bool someone = false;
         {
             const std::lock_guard lock(mutex);
             if (stopping) break;
-            someone = anyone;
             counted.cpuSeconds = app::threadSeconds();
         }
         try {
-            someone ? work() : watchOnly();
+            takeRequests() ? work() : watchOnly();
         } catch (const ipc::Error& error) {
             client.reset();
             viewer.reset();
@@ -137,8 +139,18 @@ void CommandLink::State::run() {
             std::this_thread::sleep_for(kSearch);
         }
     }
+    takeRequests();
     fail("the bridge ends");
     client.reset();
+}
+
+/// Whether anyone is there, as of when the requests were taken: those of a page that comes a moment later
+/// must not go the way of the last one's. Without anyone, what was tapped and turned goes, too.
+bool CommandLink::State::takeRequests() {
+    const std::lock_guard lock(mutex);
+    requests.splice(requests.end(), incoming);
+    if (!anyone) forgetInput();
+    return anyone;
 }
 
 void CommandLink::State::waitForWork() {
@@ -158,7 +170,6 @@ void CommandLink::State::watchOnly() {
         lastReport.clear();
     }
     fail("no page is open any more");
-    dropInput();
     if (!viewer) viewer.emplace(instance, 0ns);
     const ipc::LinkState now = viewer->update();
     tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
@@ -180,8 +191,7 @@ bool CommandLink::State::findServer() {
 /// What was tapped and turned without a server is none of the next one's.
 void CommandLink::State::dropInput() {
     const std::lock_guard lock(mutex);
-    taps.clear();
-    right = up = 0;
+    forgetInput();
 }
 
 void CommandLink::State::tellServer(ServerState now, const std::string& why) {
@@ -196,11 +206,6 @@ void CommandLink::State::tellServer(ServerState now, const std::string& why) {
 }
 
 void CommandLink::State::work() {
-    {
-        const std::lock_guard lock(mutex);
-        for (Request& each : incoming) requests.push_back(std::move(each));
-        incoming.clear();
-    }
     if (!findServer()) return dropInput();
     const ipc::LinkState now = client->update();
     if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
@@ -344,11 +349,6 @@ void CommandLink::State::collectAnswers() {
 void CommandLink::State::fail(const std::string& why) {
     std::list<Request> lost;
     lost.swap(requests);
-    {
-        const std::lock_guard lock(mutex);
-        for (Request& each : incoming) lost.push_back(std::move(each));
-        incoming.clear();
-    }
     for (const Request& each : lost) each.done({ipc::ReplyStatus::NotSent, why});
 }
 

@@ -75,6 +75,17 @@ TEST_F(Roles, GoToTheFirstAndAreToldToAll) {
     EXPECT_EQ(roles["people"][1]["mayDrive"], false);
 }
 
+/// Also what it asks for at once, while the last one's requests are given up.
+TEST_F(Roles, GoToTheNextPageAfterTheLast) {
+    for (int i = 0; i < 100; ++i) {
+        const auto client = join();
+        const nlohmann::json answer = client->request({{"do", "walk"}});
+        ASSERT_EQ(answer["ok"], true) << i << ": " << answer;
+        client->socket().write(webFrame(0x88, ""));
+        client->closeCode();
+    }
+}
+
 TEST_F(Roles, AreHandedOverWithoutStuckKeys) {
     const auto first = join(kDriver, "Anna"), second = join(kDriver, "Ben");
     first->input({'W'});
