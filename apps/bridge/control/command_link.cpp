@@ -58,7 +58,7 @@ struct CommandLink::State {
     bool takeRequests();
     void work();
     void watchOnly();
-    bool findServer();
+    void findServer();
     void tellServer(ServerState now, const std::string& why);
     void dropInput();
     void moveKeys();
@@ -104,7 +104,7 @@ struct CommandLink::State {
     KeySet pressed;
     std::list<Request> requests; ///< sent, or to be sent
     bool turning = false, stateUnderWay = false, messagesUnderWay = false;
-    LinkClock::time_point lastStatus, lastState, lastSearch;
+    LinkClock::time_point lastStatus, lastState;
     std::optional<ipc::Status> status; ///< that was told last
     std::uint32_t knownMessages = 0;
     bool knowsMessages = false;
@@ -178,14 +178,12 @@ void CommandLink::State::watchOnly() {
                "");
 }
 
-bool CommandLink::State::findServer() {
+/// Where there is none, this throws, and the next search is a moment later.
+void CommandLink::State::findServer() {
     viewer.reset();
-    if (client) return true;
-    if (LinkClock::now() - lastSearch < kSearch) return false;
-    lastSearch = LinkClock::now();
+    if (client) return;
     client.emplace(instance, 0ns, static_cast<std::uint32_t>(restraint));
     pressed.reset();
-    return true;
 }
 
 /// What was tapped and turned without a server is none of the next one's.
@@ -206,7 +204,7 @@ void CommandLink::State::tellServer(ServerState now, const std::string& why) {
 }
 
 void CommandLink::State::work() {
-    if (!findServer()) return dropInput();
+    findServer();
     const ipc::LinkState now = client->update();
     if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
         if (epoch != 0) tellServer(ServerState::Gone, ""); // the one before, seen to go or not
