@@ -18,8 +18,16 @@ chmod 755 "$work"
 host=$(hostname -s)
 pids=""
 stop_cluster() {
-    for pid in "$work"/*.pid; do
-        if [ -f "$pid" ]; then kill "$(cat "$pid")" 2>/dev/null || true; fi
+    for file in "$work"/*.pid; do
+        [ -f "$file" ] || continue
+        pid=$(cat "$file")
+        kill "$pid" 2>/dev/null || continue
+        # It saves its state before it ends.
+        tries=0
+        while [ "$tries" -lt 100 ] && kill -0 "$pid" 2>/dev/null; do
+            tries=$((tries + 1))
+            sleep 0.1
+        done
     done
     pkill -f "slurmstepd.*$work" 2>/dev/null || true
     [ "${SLURM_TEST_KEEP:-}" = 1 ] || rm -rf "$work"
