@@ -31,7 +31,9 @@ void Denoiser::resize(int width, int height) {
     if (image_.width != width || image_.height != height) image_ = HdrImage(width, height);
 }
 
-void Denoiser::fillGuides(const Aovs& aovs, [[maybe_unused]] int threads) {
+/// `all`: light of the background is filtered, too. In a pixel that a surface covers in part, the background
+/// then counts as what scatters all of its light, or the surface's part would seem to have it.
+void Denoiser::fillGuides(const Aovs& aovs, bool all, [[maybe_unused]] int threads) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {
@@ -42,9 +44,10 @@ void Denoiser::fillGuides(const Aovs& aovs, [[maybe_unused]] int threads) {
                 normal_[axis][i] = there ? normal[static_cast<int>(axis)] : 0;
             }
             nearness_[i] = there ? 1 / pixel.depth : 0;
-            albedo_[0][i] = std::max(pixel.albedo.r, kLeastAlbedo);
-            albedo_[1][i] = std::max(pixel.albedo.g, kLeastAlbedo);
-            albedo_[2][i] = std::max(pixel.albedo.b, kLeastAlbedo);
+            const float background = all && there ? 1 - pixel.covered : 0;
+            albedo_[0][i] = std::max(pixel.albedo.r + background, kLeastAlbedo);
+            albedo_[1][i] = std::max(pixel.albedo.g + background, kLeastAlbedo);
+            albedo_[2][i] = std::max(pixel.albedo.b + background, kLeastAlbedo);
         }
     }
 }
@@ -295,7 +298,7 @@ const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const
     // Behind a lens the albedos of a pixel are mixed; of paths all light is sampled.
     const bool all = run.settings.depthOfField.on || run.settings.integrator == Integrator::Path;
     resize(picture.width, picture.height);
-    fillGuides(aovs, run.threads);
+    fillGuides(aovs, all, run.threads);
     if (!fillLight(picture, aovs, all, run.threads)) return picture;
     if (run.settings.integrator == Integrator::Path) dropSpikes(run.threads);
     if (!stopped()) fillSlopes(run.threads);

@@ -31,7 +31,7 @@ class Denoiser final : public Effect {
     static constexpr std::size_t kPlanes = 17; ///< members below
 
     void resize(int width, int height);
-    void fillGuides(const Aovs& aovs, int threads);
+    void fillGuides(const Aovs& aovs, bool all, int threads);
     bool fillLight(const HdrImage& picture, const Aovs& aovs, bool all, int threads);
     void fillImage(const HdrImage& picture, const Aovs& aovs, bool all, int threads);
     void fillSlopes(int threads);

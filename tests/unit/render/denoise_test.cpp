@@ -98,6 +98,38 @@ TEST(Denoise, TakesLoneBrightPixelsOutOfImagesByPaths) {
     EXPECT_GT(sum() - before, 10 * kSpike);
 }
 
+/// A surface covers more and more of each pixel to the right, over a background that is brighter.
+TEST(Denoise, KeepsWhatIsSeenBesideASurfaceThatCoversLittle) {
+    constexpr int kWidth = 64, kHeight = 16;
+    const Camera camera = test::sampleCamera();
+    Aovs aovs;
+    aovs.begin(camera, kWidth, kHeight);
+    HdrImage picture(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            std::vector<PrimaryHit> hits(kWidth);
+            for (int i = 0; i < x; ++i) {
+                PrimaryHit& hit = hits[static_cast<std::size_t>(i)];
+                hit.position = camera.eye + camera.forward;
+                hit.normal = {0, 1, 0};
+                hit.albedo = kWhite * 0.8F;
+                hit.wave = 1;
+            }
+            const std::vector<SampleId> ids(
+                kWidth, SampleId{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
+            aovs.add(hits, ids);
+            const float part = static_cast<float>(x) / kWidth;
+            picture.at(x, y) = kWhite * (1 - part + 0.7F * part);
+        }
+    }
+    aovs.finish(1);
+    RenderSettings settings;
+    settings.integrator = Integrator::Path;
+    settings.path.filter = 4;
+    const HdrImage result = Denoiser().apply(picture, aovs, {.settings = settings, .threads = 1});
+    for (int x = 0; x < kWidth; ++x) EXPECT_NEAR(result.at(x, 8).g, picture.at(x, 8).g, 0.05F) << x;
+}
+
 TEST(Denoise, HalvesTheNoiseOfAmbientOcclusion) {
     const test::TracedScene traced(corners());
     const HdrImage reference = rendered(traced, occluded(400, 0), 2).radiance;
