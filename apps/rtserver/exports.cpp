@@ -54,7 +54,8 @@ void addLights(const rtcore::Scene& scene, rtcore::SceneFile& file) {
     if (sun)
         file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
     else
-        file.sun = {scene.sky ? rtcore::nextLightId(scene) : 0, !scene.sky}; // removed, it comes back off
+        file.sun = {scene.sky && !scene.sky->studio ? rtcore::nextLightId(scene) : 0,
+                    !scene.sky || scene.sky->studio}; // removed, it comes back off
 }
 
 // All but the settings. Materials are those of the description and what was edited since; the rest is taken

@@ -224,6 +224,10 @@ Result angles(const Call& call) {
     return change(call, [&](LightDescription& light) { setAngles(light, number(call[1]), number(call[2])); });
 }
 
+Result mirrored(const Call& call) {
+    return change(call, [&](LightDescription& light) { setMirrored(light, flag(call[1])); });
+}
+
 Result rename(const Call& call) {
     if (rtcore::findInvalidUtf8(call[1]) != std::string::npos)
         throw std::invalid_argument("the name of a light is a text in UTF-8");
@@ -244,6 +248,7 @@ constexpr std::array kLightFunctions{
     CommandFunction{app::CommandId::LightKind, kind},
     CommandFunction{app::CommandId::LightSize, size},
     CommandFunction{app::CommandId::LightAngles, angles},
+    CommandFunction{app::CommandId::LightMirrored, mirrored},
     CommandFunction{app::CommandId::LightName, rename},
     CommandFunction{app::CommandId::Lights, listLights},
 };

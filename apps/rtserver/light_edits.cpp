@@ -68,6 +68,7 @@ void complete(Light& light, const LightSurroundings& around) {
     light.width = traits.sides ? sizes.width * unit : usual.width;
     light.height = traits.sides ? sizes.height * unit : usual.height;
     if (!traits.disc) light.discSine = usual.discSine;
+    if (!isAreaLight(light.kind)) light.mirrored = usual.mirrored;
 }
 
 void scale(LightDescription& light, float factor) {
@@ -161,6 +162,11 @@ void setSize(LightDescription& light, double size, std::optional<double> height)
     } else {
         light.light.radius = static_cast<float>(size);
     }
+}
+
+void setMirrored(LightDescription& light, bool on) {
+    if (on && !isAreaLight(light.light.kind)) refuse(light.light, "surface that mirrors show");
+    light.light.mirrored = on ? 1 : 0;
 }
 
 void setAngles(LightDescription& light, float inner, float outer) {

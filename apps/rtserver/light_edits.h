@@ -50,6 +50,8 @@ void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const Ligh
 void setSize(rtcore::LightDescription& light, double size, std::optional<double> height);
 /// Half-angles of a spot, degrees.
 void setAngles(rtcore::LightDescription& light, float inner, float outer);
+/// Whether mirrors show it: of spheres and rectangles.
+void setMirrored(rtcore::LightDescription& light, bool on);
 void setPosition(rtcore::LightDescription& light, rtcore::Vec3 position);
 /// `direction` need not be of unit length. A rectangle turns with as little roll as may be.
 void setDirection(rtcore::LightDescription& light, rtcore::Vec3 direction);

@@ -18,13 +18,22 @@ namespace rtserver {
 
 namespace {
 
-/// With the sky that the scene has, or a usual one, changed; it lights from then on.
+/// With the sky or the studio that the scene has, or a usual sky, changed; it lights from then on.
 template <typename Change>
-Result editSky(const Call& call, Change change) {
+Result editSurroundings(const Call& call, Change change) {
     rtcore::Sky sky = call.state.scene()->sky.value_or(rtcore::Sky{.haze = true});
     change(sky);
     call.state.setSky(sky);
     return {};
+}
+
+/// A usual sky in place of a studio.
+template <typename Change>
+Result editSky(const Call& call, Change change) {
+    return editSurroundings(call, [&](rtcore::Sky& sky) {
+        if (sky.studio) sky = {.strength = sky.strength, .ground = sky.ground, .haze = true};
+        change(sky);
+    });
 }
 
 rtcore::SunDate& dateOf(rtcore::Sky& sky) {
@@ -81,11 +90,11 @@ Result skyTurbidity(const Call& call) {
 }
 
 Result skyStrength(const Call& call) {
-    return editSky(call, [&](rtcore::Sky& sky) { sky.strength = number(call[0]); });
+    return editSurroundings(call, [&](rtcore::Sky& sky) { sky.strength = number(call[0]); });
 }
 
 Result skyGround(const Call& call) {
-    return editSky(call, [&](rtcore::Sky& sky) { sky.ground = flag(call[0]); });
+    return editSurroundings(call, [&](rtcore::Sky& sky) { sky.ground = flag(call[0]); });
 }
 
 Result skyHaze(const Call& call) {

@@ -10,6 +10,7 @@ namespace rtserver {
 namespace {
 
 std::string nameOf(const rtcore::EnvironmentFile& environment) {
+    if (environment.name.empty() && !environment.parts.empty()) return environment.parts.front();
     const bool named = !environment.name.empty() || environment.files.empty();
     return named ? environment.name : environment.files.front().stem().string();
 }

@@ -140,6 +140,23 @@ TEST_F(LightsTest, FieldsAreInMetresAndLumens) {
     EXPECT_EQ(light(3).radius, 100);
 }
 
+TEST_F(LightsTest, MirrorsShowWhatHasASurface) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light add rectangle")).done);
+    action(ActionId::LightsPanel)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 3; }));
+    panel().select(3);
+    LightFields& fields = panel().fields();
+    ASSERT_TRUE(fields.mirrored().isVisible());
+    fields.mirrored().click();
+    ASSERT_TRUE(comes([&] { return light(3).mirrored != 0; }));
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(comes([&] { return light(3).mirrored == 0; }));
+    EXPECT_FALSE(fields.mirrored().isChecked());
+    panel().select(1);
+    EXPECT_FALSE(fields.mirrored().isVisible()) << "a point has none";
+}
+
 TEST_F(LightsTest, TheSizeOfADirectionalLightIsItsAngle) {
     ASSERT_TRUE(ask(window->session(), QStringLiteral("light add directional")).done);
     action(ActionId::LightsPanel)->trigger();

@@ -153,6 +153,13 @@ TEST_F(SkyTest, LooksOfTheMenuTakeThePlaceOfAllLight) {
     action(ActionId::LookStudio)->trigger();
     ASSERT_TRUE(comes([&] { return state().lights.size() == 3 && state().edits == 1; }));
     EXPECT_EQ(window->view().told(), QStringLiteral("Lit as in a studio"));
+    action(ActionId::LightsPanel)->trigger();
+    ASSERT_TRUE(comes([&] { return state().sky && state().sky->studio; })) << "lit.scn is an object";
+    EXPECT_FALSE(fields().sky().isChecked());
+    EXPECT_TRUE(fields().strength().isVisible());
+    EXPECT_FALSE(fields().turbidity().isVisible());
+    fields().sky().click();
+    ASSERT_TRUE(comes([&] { return state().sky && !state().sky->studio; })) << "a sky in its place";
     action(ActionId::LookSky)->trigger();
     ASSERT_TRUE(comes([&] { return state().sky.has_value(); }));
     action(ActionId::NoEnvironment)->trigger();

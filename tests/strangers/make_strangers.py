@@ -350,6 +350,18 @@ def sky_box(s, size):
     return out.add(s)
 
 
+def sky_faces(s, size):
+    """A sky box whose faces are parts of their own: blue above, light around, brown below."""
+    _, _, vertices, faces = Shape().part("box").box((-size, -size, -size), (size, size, size)).parts[0]
+    out = Shape()
+    for i, face in enumerate(faces):
+        corners = [vertices[v] for v in reversed(face)]
+        height = sum(z for _, _, z in corners)
+        material = "heaven" if height > 3.9 * size else "earth" if height < -3.9 * size else "horizon"
+        out.parts.append((f"sky {i + 1}", material, corners, [tuple(range(len(corners)))]))
+    return out.add(s)
+
+
 def stray(s, eye, target, lamp=None):
     s.camera, s.lamp = (eye, target), lamp
     return s
@@ -409,6 +421,7 @@ def catalogue():
     yield "dome_lit_house", "out", under_dome(house(1), 400.0), glb, "m", "y", ()
     yield "sphere_car", "out", under_dome(vehicle(), 100.0, True, -1.0, 16), glb, "m", "y", ("heaven",)
     yield "skybox_figure", "out", sky_box(figure(), 200.0), glb, "m", "y", ("heaven",)
+    yield "sky_faces", "out", sky_faces(house(1), 200.0), glb, "m", "y", ("heaven", "horizon", "earth")
     yield "stray_far", "out", stray(figure(), (40, -60, 30), (0, 0, 1)), glb, "m", "y", ()
     yield "stray_past", "out", stray(bowl(), (0.4, -0.5, 0.2), (3, -4, 3)), glb, "m", "y", ()
     yield "stray_near", "out", stray(vehicle(), (2.6, -1.4, 0.5), (2.2, -0.9, 0.4)), glb, "m", "y", ()

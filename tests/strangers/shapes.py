@@ -17,6 +17,8 @@ KINDS = {  # name of a material: colour (linear), opacity
     "leaf": ((0.1, 0.25, 0.04), 1.0),
     "water": ((0.02, 0.1, 0.14), 1.0),
     "heaven": ((0.3, 0.5, 0.85), 1.0),
+    "horizon": ((0.7, 0.72, 0.75), 1.0),
+    "earth": ((0.2, 0.17, 0.12), 1.0),
     "grey": (GREY, 1.0),
 }
 

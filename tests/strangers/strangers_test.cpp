@@ -181,8 +181,7 @@ Shown shown(const rtcore::LoadedScene& loaded) {
     for (int y = 0; y < settings.height; ++y) {
         for (int x = 0; x < settings.width; ++x) {
             const rtcore::Ray ray = rays.at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-            if (!rtcore::closestHit(loaded.tree, loaded.scene.model.mesh, ray.origin, ray.direction))
-                continue;
+            if (!rtcore::closestHit(tree, loaded.scene.model.mesh, ray.origin, ray.direction)) continue;
             const rtcore::Rgba8 p = image.at(x, y);
             const double code = 0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b;
             sum.mean += code;
@@ -281,6 +280,21 @@ TEST_F(Strangers, SkiesAroundThemAreHidden) {
         EXPECT_TRUE(scene.scene.sky) << file;
     }
     EXPECT_EQ(loadNamed("hall.glb").scene.hiddenParts, nullptr) << "walls are no sky";
+}
+
+TEST_F(Strangers, SkiesThatShowAPictureAreEnvironments) {
+    const rtcore::LoadedScene loaded = loadNamed("sky_faces.glb");
+    EXPECT_NE(saidOf(loaded).find("lights it as an environment map"), std::string::npos) << saidOf(loaded);
+    EXPECT_FALSE(loaded.scene.sky);
+    ASSERT_NE(loaded.scene.environment(), nullptr);
+    ASSERT_EQ(loaded.scene.environmentFiles.size(), 1U);
+    EXPECT_EQ(loaded.scene.environmentFiles[0].parts.size(), 6U);
+    const auto seen = [&](rtcore::Vec3 to) {
+        return loaded.scene.environment()->radiance(to, rtcore::TexelFilter::Nearest);
+    };
+    EXPECT_GT(seen({0, 1, 0}).b, 2 * seen({0, 1, 0}).r) << "blue above";
+    EXPECT_GT(seen({0, -1, 0}).r, seen({0, -1, 0}).b) << "brown below";
+    EXPECT_GT(seen({1, 0, 0}).r, 2 * seen({0, 1, 0}).r) << "light around";
 }
 
 } // namespace

@@ -44,6 +44,7 @@ CommandUse commandUse(app::CommandId id) {
     case LightKind:
     case LightSize:
     case LightAngles:
+    case LightMirrored:
     case Environment:
     case EnvironmentNone:
     case EnvironmentRotation:

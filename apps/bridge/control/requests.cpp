@@ -156,6 +156,10 @@ Words lightAngles(Fields f, const RequestSurroundings&) {
     return wordList(f.whole("light"), f.word("inner"), f.word("outer"));
 }
 
+Words lightMirrored(Fields f, const RequestSurroundings&) {
+    return wordList(f.whole("light"), f.onOff("on"));
+}
+
 // --- Surroundings ---
 
 Words environment(Fields f, const RequestSurroundings&) { return wordList(f.whole("number")); }
@@ -254,6 +258,7 @@ constexpr std::array kRows{
     RequestRow{"lightPower", CommandId::LightPower, lightPower},
     RequestRow{"lightSize", CommandId::LightSize, lightSize},
     RequestRow{"lightAngles", CommandId::LightAngles, lightAngles},
+    RequestRow{"lightMirrored", CommandId::LightMirrored, lightMirrored},
     RequestRow{"environment", CommandId::Environment, environment},
     RequestRow{"environmentNone", CommandId::EnvironmentNone, none},
     RequestRow{"environmentRotation", CommandId::EnvironmentRotation, degrees},

@@ -46,6 +46,7 @@ void describe(json& row, const rtcore::LightDescription& description, float metr
     row["width"] = light.width;
     row["height"] = light.height;
     row["angle"] = rtcore::degreesOfHalfSine(light.discSine);
+    row["mirrored"] = light.mirrored != 0;
     const bool spot = light.kind == rtcore::LightKind::Spot;
     row["inner"] = spot ? rtcore::degreesOfCosine(light.cosInner) : 0;
     row["outer"] = spot ? rtcore::degreesOfCosine(light.cosOuter) : 0;
@@ -78,7 +79,8 @@ json skyJson(const app::StateReport& state) {
              {"turbidity", sky.turbidity},
              {"strength", sky.strength},
              {"ground", sky.ground},
-             {"haze", sky.haze}};
+             {"haze", sky.haze},
+             {"studio", sky.studio}};
     if (!sky.date) return row;
     constexpr double kHour = 3600;
     row["date"] = {{"year", sky.date->year}, {"month", sky.date->month}, {"day", sky.date->day}};

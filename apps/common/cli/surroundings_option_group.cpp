@@ -20,8 +20,9 @@ OptionGroup surroundingsOptionGroup() {
               .value = ValueKind::Choice,
               .argument = "LOOK",
               .help = "what lights the scene in place of its own lights: sky, studio or headlight",
-              .more = "`sky`: a sky with a sun, and lights under the ceilings of rooms; `studio`: three soft "
-                      "lights and a grey background; `headlight`: one light beside the viewer. Without this "
+              .more = "`sky`: a sky with a sun, and lights under the ceilings of rooms; `studio`: white "
+                      "walls and floor, and three soft lights that mirrors show; `headlight`: one light "
+                      "beside the viewer. Without this "
                       "option a model that brings no light gets `sky`, and a scene file keeps what it says",
               .choices = {"sky", "studio", "headlight"}}}};
 }

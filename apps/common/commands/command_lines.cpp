@@ -108,6 +108,7 @@ std::string lightSize(int id, double radius) { return line(CommandId::LightSize,
 std::string lightSize(int id, double width, double height) {
     return line(CommandId::LightSize, id, width, height);
 }
+std::string lightMirrored(int id, bool on) { return line(CommandId::LightMirrored, id, on ? "on" : "off"); }
 std::string lightAngles(int id, double inner, double outer) {
     return line(CommandId::LightAngles, id, inner, outer);
 }

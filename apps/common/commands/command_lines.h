@@ -63,6 +63,7 @@ std::string lightPower(int id, double power, const std::string& unit); ///< lm, 
 std::string lightSize(int id, double radius); ///< or the angle of a directional light, degrees
 std::string lightSize(int id, double width, double height);
 std::string lightAngles(int id, double inner, double outer); ///< degrees
+std::string lightMirrored(int id, bool on);
 
 std::string environment(int number); ///< from 1
 std::string environmentOpen(const std::string& path);

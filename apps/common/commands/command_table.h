@@ -92,6 +92,7 @@ enum class CommandId {
     LightKind,
     LightSize,
     LightAngles,
+    LightMirrored,
     LightName,
     Environment,
     EnvironmentOpen,

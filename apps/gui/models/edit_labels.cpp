@@ -42,6 +42,8 @@ QString editText(app::CommandId id) {
         return text(QT_TRANSLATE_NOOP("Edits", "size of light"));
     case app::CommandId::LightAngles:
         return text(QT_TRANSLATE_NOOP("Edits", "angles of light"));
+    case app::CommandId::LightMirrored:
+        return text(QT_TRANSLATE_NOOP("Edits", "light in mirrors"));
     case app::CommandId::LightName:
         return text(QT_TRANSLATE_NOOP("Edits", "name of light"));
     case app::CommandId::Light:

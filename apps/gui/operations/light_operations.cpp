@@ -49,7 +49,7 @@ bool isSun(const SceneState& state, int id) {
                light.description->light.kind == rtcore::LightKind::Directional;
     };
     const auto last = std::find_if(state.lights.rbegin(), state.lights.rend(), named);
-    return state.sky && last != state.lights.rend() && last->id == id;
+    return state.sky && !state.sky->studio && last != state.lights.rend() && last->id == id;
 }
 
 } // namespace

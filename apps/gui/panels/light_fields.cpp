@@ -227,6 +227,12 @@ void LightFields::addShape() {
     for (ValueBox* box : {size_[1], angles_[0], angles_[1]}) box->setToolTip(plainTip(box->accessibleName()));
     sizeRow_ = row(tr("Size"), {size_[0], size_[1]});
     anglesRow_ = row(tr("Angles"), {angles_[0], angles_[1]});
+    mirrored_ = new QCheckBox(tr("Seen in mirrors"));
+    mirrored_->setToolTip(
+        tr("Mirrors, lacquer and glass that bends show the light itself; the camera does not"));
+    form_->addRow(mirrored_);
+    connect(mirrored_, &QCheckBox::clicked, this,
+            [this](bool on) { send("light mirrored", command::lightMirrored(light_.id, on)); });
     for (ValueBox* box : size_) {
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
             if (!light_.description) return;
@@ -294,6 +300,7 @@ void LightFields::show(const ShownLight& light, float metresPerUnit) {
         set(*angles_[0], rtcore::degreesOfCosine(shines.cosInner));
         set(*angles_[1], rtcore::degreesOfCosine(shines.cosOuter));
     }
+    mirrored_->setChecked(shines.mirrored != 0);
     showColour();
     showRows(traits);
     showing_ = false;
@@ -305,6 +312,7 @@ void LightFields::showRows(const rtcore::LightTraits& traits) {
     form_->setRowVisible(directionRow_, traits.direction);
     form_->setRowVisible(directionButtons_, traits.direction);
     form_->setRowVisible(anglesRow_, traits.beam == rtcore::Beam::Cone);
+    form_->setRowVisible(mirrored_, traits.radius || traits.sides);
 }
 
 // --- Colour ---

@@ -49,6 +49,7 @@ class LightFields : public QWidget {
     ValueBox& temperature() { return *temperature_; }
     ValueBox& size(std::size_t i) { return *size_.at(i); }
     ValueBox& angle(std::size_t i) { return *angles_.at(i); }
+    QCheckBox& mirrored() { return *mirrored_; }
 
   signals:
     /// A command (common/commands/command_lines.h), and the step of undo that it makes.
@@ -88,7 +89,7 @@ class LightFields : public QWidget {
     QComboBox* kind_;
     Vector position_, direction_;
     QPushButton* colour_;
-    QCheckBox* hasTemperature_;
+    QCheckBox *hasTemperature_, *mirrored_;
     ValueBox* temperature_;
     PowerField* power_;
     std::array<ValueBox*, 2> size_, angles_;

@@ -167,7 +167,6 @@ void SkyFields::addAir() {
     turbidity_->setToolTip(tr("2 very clear, 3 clear, 6 hazy, 10 thick"));
     sends(turbidity_, "sky turbidity", command::skyTurbidity);
     strength_ = number(tr("Strength"), 0, kMostStrength);
-    strength_->setToolTip(tr("How bright sun and sky are; 1 is as in nature"));
     sends(strength_, "sky strength", command::skyStrength);
     ground_ = new QCheckBox(tr("Ground that takes the shadow"));
     ground_->setToolTip(tr("A wide ground below the model"));
@@ -225,13 +224,17 @@ void SkyFields::showSky(const rtcore::Sky& sky) {
 }
 
 void SkyFields::showRows() {
-    const bool sky = state_.sky.has_value(), date = sky && state_.sky->date, map = state_.map.has_value();
+    const bool any = state_.sky.has_value(), sky = any && !state_.sky->studio, date = sky && state_.sky->date,
+               map = state_.map.has_value();
     for (QWidget* row : {static_cast<QWidget*>(mapRotation_), static_cast<QWidget*>(mapStrength_)})
         form_->setRowVisible(row, map);
     for (QWidget* row :
-         {static_cast<QWidget*>(sun_), static_cast<QWidget*>(turbidity_), static_cast<QWidget*>(strength_),
-          static_cast<QWidget*>(ground_), static_cast<QWidget*>(haze_)})
+         {static_cast<QWidget*>(sun_), static_cast<QWidget*>(turbidity_), static_cast<QWidget*>(haze_)})
         form_->setRowVisible(row, sky);
+    for (QWidget* row : {static_cast<QWidget*>(strength_), static_cast<QWidget*>(ground_)})
+        form_->setRowVisible(row, any);
+    strength_->setToolTip(sky ? tr("How bright sun and sky are; 1 is as in nature")
+                              : tr("How bright the walls of the studio are"));
     for (QWidget* row :
          {timeRow_, static_cast<QWidget*>(date_), static_cast<QWidget*>(latitude_),
           static_cast<QWidget*>(longitude_), static_cast<QWidget*>(zone_), static_cast<QWidget*>(north_)})
@@ -242,7 +245,7 @@ void SkyFields::showRows() {
 void SkyFields::show(const SceneState& state) {
     state_ = state;
     showing_ = true;
-    sky_->setChecked(state.sky.has_value());
+    sky_->setChecked(state.sky && !state.sky->studio);
     if (state.sky) showSky(*state.sky);
     if (state.map) {
         put(mapRotation_, static_cast<double>(state.map->rotation));

@@ -198,6 +198,10 @@
         <source>light of the scene</source>
         <translation>osvětlení scény</translation>
     </message>
+    <message>
+        <source>light in mirrors</source>
+        <translation>světlo v zrcadlech</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -879,8 +883,8 @@
         <translation>S&amp;tudio</translation>
     </message>
     <message>
-        <source>Light it by soft lights before a plain background, in place of its lights</source>
-        <translation>Osvětlí ji měkkými světly před hladkým pozadím místo jejích světel</translation>
+        <source>Light it by soft lights before white walls, in place of its lights</source>
+        <translation>Osvětlí ji měkkými světly před bílými stěnami místo jejích světel</translation>
     </message>
     <message>
         <source>&amp;Headlight</source>
@@ -2285,6 +2289,14 @@ Alt+%2</translation>
         <source>The sun has 0.53°; 0: shadows are sharp</source>
         <translation>Slunce má 0,53°; 0: stíny jsou ostré</translation>
     </message>
+    <message>
+        <source>Seen in mirrors</source>
+        <translation>Vidět v zrcadlech</translation>
+    </message>
+    <message>
+        <source>Mirrors, lacquer and glass that bends show the light itself; the camera does not</source>
+        <translation>Zrcadla, lak a sklo, které láme světlo, ukazují samotné světlo; kamera ne</translation>
+    </message>
 </context>
 <context>
     <name>gui::LightOperations</name>
@@ -3525,6 +3537,10 @@ Alt+%2</translation>
     <message>
         <source>Haze at the horizon, into which a light ground fades</source>
         <translation>Opar na obzoru, do nějž přechází světlá zem</translation>
+    </message>
+    <message>
+        <source>How bright the walls of the studio are</source>
+        <translation>Jak jasné jsou stěny ateliéru</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,10 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/import/import_report.h"
 #include "rtcore/io/text/cam.h"
+#include "rtcore/io/text/pattern.h"
 #include "rtcore/io/text/set.h"
 #include "rtcore/look/seen_places.h"
+#include "rtcore/look/shell_picture.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/render/default_view.h"
@@ -116,8 +118,12 @@ class Loader {
         phase(LoadPhase::LoadingImages);
         overrideMaterials(path, file);
         hideParts(path, file);
-        for (const EnvironmentFile& environment : file.environments)
-            addFile(environment, loadEnvironment(environment));
+        for (const EnvironmentFile& environment : file.environments) {
+            if (environment.kind == EnvironmentKind::Parts)
+                addShell(path, environment);
+            else
+                addFile(environment, loadEnvironment(environment));
+        }
         scene.activeEnvironment = file.activeEnvironment;
         readSettings(file);
         if (file.camera) out_.camera = *file.camera;
@@ -289,6 +295,28 @@ class Loader {
         model.storage = extended;
     }
 
+    /// Where the model has no such parts any more, it is black, so that the numbers of the others stay.
+    void addShell(const std::filesystem::path& path, const EnvironmentFile& environment) {
+        const Model& model = out_.scene.model;
+        std::vector<std::uint8_t> pieces(model.parts.size());
+        const std::vector<NamedPart> parts = namedParts(model);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const bool named = std::ranges::any_of(environment.parts, [&](const std::string& pattern) {
+                return isNamed(pattern, std::nullopt, i, parts[i].name);
+            });
+            for (const std::uint32_t piece : parts[i].pieces) pieces[piece] |= named ? 1U : 0U;
+        }
+        const std::string& name = environment.parts.front();
+        auto shown = pictureOfShell(out_.scene, out_.tree, pieces, name);
+        if (!shown) {
+            out_.warnings.push_back(path.string() +
+                                    ": no parts of the model that show a picture are named \"" + name +
+                                    "\"; that environment is black");
+            shown = Environment::fromEquirectangular(HdrImage(2, 1), name);
+        }
+        addEnvironment(out_.scene, environment, std::move(*shown));
+    }
+
     void addFile(const EnvironmentFile& file, Environment environment) {
         out_.files.insert(out_.files.end(), file.files.begin(), file.files.end());
         addEnvironment(out_.scene, file, std::move(environment));
@@ -305,6 +333,7 @@ class Loader {
     void setSun(const SunDescription& sun, std::optional<std::size_t> edited) {
         Scene& scene = out_.scene;
         if (edited) return replaceSun(scene, *edited);
+        if (!sunOf(scene)) return;
         const std::size_t light = *sunOf(scene);
         scene.lights[light].on = sun.on ? 1 : 0;
         if (sun.id > 0 && !lightWithId(scene, sun.id)) scene.lightNotes[light].id = sun.id;
@@ -429,22 +458,40 @@ class Loader {
     /// The parts that are the skies around the model, one value for each; none where a part is more than
     /// that.
     std::vector<std::uint8_t> domesAmong(const std::vector<NamedPart>& parts) {
-        const Subject& subject = surveyed().subject;
+        const std::vector<std::uint32_t>& domes = surveyed().subject.domes;
         std::vector<std::uint8_t> chosen(parts.size());
         std::uint64_t triangles = 0;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto holdsDome = [&](std::uint32_t piece) {
                 const ModelPart& part = out_.scene.model.parts[piece];
-                return std::any_of(subject.domes.begin(), subject.domes.end(), [&](std::uint32_t triangle) {
-                    return triangle - part.firstTriangle < part.triangleCount;
-                });
+                const auto next = std::ranges::lower_bound(domes, part.firstTriangle);
+                return next != domes.end() && *next - part.firstTriangle < part.triangleCount;
             };
             if (std::none_of(parts[i].pieces.begin(), parts[i].pieces.end(), holdsDome)) continue;
             chosen[i] = 1;
             triangles += parts[i].triangles;
         }
-        if (triangles != subject.domeTriangles) chosen.clear();
+        if (triangles != domes.size()) chosen.clear();
         return chosen;
+    }
+
+    /// The picture of the chosen parts, as an environment.
+    bool showShell(const std::vector<NamedPart>& parts, const std::vector<std::uint8_t>& chosen) {
+        Scene& scene = out_.scene;
+        if (options_.surroundings.look || options_.surroundings.environment || scene.sky) return false;
+        EnvironmentFile described;
+        described.kind = EnvironmentKind::Parts;
+        std::vector<std::uint8_t> pieces(scene.model.parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (chosen[i] == 0) continue;
+            if (parts[i].name.empty() || isPattern(parts[i].name)) return false; // no scene can name it
+            described.parts.emplace_back(parts[i].name);
+            for (const std::uint32_t piece : parts[i].pieces) pieces[piece] = 1;
+        }
+        auto picture = pictureOfShell(scene, out_.tree, pieces, described.parts.front());
+        if (!picture) return false;
+        scene.activeEnvironment = static_cast<int>(addEnvironment(scene, described, std::move(*picture)));
+        return true;
     }
 
     /// A sky that was modelled around everything would keep the light out.
@@ -458,7 +505,11 @@ class Loader {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (chosen[i] != 0) names.emplace_back(parts[i].name);
+        const bool shown = showShell(parts, chosen);
         scene.hiddenParts = withParts(scene.model, parts, chosen, true, scene.hiddenParts);
+        if (shown)
+            return warn({"the sky that was modelled around it, " + firstOf(names) +
+                         ", lights it as an environment map; 'look sky' shows it under another sky"});
         warn({"the sky that was modelled around it, " + firstOf(names) +
               ", is hidden, since it would keep the light out; 'part show' or --show shows it"});
     }
@@ -530,9 +581,10 @@ class Loader {
     void giveLight() {
         Scene& scene = out_.scene;
         const Surroundings& surroundings = options_.surroundings;
-        const bool surrounded = surroundings.environment || scene.sky;
+        bool surrounded = surroundings.environment || scene.sky;
         if (!out_.sceneFile && (!hasLight() || !ownLightsReach())) {
             hideDomes();
+            surrounded = surrounded || scene.environment() != nullptr;
             if (hasLight() && !surrounded && !surroundings.look) return lightBeside(surroundings.usual);
         }
         if (surroundings.look) return lightByLook(*surroundings.look, true);

@@ -1,7 +1,8 @@
-// Rays that meet area lights, over the number F: float or Float. No ray of the camera and of mirrors sees
-// those that have a place; scattered rays of the path tracer do, as the other way to find the light that
-// sampleLight() samples. Discs of directional lights are met by rays of every kind that leave the scene.
-// Included once for each instruction set, inside the loop of foreach_target.h, or alone.
+// Rays that meet area lights, over the number F: float or Float. No ray of the camera sees those that have a
+// place, and rays of mirrors those alone that are to be seen there (mirrored_light.h); scattered rays of the
+// path tracer do, as the other way to find the light that sampleLight() samples. Discs of directional lights
+// are met by rays of every kind that leave the scene. Included once for each instruction set, inside the loop
+// of foreach_target.h, or alone.
 #include "rtcore/lights/light_sample-inl.h"
 
 #if defined(RTCORE_LIGHTS_LIGHT_HIT_INL_H_) == defined(HWY_TARGET_TOGGLE)

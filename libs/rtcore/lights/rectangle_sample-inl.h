@@ -136,6 +136,40 @@ HWY_INLINE LightDraw<F> sampleRectangleBySolidAngle(const Light& light, Vec3Of<F
     return {path.direction, path.free, broadcast<F>(light.intensity) * scale, density};
 }
 
+/// Where the part `u` of the area below a line from `a` at 0 to `b` at 1 ends; both above 0.
+template <typename F>
+HWY_INLINE F sampleLinear(F a, F b, F u) {
+    return clamp<F>(u * (a + b) / (a + sqrt(a * a + u * (b * b - a * a))), F(0), F(0.99999994F));
+}
+
+/// The same for a matte surface with that normal: with a density that follows, from corner to corner, the
+/// cosine at the surface, which on open ground is nearly all that varies. (Hart et al. 2020, "Practical
+/// product sampling by fitting and composing warps")
+template <typename F>
+HWY_INLINE LightDraw<F> sampleRectangleForSurface(const Light& light, Vec3Of<F> position, Vec3Of<F> normal,
+                                                  F u, F v) {
+    constexpr float kLeast = 0.05F; // what lies below the horizon of one corner may lie above in the middle
+    const Vec3Of<F> offset = broadcast<F>(light.position) - position;
+    const Vec3Of<F> right = broadcast<F>(light.right * (0.5F * light.width)),
+                    up = broadcast<F>(cross(light.direction, light.right) * (0.5F * light.height));
+    const auto cosine = [&](Vec3Of<F> corner) HWY_ATTR {
+        const F length = sqrt(dot(corner, corner));
+        return max(dot(corner, normal) / max(length, F(1e-18F)), F(kLeast));
+    };
+    const F leftBottom = cosine(offset - right - up), rightBottom = cosine(offset + right - up),
+            leftTop = cosine(offset - right + up), rightTop = cosine(offset + right + up);
+    const F row = sampleLinear<F>(leftBottom + rightBottom, leftTop + rightTop, v);
+    const F left = leftBottom + row * (leftTop - leftBottom),
+            high = rightBottom + row * (rightTop - rightBottom);
+    const F column = sampleLinear<F>(left, high, u);
+    const F density =
+        4.0F * (left + column * (high - left)) / (leftBottom + rightBottom + leftTop + rightTop);
+    LightDraw<F> draw = sampleRectangleBySolidAngle<F>(light, position, column, row);
+    draw.irradiance = draw.irradiance / density;
+    draw.density = draw.density * density;
+    return draw;
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace rtcore
 HWY_AFTER_NAMESPACE();

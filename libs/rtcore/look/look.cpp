@@ -16,9 +16,9 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kFilterPasses = 4;          ///< of images by paths
-constexpr float kContrast = 2;            ///< of film: with its own, colours are pale where white is near 240
-constexpr float kStudioBackground = 1.2F; ///< nearly white beside what the lights show
+constexpr int kFilterPasses = 4;        ///< of images by paths
+constexpr float kContrast = 2;          ///< of film: with its own, colours are pale where white is near 240
+constexpr float kRoomBackground = 1.2F; ///< nearly white beside what the lights show
 /// Of ambient occlusion: metres, or a part of the model.
 constexpr float kReach = 5, kReachOfDiagonal = 0.15F;
 
@@ -30,7 +30,7 @@ struct StudioLight {
     float irradiance; ///< in the middle of the object
 };
 constexpr StudioLight kStudioLights[] = {
-    {"key", 45, 45, 1.5F, 2.5F}, {"fill", -60, 20, 2, 0.6F}, {"rim", -160, 50, 1.2F, 1.5F}};
+    {"key", 45, 45, 2.2F, 2.5F}, {"fill", -60, 20, 2.4F, 0.6F}, {"rim", -160, 50, 1.8F, 1.5F}};
 constexpr float kStudioDistance = 3; ///< radii
 
 float cosineOf(float degrees) { return portableCos(degrees * (kPi / 180)); }
@@ -49,6 +49,7 @@ Light studioLight(const StudioLight& each, const Box3& bounds, Vec3 up, Vec3 bac
     light.right = normalize(cross(light.direction, up));
     light.width = light.height = each.size * radius;
     light.intensity = kWhite * (each.irradiance * distance * distance);
+    light.mirrored = 1;
     return light;
 }
 
@@ -114,10 +115,13 @@ LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Sur
         result.sky->ground = wantsGround(mesh, survey);
         break;
     case Look::Studio:
-        result.background = kWhite * kStudioBackground;
         setRoomLights(result, tree, mesh, survey);
-        if (result.lights.empty())
+        if (result.lights.empty()) {
+            result.sky = Sky{.ground = wantsGround(mesh, survey), .studio = true};
             addStudioLights(result, survey.subject.bounds, survey.axes.up, camera.forward);
+        } else {
+            result.background = kWhite * kRoomBackground;
+        }
         break;
     case Look::Headlight:
         result.lights = {defaultLight(camera, tree.bounds)};

@@ -1,5 +1,6 @@
 /// Area lights that scattered rays meet: the other way to find what next event samples. Those that have a
-/// place are not seen by the camera, nor in mirrors and through glass that bends; discs are.
+/// place are not seen by the camera, and in mirrors and through glass that bends those alone that are to be
+/// (lights/mirrored_light.h); discs are.
 #pragma once
 
 #include "rtcore/pathtracing/light_finding.h"

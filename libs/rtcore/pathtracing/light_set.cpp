@@ -54,10 +54,13 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     const EmitterLight use = settings.path.emitters;
     lights_.clear();
     discs_.clear();
+    mirrored_.clear();
     anyArea_ = false;
     for (const Light& light : scene.lights) {
         if (light.on == 0 || isBlack(light.intensity)) continue;
-        if (isDisc(light)) discs_.push_back(static_cast<std::uint32_t>(lights_.size()));
+        const auto number = static_cast<std::uint32_t>(lights_.size());
+        if (isDisc(light)) discs_.push_back(number);
+        if (isMirrored(light)) mirrored_.push_back(number);
         anyArea_ = anyArea_ || isAreaLight(light.kind);
         lights_.push_back(light);
     }

@@ -52,8 +52,9 @@ class LightSet {
         return anyArea_ || !discs_.empty() || !emitters_.empty() || !surroundings_.empty();
     }
     bool anyArea() const { return anyArea_; } ///< that has a place
-    /// Which of the lights are seen as discs.
+    /// Which of the lights are seen as discs; which are seen in mirrors.
     std::span<const std::uint32_t> discs() const { return discs_; }
+    std::span<const std::uint32_t> mirrored() const { return mirrored_; }
 
     LightRows rows() const;
     std::span<const Light> lights() const { return lights_; }
@@ -68,7 +69,7 @@ class LightSet {
     void shareByPower(float reach);
 
     std::vector<Light> lights_;
-    std::vector<std::uint32_t> discs_;
+    std::vector<std::uint32_t> discs_, mirrored_;
     Emitters emitters_;
     EnvironmentDraw surroundings_;
     BackgroundLight background_;

@@ -1,5 +1,6 @@
 #include "rtcore/pathtracing/path_integrator.h"
 
+#include "rtcore/lights/mirrored_light.h"
 #include "rtcore/pathtracing/light_hits.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
 #include "rtcore/pathtracing/scatter_wave.h"
@@ -8,6 +9,8 @@
 #include "rtcore/shading/surface/medium.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace rtcore {
@@ -121,6 +124,7 @@ void PathIntegrator::addFound() {
     }
     addSurroundings();
     addDiscs();
+    if (paths_ != nullptr) addMirrored();
     points_.complete({frame_, {pixelNames_.data(), subs_.data()}, limits_.caustics, paths_}, wave_, sums_,
                      next_);
     addEmission();
@@ -188,6 +192,28 @@ void PathIntegrator::addDiscs() {
                                                                       paths_->scattered().point.at(i))
                                               : fog_.rays().transmittance[i]);
             if (!isBlack(radiance)) addTo(i, wave_.paths.path(i).weight * radiance);
+        }
+    }
+}
+
+/// Lights that are seen in mirrors and through glass that bends, by rays that next event does not sample.
+void PathIntegrator::addMirrored() {
+    for (const std::uint32_t k : lights_->mirrored()) {
+        const Light& light = rows_.light[k];
+        const Colour radiance = radianceOfMirrored(light);
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            if (paths_->scattered().density[i] > 0) continue;
+            const Path path = wave_.paths.path(i);
+            const Ray ray = wave_.rays->ray(i);
+            if (path.depth == 0 && (paths_->scattered().state[i] & path_state::kScatters) == 0) continue;
+            const float end = wave_.hits.isHit(i) ? wave_.hits.t[i] : std::numeric_limits<float>::infinity();
+            const std::optional<float> t = distanceToMirrored(light, ray.origin, ray.direction, end);
+            const float weight = t ? weightOfHit(i, 0) : 0;
+            if (weight == 0) continue;
+            Colour seen = path.weight * radiance * absorption(path.extinction, *t) * weight;
+            if (fog_.on() && !path.inside)
+                seen = seen * fogTransmittance(fog_.medium(), ray.origin, ray.direction, *t);
+            addTo(i, seen);
         }
     }
 }
@@ -279,10 +305,10 @@ void PathIntegrator::takeShadows() {
     }
 }
 
-/// Whether rays that glass has bent find the light of the group: all but lights that have a place, or no
-/// size.
+/// Whether rays that glass has bent find the light of the group: all but lights that have no size, and those
+/// with a place that are not to be seen so.
 bool PathIntegrator::isSurrounding(std::uint32_t group) const {
-    return group >= rows_.lights || isDisc(rows_.light[group]);
+    return group >= rows_.lights || isDisc(rows_.light[group]) || isMirrored(rows_.light[group]);
 }
 
 /// The shadow rays to some groups of lights become part_.

@@ -70,6 +70,7 @@ class PathIntegrator {
     void addFound();
     void addSurroundings();
     void addDiscs();
+    void addMirrored();
     void addEmission();
     void addTo(std::size_t ray, Colour light);
     float weightOfHit(std::size_t ray, float sampled) const;

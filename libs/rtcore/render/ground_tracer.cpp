@@ -7,7 +7,8 @@ namespace rtcore {
 
 GroundTracer::GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const SkyGround> ground)
     : surfaces_(std::move(surfaces)), ground_(std::move(ground)),
-      first_(static_cast<std::uint32_t>(ground_->mesh.triangles.size()) - 2) {}
+      first_(static_cast<std::uint32_t>(ground_->mesh.triangles.size()) -
+             2 * ground_->cells * ground_->cells) {}
 
 void GroundTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
     surfaces_->intersect(kind, rays, hits);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -23,7 +24,7 @@ constexpr std::size_t kFewest = 8;                ///< triangles of what anythin
 /// Triangles that hang together.
 struct Piece {
     Box3 bounds;
-    std::uint32_t first = 0; ///< one of its triangles
+    std::uint32_t number = 0;
     std::size_t triangles = 0;
     double upwards = 0, downwards = 0; ///< area of its faces, seen from above
 };
@@ -32,8 +33,9 @@ float widthOf(const Box3& box, const Axes& axes) {
     return std::max(extentAlong(box, axes.right), extentAlong(box, axes.front));
 }
 
-/// The widest first.
-std::vector<Piece> piecesOf(const Mesh& mesh, const Axes& axes) {
+/// The widest first. Sets `pieceOf` to the number of each triangle's piece.
+std::vector<Piece> piecesOf(const Mesh& mesh, const Axes& axes, std::vector<std::uint32_t>& pieceOf) {
+    pieceOf.resize(mesh.triangles.size());
     DisjointSets sets(mesh.vertices.size());
     for (const Triangle& t : mesh.triangles) {
         sets.join(t.v[0], t.v[1]);
@@ -47,8 +49,9 @@ std::vector<Piece> piecesOf(const Mesh& mesh, const Axes& axes) {
         std::uint32_t& of = number[sets.find(mesh.triangles[i].v[0])];
         if (of == kNone) {
             of = static_cast<std::uint32_t>(pieces.size());
-            pieces.emplace_back().first = id;
+            pieces.emplace_back().number = of;
         }
+        pieceOf[i] = of;
         Piece& piece = pieces[of];
         ++piece.triangles;
         for (int corner = 0; corner < 3; ++corner) piece.bounds.extend(mesh.position(id, corner));
@@ -88,7 +91,8 @@ bool isDomeOf(const Piece& piece, const Box3& rest, const Axes& axes) {
            holds(piece.bounds, rest, axes.right, 0) && holds(piece.bounds, rest, axes.front, 0);
 }
 
-/// The number of pieces, from the widest on, that are surroundings of the others.
+/// The number of pieces, from the widest on, that are surroundings of the others; Subject::domes becomes the
+/// numbers of those that are skies.
 std::size_t surroundingsOf(std::span<const Piece> pieces, const Axes& axes, Subject& subject) {
     std::vector<Box3> rest(pieces.size() + 1);
     std::vector<std::size_t> triangles(pieces.size() + 1, 0);
@@ -106,8 +110,7 @@ std::size_t surroundingsOf(std::span<const Piece> pieces, const Axes& axes, Subj
             found.ground = found.ground || below;
             if (below) continue;
             all = all && isDomeOf(piece, rest[count], axes);
-            found.domes.push_back(piece.first);
-            found.domeTriangles += piece.triangles;
+            found.domes.push_back(piece.number);
         }
         if (!all) continue;
         subject = found;
@@ -170,8 +173,12 @@ Subject subjectOf(const Mesh& mesh, const Axes& axes) {
         subject.bounds = mesh.bounds();
         return subject;
     }
-    const std::vector<Piece> pieces = piecesOf(mesh, axes);
+    std::vector<std::uint32_t> pieceOf;
+    const std::vector<Piece> pieces = piecesOf(mesh, axes, pieceOf);
     const std::size_t around = surroundingsOf(pieces, axes, subject);
+    const std::vector<std::uint32_t> skies = std::exchange(subject.domes, {});
+    for (std::uint32_t t = 0; !skies.empty() && t < pieceOf.size(); ++t)
+        if (std::ranges::find(skies, pieceOf[t]) != skies.end()) subject.domes.push_back(t);
     subject.bounds = bulkOf(std::span(pieces).subspan(around));
     return subject;
 }

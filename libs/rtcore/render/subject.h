@@ -13,9 +13,7 @@ namespace rtcore {
 struct Subject {
     Box3 bounds;         ///< of the model without surroundings and without what lies far from the rest
     bool ground = false; ///< it stands on wide ground, or floats on a sea
-    /// Skies around it: a triangle of each, and how many they have in all.
-    std::vector<std::uint32_t> domes;
-    std::size_t domeTriangles = 0;
+    std::vector<std::uint32_t> domes; ///< triangles of skies around it, ascending
 };
 
 /// Surroundings are pieces that hang together, are much wider than all others, and are a flat ground below

@@ -43,10 +43,11 @@ struct Light {
     float height = 0; ///< rectangle: perpendicular to `right`
     /// directional: sine of half the angle under which its disc is seen, 0..1; 0: it has no size
     float discSine = 0;
+    std::uint32_t mirrored = 0; ///< sphere, rectangle: 1 where mirrors and bending glass show it, 0 or 1
 
     friend bool operator==(const Light&, const Light&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 84);
+static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 88);
 
 /// How the radiant intensity depends on the direction: not at all, in a spot's cone, or with the cosine.
 enum class Beam : std::uint8_t { Even, Cone, Cosine };
@@ -83,6 +84,11 @@ inline bool isDisc(const Light& light) {
 }
 /// Whether all of the kind have a place and a size.
 constexpr bool isAreaLight(LightKind kind) { return traitsOf(kind).radius || traitsOf(kind).sides; }
+/// Whether it has a place, and rays that were mirrored or bent see its surface, which is not black.
+inline bool isMirrored(const Light& light) {
+    const bool area = traitsOf(light).radius ? light.radius > 0 : light.width > 0 && light.height > 0;
+    return light.mirrored != 0 && isAreaLight(light.kind) && area && !isBlack(light.intensity);
+}
 /// Whether it has a size, so that its shadows are soft.
 inline bool isAreaLight(const Light& light) { return isAreaLight(light.kind) || isDisc(light); }
 /// Whether it is an area light that lies in a plane and shines from its front.

@@ -1,4 +1,5 @@
-/// A clear sky as a scene describes it: where its sun stands, and through what air it shines.
+/// A clear sky as a scene describes it: where its sun stands, and through what air it shines; or the walls of
+/// a studio in its place.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -26,9 +27,12 @@ struct Sky {
     Vec3 direction{1, 2, 1}; ///< to the sun, in the scene; not zero, need not be of unit length
     float north = 0;         ///< degrees from straight ahead (-z; +y where up is along z) to the right
     float turbidity = 3;     ///< of the air: 2 very clear, 3 clear, 6 hazy, 10 thick
-    float strength = 1;      ///< factor on sun and sky, >= 0
+    float strength = 1;      ///< factor on sun and sky, or on the studio, >= 0
     bool ground = false;     ///< the ground below it takes the shadow of the model (scene/sky_ground.h)
     bool haze = false;       ///< white at the horizon, into which a light ground fades
+    /// White walls and floor without corners below a dark ceiling, and no sun: of all above, only `strength`
+    /// and `ground` count.
+    bool studio = false;
 
     friend bool operator==(const Sky&, const Sky&) = default;
 };

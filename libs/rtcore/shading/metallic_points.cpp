@@ -8,6 +8,7 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/scattering/metallic-inl.h"
+#include "rtcore/shading/surface/faded_mirror-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 
 #ifndef RTCORE_SHADING_METALLIC_POINTS_TYPES
@@ -32,11 +33,8 @@ namespace HWY_NAMESPACE {
 
 /// The share of the gloss that a mirrored ray is to show.
 HWY_INLINE Float mirroredShare(Mirroring mirroring, Float roughness) {
-    const Mask narrow = roughness * roughness < kLeastAlpha;
-    if (mirroring == Mirroring::Exact) return selectOrZero(narrow, Float(1));
-    constexpr float kNarrow = 0.0316F; // its square is kLeastAlpha
-    const Float faded = clamp<Float>((kMirrorsBelow - roughness) / (kMirrorsBelow - kNarrow), 0.0F, 1.0F);
-    return select(narrow, Float(1), faded);
+    if (mirroring == Mirroring::Exact) return selectOrZero(roughness * roughness < kLeastAlpha, Float(1));
+    return fadedMirror<Float>(roughness);
 }
 
 void completeMetallic(const MetallicTask& task, const SurfaceWave& s) {

@@ -2,11 +2,14 @@
 
 #include "rtcore/lights/ambient_light.h"
 #include "rtcore/lights/light_hit-inl.h"
+#include "rtcore/lights/mirrored_light.h"
 #include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/surface/emission.h"
 #include "rtcore/shading/surface/medium.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace rtcore {
 
@@ -22,8 +25,11 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     frame_.tracer = &tracer;
     frame_.settings = &settings;
     frame_.materials = &materials;
-    frame_.discs =
-        std::ranges::any_of(scene.lights, [](const Light& light) { return light.on != 0 && isDisc(light); });
+    const auto anyLight = [&](auto&& is) {
+        return std::ranges::any_of(scene.lights, [&](const Light& each) { return each.on != 0 && is(each); });
+    };
+    frame_.discs = anyLight(isDisc);
+    mirroredLights_ = anyLight(isMirrored);
     statistics_ = {};
     fog_.begin(fogMedium(scene, settings));
     lighting_.begin(frame_, fog_);
@@ -75,6 +81,7 @@ void WhittedIntegrator::traceWave() {
     }
     addBackground();
     if (frame_.discs) addDiscs();
+    if (mirroredLights_ && !wave_.paths.primary()) addMirrored();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     addEmission();
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh(), *frame_.materials);
@@ -141,6 +148,26 @@ void WhittedIntegrator::addDiscs() {
             const float left = transmittance != nullptr ? transmittance[i] : 1.0F;
             const Path path = wave_.paths.path(i);
             sums_.add(path.sample, path.weight * radiance * left);
+        }
+    }
+}
+
+/// Lights that are seen in mirrors, before what the rays hit that were mirrored or bent.
+void WhittedIntegrator::addMirrored() {
+    for (const Light& light : frame_.scene->lights) {
+        if (light.on == 0 || !isMirrored(light)) continue;
+        const Colour radiance = radianceOfMirrored(light);
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            const Path path = wave_.paths.path(i);
+            if (path.depth == 0) continue;
+            const Ray ray = wave_.rays->ray(i);
+            const float end = wave_.hits.isHit(i) ? wave_.hits.t[i] : std::numeric_limits<float>::infinity();
+            const std::optional<float> t = distanceToMirrored(light, ray.origin, ray.direction, end);
+            if (!t) continue;
+            Colour seen = path.weight * radiance * absorption(path.extinction, *t);
+            if (fog_.on() && !path.inside)
+                seen = seen * fogTransmittance(fog_.medium(), ray.origin, ray.direction, *t);
+            sums_.add(path.sample, seen);
         }
     }
 }

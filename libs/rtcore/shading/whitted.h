@@ -73,11 +73,13 @@ class WhittedIntegrator {
     void setWeights();
     void addBackground();
     void addDiscs();
+    void addMirrored();
     void addEmission();
 
     FrameContext frame_;
-    MaterialTable ownMaterials_; ///< when no frame shares its table
-    Colour ambient_;             ///< that nothing occludes
+    MaterialTable ownMaterials_;  ///< when no frame shares its table
+    Colour ambient_;              ///< that nothing occludes
+    bool mirroredLights_ = false; ///< a light that is on is seen in mirrors
     RayStatistics statistics_;
     StageClock clock_;
 

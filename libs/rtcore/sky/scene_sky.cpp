@@ -28,19 +28,25 @@ void removeSky(Scene& scene) {
 
 void giveGround(Scene& scene, const Sky& sky) {
     const Colour albedo = kWhite * groundAlbedo(sky);
-    if (!scene.ground || scene.ground->up != scene.up || scene.ground->material.diffuse != albedo)
-        scene.ground = makeGround(scene.model, scene.up, albedo);
+    const GroundEdge edge = sky.studio ? GroundEdge::Fades : GroundEdge::Far;
+    if (!scene.ground || scene.ground->up != scene.up || scene.ground->material.diffuse != albedo ||
+        scene.ground->edge != edge)
+        scene.ground = makeGround(scene.model, scene.up, albedo, edge);
+}
+
+void addSun(Scene& scene, const Light& sun) {
+    scene.lightNames.resize(scene.lights.size());
+    scene.lights.push_back(sun);
+    scene.lightNames.emplace_back(kSunName);
+    numberLights(scene);
+    scene.lightNotes.back().ofSky = true;
 }
 
 void addSky(Scene& scene, const Sky& sky) {
     SkyLight made = skyLightOf(sky, scene.up);
     scene.activeEnvironment = static_cast<int>(scene.environments.size());
     scene.environments.push_back(std::move(made.environment));
-    scene.lightNames.resize(scene.lights.size());
-    scene.lights.push_back(made.sun);
-    scene.lightNames.emplace_back(kSunName);
-    numberLights(scene);
-    scene.lightNotes.back().ofSky = true;
+    if (made.sun) addSun(scene, *made.sun);
     scene.sky = sky;
 }
 
@@ -53,10 +59,14 @@ void setSky(Scene& scene, const std::optional<Sky>& sky) {
     if (!sky) return;
     SkyLight made = skyLightOf(*sky, scene.up);
     scene.environments.back() = std::move(made.environment);
-    if (const auto sun = sunOf(scene)) {
-        made.sun.on = scene.lights[*sun].on;
-        scene.lights[*sun] = made.sun;
+    if (const auto sun = sunOf(scene); sun && !made.sun) {
+        eraseLight(scene, *sun);
+    } else if (sun) {
+        made.sun->on = scene.lights[*sun].on;
+        scene.lights[*sun] = *made.sun;
         scene.lightNotes[*sun] = {.id = scene.lightNotes[*sun].id, .ofSky = true};
+    } else if (made.sun && scene.sky->studio) {
+        addSun(scene, *made.sun);
     }
     scene.sky = sky;
 }

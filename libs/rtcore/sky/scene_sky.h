@@ -13,9 +13,9 @@ inline constexpr const char* kSunName = "sun";
 
 /// Gives the scene that sky in place of its last one, or none: its environment, which stands behind those of
 /// files and becomes the active one when there was no sky, and its light, named "sun", which stands behind
-/// the others and is switched as the last one was; its ground, when it has one. Edits of the last sun are
-/// lost. Without a sky the first environment of files takes the place of that which was active. The sky is
-/// what is kept of them in files, and the sun where it was edited. Some 0.05 s.
+/// the others and is switched as the last one was; its ground, when it has one. A studio has no sun. Edits of
+/// the last sun are lost. Without a sky the first environment of files takes the place of that which was
+/// active. The sky is what is kept of them in files, and the sun where it was edited. Some 0.05 s.
 void setSky(Scene& scene, const std::optional<Sky>& sky);
 
 /// The number of the sky's environment and of its light; nothing when there is no sky, or its light was taken

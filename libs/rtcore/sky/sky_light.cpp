@@ -6,8 +6,8 @@
 #include "rtcore/sky/sun_position.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -17,14 +17,36 @@ namespace {
 constexpr int kHeight = kSkyWidth / 2;
 constexpr float kTexel = kPi / kHeight; ///< radians
 
-/// Of each texel of a row, across; unit.
-std::vector<Vec2> azimuths() {
-    std::vector<Vec2> all;
-    for (int x = 0; x < kSkyWidth; ++x) {
-        const float angle = (static_cast<float>(x) + 0.5F) * kTexel - kPi;
-        all.push_back({portableSin(angle), -portableCos(angle)});
+/// Calls paint(texel, direction, ring) for all texels of an equirectangular map, row by row; `direction` is
+/// of unit length, `ring` the sine of its angle to the y axis.
+template <typename Paint>
+void forEachTexel(HdrImage& image, Paint&& paint) {
+    const float texel = kPi / static_cast<float>(image.height);
+    std::vector<Vec2> across;
+    for (int x = 0; x < image.width; ++x) {
+        const float angle = (static_cast<float>(x) + 0.5F) * texel - kPi;
+        across.push_back({portableSin(angle), -portableCos(angle)});
     }
-    return all;
+    for (int y = 0; y < image.height; ++y) {
+        const float polar = (static_cast<float>(y) + 0.5F) * texel;
+        const float ring = portableSin(polar), height = portableCos(polar);
+        for (int x = 0; x < image.width; ++x) {
+            const Vec2 a = across[static_cast<std::size_t>(x)];
+            paint(image.at(x, y), Vec3{ring * a.x, height, ring * a.y}, ring);
+        }
+    }
+}
+
+/// The one that is seen in that direction.
+Colour nearestTexel(const HdrImage& image, Vec3 direction) {
+    const float texel = kPi / static_cast<float>(image.height);
+    const float polar =
+        portableAtan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
+    const float azimuth = portableAtan2(direction.x, -direction.z);
+    const auto at = [&](float angle, int count) {
+        return std::clamp(static_cast<int>(angle / texel), 0, count - 1);
+    };
+    return image.at(at(azimuth + kPi, image.width), at(polar, image.height));
 }
 
 float scaleOf(const Sky& sky) { return sky.strength / kLuminanceOfOne; }
@@ -44,17 +66,10 @@ class SkyPainter {
 
     HdrImage paint() {
         HdrImage image(kSkyWidth, kHeight);
-        const std::vector<Vec2> across = azimuths();
-        for (int y = 0; y < kHeight; ++y) {
-            const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
-            const float ring = portableSin(polar), height = portableCos(polar);
-            for (int x = 0; x < kSkyWidth; ++x) {
-                const Vec2 a = across[static_cast<std::size_t>(x)];
-                image.at(x, y) = skyIn({ring * a.x, height, ring * a.y}, ring);
-            }
-        }
+        forEachTexel(image,
+                     [&](Colour& texel, Vec3 direction, float ring) { texel = skyIn(direction, ring); });
         if (haze_) addHaze(image);
-        addGround(image, across);
+        addGround(image);
         if (haze_) fadeGround(image);
         return image;
     }
@@ -86,17 +101,12 @@ class SkyPainter {
         return sky;
     }
 
-    void addGround(HdrImage& image, const std::vector<Vec2>& across) const {
+    void addGround(HdrImage& image) const {
         const Colour irradiance = fromSky() + sunlight_ * std::max(dot(sun_, up_), 0.0F);
         const Colour ground = irradiance * (albedo_ / kPi);
-        for (int y = 0; y < kHeight; ++y) {
-            const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
-            const float ring = portableSin(polar), height = portableCos(polar);
-            for (int x = 0; x < kSkyWidth; ++x) {
-                const Vec2 a = across[static_cast<std::size_t>(x)];
-                image.at(x, y) += ground * (1 - partOfSky({ring * a.x, height, ring * a.y}));
-            }
-        }
+        forEachTexel(image, [&](Colour& texel, Vec3 direction, float) {
+            texel += ground * (1 - partOfSky(direction));
+        });
     }
 
     /// On level ground, of the sky as far as it is painted.
@@ -107,21 +117,26 @@ class SkyPainter {
 
     /// What the sun and the sky light of the haze along a ray, which is white where enough of it is passed.
     void addHaze(HdrImage& image) {
-        constexpr float kThickness = 0.025F; // straight up
         const Colour lit = (sunlight_ + fromSky() * 3.0F) / (4 * kPi);
+        forEachTexel(
+            image, [&](Colour& texel, Vec3 direction, float) { texel += hazeIn(lit, dot(direction, up_)); });
         for (int y = 0; y < kHeight; ++y) {
             const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
             const float ring = portableSin(polar), height = portableCos(polar);
-            const float part = std::clamp(0.5F + height / kTexel, 0.0F, 1.0F);
-            if (part == 0) break;
-            const Colour added = lit * ((1 - portableExp(-kThickness * airMass(height))) * part);
+            const Colour added = hazeIn(lit, height);
             const double weight =
                 kSkyWidth * static_cast<double>(std::max(height, 0.0F) * ring * kTexel * kTexel);
             onGround_[0] += weight * static_cast<double>(added.r);
             onGround_[1] += weight * static_cast<double>(added.g);
             onGround_[2] += weight * static_cast<double>(added.b);
-            for (int x = 0; x < kSkyWidth; ++x) image.at(x, y) += added;
         }
+    }
+    /// Along a ray that rises by `height`; nothing below the horizon.
+    static Colour hazeIn(Colour lit, float height) {
+        constexpr float kThickness = 0.025F; // straight up
+        const float part = std::clamp(0.5F + height / kTexel, 0.0F, 1.0F);
+        if (part == 0) return {};
+        return lit * ((1 - portableExp(-kThickness * airMass(height))) * part);
     }
     /// How much more air a ray passes than one straight up. (Rozenberg 1966)
     static float airMass(float height) {
@@ -130,16 +145,15 @@ class SkyPainter {
     }
 
     /// Towards the horizon, into what is seen just above it.
-    static void fadeGround(HdrImage& image) {
+    void fadeGround(HdrImage& image) const {
         constexpr float kDepth = 0.026F; // sine of 1.5 degrees
-        for (int y = kHeight / 2; y < kHeight; ++y) {
-            const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
-            const float faded = portableExp(portableCos(polar) / kDepth);
-            for (int x = 0; x < kSkyWidth; ++x) {
-                const Colour sky = image.at(x, kHeight / 2 - 1);
-                image.at(x, y) += (sky - image.at(x, y)) * faded;
-            }
-        }
+        const HdrImage sky = image;
+        forEachTexel(image, [&](Colour& texel, Vec3 direction, float) {
+            const float height = dot(direction, up_);
+            if (!(height < 0)) return;
+            const Vec3 above = normalize(direction - up_ * height) + up_ * (0.5F * kTexel);
+            texel += (nearestTexel(sky, above) - texel) * portableExp(height / kDepth);
+        });
     }
 
     Vec3 up_, sun_, aboveHorizon_;
@@ -152,6 +166,24 @@ class SkyPainter {
     float lastHeight_ = -2;
     ClearSky::Height last_{};
 };
+
+/// By height alone: floor and walls of radiance 1, which fade into a ceiling that leaves room for what lights
+/// show of themselves in lacquer and chrome.
+HdrImage studioMap(float strength, Vec3 up) {
+    constexpr int kStudioHeight = 128;
+    constexpr float kCeiling = 0.18F, kWallEnds = 0.05F, kCeilingBegins = 0.75F; // heights: sines
+    HdrImage image(2 * kStudioHeight, kStudioHeight);
+    forEachTexel(image, [&](Colour& texel, Vec3 direction, float) {
+        const float t =
+            std::clamp((dot(direction, up) - kWallEnds) / (kCeilingBegins - kWallEnds), 0.0F, 1.0F);
+        texel = kWhite * (strength * (1 + (kCeiling - 1) * t * t * (3 - 2 * t)));
+    });
+    return image;
+}
+
+std::shared_ptr<const Environment> environmentOf(const HdrImage& map, const char* name) {
+    return std::make_shared<const Environment>(Environment::fromEquirectangular(map, name));
+}
 
 } // namespace
 
@@ -166,9 +198,8 @@ Light sunOfSky(const Sky& sky, Vec3 up) {
 }
 
 SkyLight skyLightOf(const Sky& sky, Vec3 up) {
-    HdrImage map = SkyPainter(sky, up, sunDirection(sky, up)).paint();
-    return {std::make_shared<const Environment>(Environment::fromEquirectangular(std::move(map), "sky")),
-            sunOfSky(sky, up)};
+    if (sky.studio) return {environmentOf(studioMap(sky.strength, up), "studio"), std::nullopt};
+    return {environmentOf(SkyPainter(sky, up, sunDirection(sky, up)).paint(), "sky"), sunOfSky(sky, up)};
 }
 
 } // namespace rtcore

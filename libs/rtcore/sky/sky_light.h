@@ -6,6 +6,7 @@
 #include "rtcore/scene/sky.h"
 
 #include <memory>
+#include <optional>
 
 namespace rtcore {
 
@@ -14,7 +15,11 @@ namespace rtcore {
 inline constexpr float kLuminanceOfOne = 20'000;
 /// What the ground below the horizon scatters back of sun and sky: as stones and grass do, or light as dry
 /// sand where there is haze.
-constexpr float groundAlbedo(const Sky& sky) { return sky.haze ? 0.35F : 0.2F; }
+/// The floor of a studio scatters back what its three lights and its walls bring, as bright as these are.
+constexpr float groundAlbedo(const Sky& sky) {
+    constexpr float kStudio = 0.85F, kSand = 0.35F, kGrass = 0.2F;
+    return sky.studio ? kStudio : sky.haze ? kSand : kGrass;
+}
 /// Of the equirectangular map: 0.35 degrees a texel. What is sharper than that is the horizon alone, and
 /// twice the width costs four times the time whenever the sun is moved.
 inline constexpr int kSkyWidth = 1024;
@@ -23,11 +28,11 @@ inline constexpr int kSkyWidth = 1024;
 inline constexpr float kSunSine = 0.0046251060F;
 
 struct SkyLight {
-    std::shared_ptr<const Environment> environment; ///< named "sky"; without the sun's disc
-    Light sun;                                      ///< directional; black once it has set
+    std::shared_ptr<const Environment> environment; ///< named "sky", without the sun's disc; or "studio"
+    std::optional<Light> sun;                       ///< directional; black once it has set; a studio has none
 };
 
-/// The sun alone; a microsecond.
+/// The sun alone, of a sky that has one; a microsecond.
 Light sunOfSky(const Sky& sky, Vec3 up);
 
 /// In a scene whose up is one of the six axes. Some 0.05 s. The same bits on every processor.

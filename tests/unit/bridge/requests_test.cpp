@@ -79,6 +79,7 @@ TEST(Requests, BecomeLinesOfTheServersCommands) {
     EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"lux", 5000}}), "light power 3 5000 lx");
     EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"watts", 5}}), "light power 3 5");
     EXPECT_EQ(lineOf({{"do", "lightSize"}, {"light", 3}, {"angle", 0.53}}), "light size 3 0.53");
+    EXPECT_EQ(lineOf({{"do", "lightMirrored"}, {"light", 3}, {"on", true}}), "light mirrored 3 on");
     EXPECT_EQ(lineOf({{"do", "lightTemperature"}, {"light", 3}, {"kelvin", nullptr}}),
               "light temperature 3 none");
     EXPECT_EQ(lineOf({{"do", "environment"}, {"number", nullptr}}), "environment none");

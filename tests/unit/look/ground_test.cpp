@@ -137,6 +137,49 @@ TEST(GroundOfAnUpAxis, LiesBelowForEachOfThem) {
     }
 }
 
+/// The corners of its cells, and points between them, are where the triangles that have them are.
+TEST(GroundThatFades, HasItsPointsInItsTriangles) {
+    test::TracedScene s(test::block().finish());
+    const std::size_t own = s.scene.model.mesh.triangles.size();
+    for (const auto edge : {rtcore::GroundEdge::Far, rtcore::GroundEdge::Fades}) {
+        const auto ground = rtcore::makeGround(s.scene.model, {0, 0, 1}, rtcore::kWhite, edge);
+        const rtcore::Mesh& mesh = ground->mesh;
+        EXPECT_EQ(mesh.triangles.size(), own + std::size_t{2} * ground->cells * ground->cells);
+        for (int i = 0; i <= 40; ++i) {
+            for (int j = 0; j <= 40; ++j) {
+                const Vec3 p = ground->corner + ground->right * (static_cast<float>(i) / 40) +
+                               ground->front * (static_cast<float>(j) / 40);
+                const auto point = rtcore::pointOnGround(*ground, p);
+                ASSERT_TRUE(point);
+                const auto t = static_cast<std::uint32_t>(own + point->triangle);
+                const Vec3 a = mesh.position(t, 0), b = mesh.position(t, 1), c = mesh.position(t, 2);
+                EXPECT_LT(rtcore::length(a + (b - a) * point->u + (c - a) * point->v - p), 1e-4F)
+                    << i << " " << j;
+                EXPECT_GT(dot(mesh.geometricNormal(t), Vec3{0, 0, 1}), 0);
+            }
+        }
+    }
+}
+
+TEST(GroundThatFades, IsSolidBelowTheModelAndGoneAtItsSides) {
+    test::TracedScene s(test::block().finish());
+    const auto ground =
+        rtcore::makeGround(s.scene.model, {0, 1, 0}, rtcore::kWhite, rtcore::GroundEdge::Fades);
+    const rtcore::Mesh& mesh = ground->mesh;
+    ASSERT_EQ(mesh.alphas.size(), mesh.normals.size());
+    const Vec3 middle = ground->corner + (ground->right + ground->front) * 0.5F;
+    const float diagonal = s.scene.model.mesh.bounds().diagonal();
+    for (std::size_t t = mesh.triangles.size() - 1; mesh.shading[t].material == s.scene.materials.size();
+         --t) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const float away = rtcore::length(mesh.position(static_cast<std::uint32_t>(t), corner) - middle),
+                        alpha = mesh.alphas[mesh.shading[t].v[static_cast<std::size_t>(corner)]];
+            EXPECT_TRUE(away > 0.5F * diagonal || alpha == 1) << away;
+            EXPECT_TRUE(away < 2.5F * diagonal || alpha == 0) << away;
+        }
+    }
+}
+
 TEST(GroundOfALook, LiesBelowObjectsNotInRooms) {
     const Vec3 up{0, 1, 0};
     const auto groundFor = [&](const test::TracedScene& s) {

@@ -31,15 +31,19 @@ TEST(Look, HasANameForEach) {
     EXPECT_FALSE(rtcore::lookNamed("moon"));
 }
 
-TEST(Look, OfAnObjectIsASkyOrThreeLights) {
+TEST(Look, OfAnObjectIsASkyOrAStudioWithThreeLights) {
     const test::TracedScene s(test::block().finish());
     const LookLights sky = lightsFor(Look::Sky, s), studio = lightsFor(Look::Studio, s);
     EXPECT_TRUE(sky.sky);
     EXPECT_TRUE(sky.lights.empty());
-    EXPECT_FALSE(studio.sky);
+    ASSERT_TRUE(studio.sky);
+    EXPECT_TRUE(studio.sky->studio && studio.sky->ground);
+    EXPECT_FALSE(sky.sky->studio);
     ASSERT_EQ(studio.lights.size(), 3U);
-    for (const rtcore::Light& light : studio.lights)
+    for (const rtcore::Light& light : studio.lights) {
         EXPECT_GT(dot(light.direction, -light.position), 0) << "shines at the object";
+        EXPECT_TRUE(isMirrored(light));
+    }
 }
 
 TEST(Look, LetsRoomsBeAsBrightOnWideGroundAsWithout) {
@@ -62,6 +66,7 @@ TEST(Look, OfARoomHasLightsUnderItsCeiling) {
     const test::TracedScene s(test::room().finish());
     EXPECT_EQ(lightsFor(Look::Sky, s).lights, lightsFor(Look::Studio, s).lights);
     EXPECT_EQ(lightsFor(Look::Sky, s).names.front(), "ceiling 1");
+    EXPECT_FALSE(lightsFor(Look::Studio, s).sky) << "its walls are those of the room";
 }
 
 TEST(Look, TakesThePlaceOfAllOtherLight) {

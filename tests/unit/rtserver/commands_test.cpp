@@ -106,6 +106,7 @@ const std::vector<Case> kCases = {
     {"light power 1 10", {Change::Light}},
     {"light kind 1 spot", {Change::Light}},
     {"light size 1 0.2", {Change::Light}},
+    {"light mirrored 1 off"},  // a point has no surface
     {"light name 1 bulb", {}}, // the image stays
     {"light 2 toggle", {Change::Light}},
     {"light 2 on"},
@@ -125,6 +126,7 @@ const std::vector<Case> kCases = {
     {"sky strength 0.5", {Change::Sky, Change::Light, Change::Setting}},
     {"sky ground on", {Change::Sky, Change::Light, Change::Setting}},
     {"sky haze on", {Change::Sky, Change::Light, Change::Setting}},
+    {"look studio", {Change::Sky, Change::Light, Change::Setting}},
     {"look headlight", {Change::Sky, Change::Light}},
     {"look sky", {Change::Sky, Change::Light, Change::Setting}},
     {"lights", {}, "1 on left\n2 on"},

@@ -277,6 +277,18 @@ TEST_F(LightCommands, AnEditEndsARecordingButASwitchDoesNot) {
     EXPECT_NE(refusal("export video stop").text.find("the lights were edited"), std::string::npos);
 }
 
+TEST_F(LightCommands, MirrorsShowWhatHasASurface) {
+    EXPECT_EQ(refusal("light mirrored 1 on").text, "a point light has no surface that mirrors show");
+    answer("light kind 1 sphere");
+    answer("light mirrored 1 on");
+    EXPECT_TRUE(isMirrored(light(1).light));
+    EXPECT_NE(answer("light get 1").find("mirrored = true"), std::string::npos);
+    answer("light kind 1 rectangle");
+    EXPECT_TRUE(isMirrored(light(1).light));
+    answer("light kind 1 spot");
+    EXPECT_EQ(light(1).light.mirrored, 0U);
+}
+
 TEST_F(LightCommands, ADragIsOneStep) {
     const auto before = state.scene();
     answer("light move 1 at 1 1 1");
@@ -295,8 +307,8 @@ TEST_F(LightCommands, AreTakenBackToTheSameBits) {
     for (const char* edit :
          {"light add sphere at 0 2 0", "light copy 3 at 1 2 0", "light remove 1", "light temperature 2 3000",
           "light colour 3 1 0 0", "light kind 2 spot", "light aim 2 seen 0.5 0.9", "light angles 2 10 30",
-          "light power 2 400", "light size 4 0.5", "light name 2 bulb", "light move 3 seen 0.5 0.9",
-          "light 4 off"})
+          "light power 2 400", "light size 4 0.5", "light mirrored 3 on", "light name 2 bulb",
+          "light move 3 seen 0.5 0.9", "light 4 off"})
         answer(edit);
     drawFrame();
     EXPECT_NE(host.maker.image().pixels, image);

@@ -65,7 +65,8 @@ class SavedEdits : public test::CommandRoom {
         EXPECT_EQ(skyOf(other), skyOf(state));
         EXPECT_EQ(other.scene()->materials, state.scene()->materials);
         // A sky whose light was taken away comes back with one that is off.
-        if (state.scene()->sky && !rtcore::sunOf(*state.scene())) {
+        const std::optional<rtcore::Sky>& sky = state.scene()->sky;
+        if (sky && !sky->studio && !rtcore::sunOf(*state.scene())) {
             EXPECT_EQ(other.scene()->lights.size(), state.scene()->lights.size() + 1);
             EXPECT_EQ(other.scene()->lights.back().on, 0U);
             return;
@@ -155,6 +156,7 @@ class RandomCommands {
             "light " + light(scene) + " toggle",
             "light move " + light(scene) + " at " + vector(),
             "light angles " + light(scene) + " 20 " + real(25, 80),
+            "light mirrored " + light(scene) + " " + one({"on", "off"}),
             "sky " + one({"on", "on", "off"}),
             "sky hour " + real(7, 17),
             "sky strength " + real(0.2, 2),

@@ -107,6 +107,7 @@ TEST_F(SavingRounds, GiveTheSameBytesAndTheSameScene) {
                                              "light kind 1 sphere",
                                              "light size 1 0.3",
                                              "light angles 1 20 50",
+                                             "light mirrored 1 on",
                                              "light name 1 red",
                                              "light move 1 at 0.1 3.3 0.7",
                                              "light aim 1 at 0.7 0 0.1",

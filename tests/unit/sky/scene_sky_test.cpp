@@ -26,7 +26,7 @@ Scene litScene() {
     Scene scene;
     scene.lights.resize(1);
     scene.lightNames = {"left"};
-    addEnvironment(scene, {.files = {"spot.hdr"}, .name = "spot"}, brightAhead());
+    addEnvironment(scene, {.files = {"spot.hdr"}, .parts = {}, .name = "spot"}, brightAhead());
     return scene;
 }
 
@@ -55,6 +55,23 @@ TEST(SceneSky, RotationIsAboutTheUpAxis) {
     EXPECT_GT(scene.environments[0]->radiance({0, 0, -1}, TexelFilter::Bilinear).r, 8);
 }
 
+TEST(SceneSky, OfAStudioHasNoSun) {
+    Scene scene = litScene();
+    setSky(scene, Sky{.studio = true});
+    EXPECT_EQ(scene.environments.size(), 2U);
+    EXPECT_FALSE(sunOf(scene));
+    EXPECT_FALSE(isSunEdited(scene));
+    setSky(scene, Sky{});
+    ASSERT_EQ(sunOf(scene), 1U) << "the sun rises with the sky";
+    setSky(scene, Sky{.studio = true});
+    EXPECT_EQ(scene.lightNames, std::vector<std::string>{"left"});
+    EXPECT_EQ(scene.lightNotes.size(), 1U);
+    setSky(scene, Sky{});
+    rtcore::eraseLight(scene, *sunOf(scene));
+    setSky(scene, Sky{.turbidity = 5});
+    EXPECT_FALSE(sunOf(scene)) << "one that was taken away stays away";
+}
+
 TEST(SceneSky, ComesAndGoesWithItsLight) {
     Scene scene = litScene();
     setSky(scene, Sky{});
@@ -71,7 +88,7 @@ TEST(SceneSky, ComesAndGoesWithItsLight) {
     EXPECT_EQ(scene.lights.size(), 2U);
     EXPECT_NE(scene.lights[1].direction, noon);
     EXPECT_EQ(scene.lights[1].on, 0U) << "stays switched off";
-    EXPECT_EQ(addEnvironment(scene, {.files = {"b.hdr"}, .name = "b"}, brightAhead()), 1U);
+    EXPECT_EQ(addEnvironment(scene, {.files = {"b.hdr"}, .parts = {}, .name = "b"}, brightAhead()), 1U);
     EXPECT_EQ(scene.activeEnvironment, 2) << "still the sky";
     setSky(scene, std::nullopt);
     EXPECT_EQ(scene.environments.size(), 2U);

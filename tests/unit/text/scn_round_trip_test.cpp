@@ -52,6 +52,7 @@ rtcore::LightDescription randomLight(Random& random) {
     }
     light.intensity = positive(random);
     if (traits.disc && random.flag()) light.discSine = random.share();
+    if (isAreaLight(light.kind)) light.mirrored = random.flag() ? 1 : 0;
     if (traits.beam == rtcore::Beam::Cone) {
         light.cosOuter = random.share() - 0.5F;
         light.cosInner = light.cosOuter + 0.1F + 0.4F * random.share();
@@ -93,9 +94,11 @@ rtcore::PartDescription randomPart(Random& random) {
 
 rtcore::EnvironmentFile randomEnvironment(Random& random) {
     rtcore::EnvironmentFile environment;
-    environment.kind = static_cast<rtcore::EnvironmentKind>(random.below(4));
-    const std::size_t count = environment.kind == rtcore::EnvironmentKind::Faces ? 6 : 1;
+    environment.kind = static_cast<rtcore::EnvironmentKind>(random.below(5));
+    const bool shell = environment.kind == rtcore::EnvironmentKind::Parts;
+    const std::size_t count = environment.kind == rtcore::EnvironmentKind::Faces ? 6 : shell ? 0 : 1;
     for (std::size_t i = 0; i < count; ++i) environment.files.emplace_back("/e/" + awkwardName(random));
+    if (shell) environment.parts = {awkwardName(random), awkwardName(random)};
     if (random.flag()) environment.name = awkwardName(random);
     environment.intensity = random.positive();
     if (random.flag()) environment.rotation = 720 * random.share() - 360;
@@ -123,6 +126,7 @@ rtcore::Sky randomSky(Random& random) {
     sky.turbidity = 2 + 8 * random.share();
     sky.strength = random.positive();
     sky.ground = random.share() < 0.5F;
+    sky.studio = random.flag();
     return sky;
 }
 

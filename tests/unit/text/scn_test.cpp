@@ -372,7 +372,8 @@ TEST(Scn, EnvironmentsOfEachKindAreRead) {
 
 TEST(Scn, EnvironmentsThatMakeNoSenseAreRefused) {
     const std::string exactlyOne =
-        "x.scn:3:1: an environment has exactly one of the keys equirectangular, cross, strip and faces";
+        "x.scn:3:1: an environment has exactly one of the keys equirectangular, cross, strip, faces and "
+        "parts";
     EXPECT_EQ(problem("[[environment]]"), exactlyOne);
     EXPECT_EQ(problem("[[environment]]\ncross = \"a\"\nstrip = \"b\""), exactlyOne);
     EXPECT_EQ(problem("[[environment]]\nfaces = [\"a\"]"),

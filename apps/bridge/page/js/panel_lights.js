@@ -84,6 +84,9 @@ export function lightsPanel(app) {
             (inner, goesOn) => edit("lightAngles", { inner, outer: Math.max(inner, light().outer) }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ inner }) => inner);
         add(numeric(of("LightFields", "Angle where it ends"),
             (outer, goesOn) => edit("lightAngles", { inner: Math.min(light().inner, outer), outer }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ outer }) => outer);
+        add(toggle(of("LightFields", "Seen in mirrors"), (on) => edit("lightMirrored", { on }),
+            { help: of("LightFields", "Mirrors, lacquer and glass that bends show the light itself; the camera does not") }),
+        ({ kind }) => kind === "sphere" || kind === "rectangle", ({ mirrored }) => mirrored);
     }
 
     const item = (one) => {

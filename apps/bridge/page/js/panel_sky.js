@@ -25,7 +25,7 @@ export function skyPanel(app) {
     }
 
     function addDate(place) {
-        const dated = () => Boolean(app.state.sky?.on && app.state.sky.date), sky = () => app.state.sky;
+        const dated = () => Boolean(app.state.sky?.on && !app.state.sky.studio && app.state.sky.date), sky = () => app.state.sky;
         add(place, numeric(of("SkyFields", "Time of day"), (hour, goesOn) => edit("skyHour")({ hour }, goesOn), { min: 0, max: 24, unit: "h" }), dated, () => sky().hour);
         const date = text(of("SkyFields", "Date"), (value) => {
             const [year, month, day] = value.split("-").map(Number);
@@ -43,7 +43,7 @@ export function skyPanel(app) {
     }
 
     function addSun(place) {
-        const on = () => Boolean(app.state.sky?.on), byDirection = () => on() && !app.state.sky.date;
+        const any = () => Boolean(app.state.sky?.on), on = () => any() && !app.state.sky.studio, byDirection = () => on() && !app.state.sky.date;
         place.append(make("h3", {}, of("SkyFields", "Sun")));
         add(place, toggle(of("SkyFields", "Computed sky with a sun"), (value) => app.ask("sky", { on: value })), () => true, on);
         add(place, choice(of("SkyFields", "Sun"), [["date", of("SkyFields", "By date and place")], ["direction", of("SkyFields", "By direction")]],
@@ -58,9 +58,9 @@ export function skyPanel(app) {
         add(place, numeric(of("SkyFields", "Haze"), (turbidity, goesOn) => edit("skyTurbidity")({ turbidity }, goesOn),
             { min: 2, max: 10, help: of("SkyFields", "2 very clear, 3 clear, 6 hazy, 10 thick") }), on, () => app.state.sky.turbidity);
         add(place, numeric(of("SkyFields", "Strength"), (factor) => edit("skyStrength")({ factor }),
-            { min: 0, slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), on, () => app.state.sky.strength);
+            { min: 0, slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), any, () => app.state.sky.strength);
         add(place, toggle(of("SkyFields", "Ground that takes the shadow"), (value) => app.ask("skyGround", { on: value }),
-            { help: of("SkyFields", "A wide ground below the model") }), on, () => app.state.sky.ground);
+            { help: of("SkyFields", "A wide ground below the model") }), any, () => app.state.sky.ground);
         add(place, toggle(of("SkyFields", "White horizon"), (value) => app.ask("skyHaze", { on: value }),
             { help: of("SkyFields", "Haze at the horizon, into which a light ground fades") }), on, () => app.state.sky.haze);
     }

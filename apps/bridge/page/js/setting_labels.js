@@ -29,7 +29,7 @@ const edits = [
     ["light add", "add light"], ["light copy", "copy light"], ["light remove", "remove light"], ["light move", "move light"],
     ["light aim", "turn light"], ["light colour", "colour of light"], ["light temperature", "temperature of light"],
     ["light power", "power of light"], ["light kind", "kind of light"], ["light size", "size of light"],
-    ["light angles", "angles of light"], ["light name", "name of light"], ["light", "light"], ["environment", "environment"],
+    ["light angles", "angles of light"], ["light mirrored", "light in mirrors"], ["light name", "name of light"], ["light", "light"], ["environment", "environment"],
     ["sky", "sky"], ["look", "light of the scene"], ["material", "material"], ["part", "visible parts"],
     ["camera reset", "reset camera"], ["camera angle", "field of view"], ["camera lens", "field of view"],
     ["camera zoom", "field of view"], ["camera", "look there"], ["focus", "focus there"], ["up", "up axis"], ["units", "unit"],

@@ -89,7 +89,7 @@ const char* problemOf(const Light& l, const Model& model) {
     if (traits.beam == Beam::Cone && !(l.cosOuter < l.cosInner))
         return "the outer angle is not wider than the inner";
     if (!within(l.discSine, 0, 1)) return "its disc is out of range";
-    if (!isSwitch(l.on)) return "a switch is neither 0 nor 1";
+    if (!isSwitch(l.on) || !isSwitch(l.mirrored)) return "a switch is neither 0 nor 1";
     return l.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
 }
 

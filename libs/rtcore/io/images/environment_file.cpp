@@ -116,6 +116,7 @@ Environment loadEnvironment(const EnvironmentFile& file) {
         return loadCubeFaces(faces);
     }
     case EnvironmentKind::Equirectangular:
+    case EnvironmentKind::Parts:
         break;
     }
     return loadEquirectangular(file.files.at(0));

@@ -25,7 +25,7 @@ Environment loadCubeStrip(const std::filesystem::path& path);
 /// Six files of one square each, in the order +X -X +Y -Y +Z -Z.
 Environment loadCubeFaces(const std::array<std::filesystem::path, 6>& paths);
 
-/// As its kind says; neither its intensity nor its rotation is applied.
+/// As its kind says, which is one with files; neither its intensity nor its rotation is applied.
 Environment loadEnvironment(const EnvironmentFile& file);
 
 struct OpenedEnvironment {

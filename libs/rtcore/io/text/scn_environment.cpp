@@ -40,9 +40,17 @@ EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path&
             table.fail("faces", fmt::format("faces has {} files, but takes six: +x, -x, +y, -y, +z, -z",
                                             faces->size()));
     }
+    if (const auto parts = table.texts("parts")) {
+        table.needVersion(2, "parts");
+        environment.kind = EnvironmentKind::Parts;
+        environment.parts = *parts;
+        ++given;
+        if (parts->empty()) table.fail("parts", "parts names no part; give at least one");
+    }
     table.finish();
     if (given != 1)
-        table.fail("", "an environment has exactly one of the keys equirectangular, cross, strip and faces");
+        table.fail(
+            "", "an environment has exactly one of the keys equirectangular, cross, strip, faces and parts");
     return environment;
 }
 
@@ -55,6 +63,8 @@ void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
     if (!environment.name.empty()) writer.add("name", environment.name);
     if (environment.kind == EnvironmentKind::Faces) {
         writer.add("faces", files);
+    } else if (environment.kind == EnvironmentKind::Parts) {
+        writer.add("parts", environment.parts);
     } else if (!files.empty()) {
         writer.add(kSingleFileKeys.at(static_cast<std::size_t>(environment.kind)), files.front());
     }

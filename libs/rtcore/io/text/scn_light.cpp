@@ -103,6 +103,7 @@ LightDescription readLight(StrictTable& table) {
     const auto angle = table.preciseNumber("angle", kDiscAngle);
     const Sides sides{table.vector("right"), table.number("width", kNotNegative),
                       table.number("height", kNotNegative)};
+    const auto mirrored = table.boolean("mirrored");
     const auto on = table.boolean("on");
     table.finish();
 
@@ -123,6 +124,7 @@ LightDescription readLight(StrictTable& table) {
     if (traits.beam == Beam::Cone) setCone(table, cone, light);
     if (traits.sides) setSides(table, sides, light);
     if (traits.disc) light.discSine = sineOfHalf(angle.value_or(0));
+    if (isAreaLight(light.kind)) light.mirrored = mirrored.value_or(false) ? 1 : 0;
     light.on = on.value_or(true) ? 1 : 0;
     return result;
 }
@@ -149,6 +151,7 @@ void writeLight(TomlWriter& writer, const LightDescription& description) {
         writer.add("height", light.height);
     }
     if (light.discSine > 0) writer.add("angle", degreesOfHalfSine(light.discSine));
+    if (light.mirrored != 0) writer.add("mirrored", true);
     writer.add("on", light.on != 0);
 }
 

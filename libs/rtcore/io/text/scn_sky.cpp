@@ -46,6 +46,7 @@ Sky readSky(StrictTable& table, const Sky& usual) {
     sky.strength = table.number("strength", kNotNegative).value_or(sky.strength);
     sky.ground = table.boolean("ground").value_or(sky.ground);
     sky.haze = table.boolean("haze").value_or(sky.haze);
+    sky.studio = table.boolean("studio").value_or(sky.studio);
     const SunDate date = readDate(table);
     const auto direction = table.vector("direction");
     table.finish();
@@ -79,6 +80,7 @@ void writeSky(TomlWriter& writer, const Sky& sky) {
     writer.add("strength", sky.strength);
     if (sky.ground) writer.add("ground", true);
     if (sky.haze) writer.add("haze", true);
+    if (sky.studio) writer.add("studio", true);
 }
 
 } // namespace rtcore

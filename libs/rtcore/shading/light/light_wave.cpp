@@ -5,8 +5,10 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/lights/rectangle_sample-inl.h"
 #include "rtcore/scattering/metallic-inl.h"
 #include "rtcore/scattering/phong-inl.h"
+#include "rtcore/shading/surface/faded_mirror-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 
 #ifndef RTCORE_SHADING_LIGHT_LIGHT_WAVE_TYPES
@@ -68,10 +70,16 @@ HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const SurfaceWave& s
     return selectOrZero(rough, specularOf(ofPoints, s, i) * reflected);
 }
 
-/// Reflectance of the gloss of points of the metallic-roughness model; zero of others.
+/// What is left of the gloss for a light that mirrored rays see.
+HWY_INLINE Float besideMirror(Uint traits, Float alpha) {
+    return 1.0F - selectOrZero(hasTrait(traits, traits::kSharp), fadedMirror<Float>(sqrt(alpha)));
+}
+
+/// Reflectance of the gloss of points of the metallic-roughness model; zero of others. `mirrored`: mirrored
+/// rays see the light.
 template <bool area>
 HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask metallic,
-                                      const LightSample<Float>& arriving, Float3 normal) {
+                                      const LightSample<Float>& arriving, Float3 normal, bool mirrored) {
     Float alpha = load(s.alpha + i);
     if constexpr (area) alpha = widenedAlpha<Float>(alpha, arriving.spread);
     const Float3 viewer = liftedViewer<Float>(loadAt(s.toViewer, i), normal);
@@ -80,7 +88,26 @@ HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask 
         glossFactor<Float>(loadAt(s.straight, i), loadAt(s.grazing, i), gloss.fresnelCosine);
     const Float wide = furtherFactor<Float>(loadAt(s.furtherShape, i), dot(normal, viewer),
                                             dot(normal, arriving.toLight), dot(viewer, arriving.toLight));
-    return selectOrZero(metallic, factor * gloss.lobe + loadAt(s.further, i) * (wide * kLambertLobe));
+    Float lobe = gloss.lobe;
+    if (mirrored) lobe = lobe * besideMirror(load(s.traits + i), load(s.alpha + i));
+    return selectOrZero(metallic, factor * lobe + loadAt(s.further, i) * (wide * kLambertLobe));
+}
+
+/// A rectangle that mirrors show is sampled as the surface gets its light, with less noise. The others keep
+/// the samples by area that scenes of before have.
+template <LightKind kind, bool area>
+HWY_INLINE LightSample<Float> sampleOf(const Light& light, Float3 position, Float3 normal,
+                                       const Stratum<Float>& stratum, bool mirrored) {
+    if constexpr (kind == LightKind::Rectangle && area) {
+        if (mirrored) {
+            const LightDraw<Float> draw =
+                sampleRectangleForSurface<Float>(light, position, normal, stratum.u, stratum.v);
+            const Float solidAngle = selectOrZero(draw.density > 0.0F, 1.0F / draw.density);
+            return {draw.toLight, draw.free, draw.irradiance * stratum.weight,
+                    solidAngle * (stratum.ofAll / kPi)};
+        }
+    }
+    return sampleLight<kind>(light, position, stratum);
 }
 
 /// `area`: it has a size, to which highlights are widened.
@@ -89,6 +116,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
                                 const SurfaceWave& s, const ShadowArrays* shadows,
                                 const KnownVisibility* known) {
     std::size_t count = 0;
+    const bool mirrored = isMirrored(light);
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Uint traits = load(s.traits + i);
         Mask lit = hasTrait(traits, traits::kPoint);
@@ -98,9 +126,10 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
             continue;
         }
         const Float3 position = loadAt(s.position, i);
-        const LightSample<Float> arriving = sampleLight<kind>(light, position, strataOf<kind>(strata, i));
-        const Float3 geometricNormal = loadAt(s.geometricNormal, i);
         const Float3 normal = loadAt(s.shadingNormal, i);
+        const LightSample<Float> arriving = sampleOf<kind, area>(
+            light, position, normal, strataOf<kind>(strata, i), mirrored && strata != nullptr);
+        const Float3 geometricNormal = loadAt(s.geometricNormal, i);
         const Float geometric = dot(geometricNormal, arriving.toLight);
         const Float cosine = dot(normal, arriving.toLight);
         lit = lit & ((geometric > 0.0F) & (cosine > 0.0F));
@@ -119,7 +148,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
             if (any(rough)) weight += roughReflectance(rows, s, i, rough, cosine, dot(normal, toViewer));
         }
         const Mask metallic = lit & hasTrait(traits, traits::kMetallic);
-        if (any(metallic)) weight += metallicReflectance<area>(s, i, metallic, arriving, normal);
+        if (any(metallic)) weight += metallicReflectance<area>(s, i, metallic, arriving, normal, mirrored);
         weight *= cosine * terminatorFactor<Float>(geometricNormal, normal, geometric, cosine);
         const Float3 added = selectOrZero(lit, loadAt(s.weight, i) * weight * arriving.irradiance);
         storeAt(added, s.added, i);

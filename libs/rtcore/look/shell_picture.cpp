@@ -1,0 +1,120 @@
+#include "rtcore/look/shell_picture.h"
+
+#include "rtcore/accel/visible_tree.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/math/constants.h"
+#include "rtcore/render/visible_scene.h"
+#include "rtcore/shading/whitted.h"
+#include "rtcore/simd/portable_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kWidth = 1024, kHeight = kWidth / 2;
+
+/// The scene's shell alone, which nothing else lights.
+Scene shellAlone(const Scene& scene, std::span<const std::uint8_t> pieces) {
+    Scene shell;
+    shell.model = scene.model;
+    shell.materials = scene.materials;
+    auto others = std::make_shared<std::vector<std::uint8_t>>(pieces.begin(), pieces.end());
+    for (std::uint8_t& piece : *others) piece = piece != 0 ? 0 : 1;
+    shell.hiddenParts = std::move(others);
+    return shell;
+}
+
+Vec3 middleOfTheRest(const Model& model, std::span<const std::uint8_t> pieces) {
+    Box3 rest;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const ModelPart& part = model.parts[i];
+        for (std::uint32_t t = 0; pieces[i] == 0 && t < part.triangleCount; ++t)
+            for (int corner = 0; corner < 3; ++corner)
+                rest.extend(model.mesh.position(part.firstTriangle + t, corner));
+    }
+    return rest.empty() ? model.mesh.bounds().centre() : rest.centre();
+}
+
+RayWave raysOfRow(Vec3 origin, int y) {
+    constexpr float kTexel = kPi / kHeight;
+    const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
+    const float ring = portableSin(polar), height = portableCos(polar);
+    RayWave rays;
+    for (int x = 0; x < kWidth; ++x) {
+        const float angle = (static_cast<float>(x) + 0.5F) * kTexel - kPi;
+        const Vec3 direction{ring * portableSin(angle), height, -ring * portableCos(angle)};
+        rays.push({origin, 0, normalize(direction), std::numeric_limits<float>::max()});
+    }
+    return rays;
+}
+
+struct Seen {
+    HdrImage picture{kWidth, kHeight};
+    std::vector<std::uint8_t> hit = std::vector<std::uint8_t>(std::size_t{kWidth} * kHeight);
+};
+
+Seen lookAround(const Scene& shell, const KdTree& tree, Vec3 origin) {
+    const KdTree visible = visibleTree(tree, shell);
+    const KdRayTracer tracer(visible, shell.model.mesh);
+    const RenderSettings settings;
+    Seen seen;
+#pragma omp parallel
+    {
+        WhittedIntegrator integrator(shell, tracer, settings);
+#pragma omp for schedule(dynamic)
+        for (int y = 0; y < kHeight; ++y) {
+            const std::size_t first = static_cast<std::size_t>(y) * kWidth;
+            integrator.trace(raysOfRow(origin, y), std::span(seen.picture.pixels).subspan(first, kWidth),
+                             std::span(seen.hit).subspan(first, kWidth));
+        }
+    }
+    return seen;
+}
+
+/// Of what was hit.
+struct Brightness {
+    Colour mean;
+    float lowest = std::numeric_limits<float>::max(), highest = 0;
+};
+Brightness brightnessOf(const Seen& seen) {
+    Brightness result;
+    double sum[3] = {}, count = 0;
+    for (std::size_t i = 0; i < seen.hit.size(); ++i) {
+        if (seen.hit[i] == 0) continue;
+        const Colour c = seen.picture.pixels[i];
+        ++count;
+        sum[0] += static_cast<double>(c.r);
+        sum[1] += static_cast<double>(c.g);
+        sum[2] += static_cast<double>(c.b);
+        result.lowest = std::min(result.lowest, luminance(c));
+        result.highest = std::max(result.highest, luminance(c));
+    }
+    if (count > 0)
+        result.mean = {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
+                       static_cast<float>(sum[2] / count)};
+    return result;
+}
+
+} // namespace
+
+std::optional<Environment> pictureOfShell(const Scene& scene, const KdTree& tree,
+                                          std::span<const std::uint8_t> pieces, std::string name) {
+    constexpr float kEven = 1.1F; // the brightest is less than that many times the darkest
+    Seen seen = lookAround(shellAlone(scene, pieces), tree, middleOfTheRest(scene.model, pieces));
+    const Brightness brightness = brightnessOf(seen);
+    if (!(brightness.highest > 0) || !std::isfinite(brightness.highest) ||
+        brightness.highest < kEven * brightness.lowest)
+        return std::nullopt;
+    for (std::size_t i = 0; i < seen.hit.size(); ++i)
+        if (seen.hit[i] == 0) seen.picture.pixels[i] = brightness.mean;
+    return Environment::fromEquirectangular(seen.picture, std::move(name));
+}
+
+} // namespace rtcore
