@@ -16,7 +16,7 @@ namespace rtserver {
 namespace {
 
 /// Of live frames, which trace few pixels themselves; an eye does not follow sooner.
-constexpr int kMeterEvery = 4;
+constexpr int kMeterEvery = 8;
 
 bool canBeLive(const ServerState& state) {
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
@@ -59,7 +59,8 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = state.shownSettings();
     if (detail.live()) effects.denoise.passes = 0;
-    if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery) meter(state, effects, control);
+    if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery)
+        meter(state, effects, detail.live(), control);
     if (control.cancel) return false; // what was measured then says nothing
     target_ = developer_.exposure(frame, effects, white_, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
@@ -74,14 +75,16 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     return true;
 }
 
-/// The light on what is seen: coarse and whole frames of a view have the same exposure.
-void FrameMaker::meter(const ServerState& state, const rtcore::RenderSettings& settings,
+/// The light on what is seen: coarse and whole frames of a view have the same exposure. That of live frames
+/// is measured roughly, or such a frame would be late; it is followed smoothly.
+void FrameMaker::meter(const ServerState& state, const rtcore::RenderSettings& settings, bool live,
                        rtcore::RenderControl& control) {
     white_.reset();
     unmetered_ = 0;
     if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    white_ = meter_.white({*scene, *state.tracer(), state.camera(), settings}, control);
+    const rtcore::View view{*scene, *state.tracer(), state.camera(), settings};
+    white_ = live ? meter_.roughWhite(view, control) : meter_.white(view, control);
 }
 
 bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,

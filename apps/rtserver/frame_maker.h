@@ -82,7 +82,7 @@ class FrameMaker {
                       const rtcore::Frame& frame);
     void noticeChanges(const ServerState& state);
     void keepLight();
-    void meter(const ServerState& state, const rtcore::RenderSettings& settings,
+    void meter(const ServerState& state, const rtcore::RenderSettings& settings, bool live,
                rtcore::RenderControl& control);
     void adapt(float target, const rtcore::ExposureSettings& settings);
 

@@ -8,18 +8,18 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kWidth = 48;
+constexpr int kWidth = 48, kRoughWidth = 32;
 constexpr int kAntialiasing = 3;      ///< each way
 constexpr int kPathsOfPixel = 64;     ///< of a pixel
 constexpr float kLeastMatte = 0.005F; ///< less says nothing of the light
 constexpr float kBrighter = 0.1F;     ///< of the pixels that count
 constexpr float kLeastPixels = 0.01F; ///< of all
 
-RenderSettings smallSettings(const RenderSettings& whole) {
+RenderSettings smallSettings(const RenderSettings& whole, int width) {
     RenderSettings small = whole;
     const double aspect = static_cast<double>(whole.height) / std::max(whole.width, 1);
-    small.width = kWidth;
-    small.height = std::clamp(static_cast<int>(std::lround(kWidth * aspect)), 1, 4 * kWidth);
+    small.width = width;
+    small.height = std::clamp(static_cast<int>(std::lround(width * aspect)), 1, 4 * width);
     small.antialiasing = kAntialiasing;
     small.sampling = SamplingPattern::Grid;
     small.adaptive = 0;
@@ -50,10 +50,20 @@ bool LightMeter::render(const View& view, RenderControl& control) {
 }
 
 std::optional<float> LightMeter::white(const View& view, RenderControl& control) {
-    const RenderSettings small = smallSettings(view.settings);
+    const RenderSettings small = smallSettings(view.settings, kWidth);
+    return whiteOf({view.scene, view.tracer, view.camera, small}, control);
+}
+
+std::optional<float> LightMeter::roughWhite(const View& view, RenderControl& control) {
+    RenderSettings small = smallSettings(view.settings, kRoughWidth);
+    small.antialiasing = 1;
+    small.path.samples = kPathsOfPixel / (kAntialiasing * kAntialiasing);
+    return whiteOf({view.scene, view.tracer, view.camera, small}, control);
+}
+
+std::optional<float> LightMeter::whiteOf(const View& small, RenderControl& control) {
     RenderControl quietly{.threads = control.threads};
-    if (control.cancel || !render({view.scene, view.tracer, view.camera, small}, quietly) || control.cancel)
-        return std::nullopt;
+    if (control.cancel || !render(small, quietly) || control.cancel) return std::nullopt;
     const std::vector<AovPixel>& surfaces = surfaces_.aovs.pixels();
     whites_.clear();
     for (std::size_t i = 0; i < surfaces.size(); ++i) {

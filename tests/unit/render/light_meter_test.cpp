@@ -100,6 +100,30 @@ TEST(LightMeter, ATenthOfWhatIsSeenMayHaveMoreLight) {
     }
 }
 
+/// Of a scene whose light is sampled, and varies over what is seen.
+TEST(LightMeter, RoughlyItMeasuresTheSame) {
+    test::SceneBuilder b;
+    b.square({0, -1, -4}, {0, 1, 0}, 6, b.material(test::matte(0.5F)));
+    b.square({0, 0, -9}, {0, 0, 1}, 6, b.material(test::matte(0.8F)));
+    b.box({-1, -1, -5}, {0.5F, 0.3F, -4}, b.material(test::matte(0.2F)));
+    Light light = test::pointLight({2, 3, -3}, 20);
+    light.kind = LightKind::Sphere;
+    light.radius = 0.8F;
+    b.scene.lights = {light};
+    b.scene.background = kWhite * 0.4F;
+    const test::TracedScene traced(b.finish());
+    RenderSettings settings = test::sampleSettings(320, 200);
+    settings.skyLight.on = settings.ambientOcclusion.on = true;
+    const Camera camera = ahead();
+    RenderControl control{.threads = 2};
+    const View view{traced.scene, traced.tracer, camera, settings};
+    const std::optional<float> exact = LightMeter().white(view, control),
+                               rough = LightMeter().roughWhite(view, control);
+    ASSERT_TRUE(exact && rough);
+    EXPECT_NEAR(*rough / *exact, 1, 0.08F);
+    EXPECT_NE(*rough, *exact) << "it took fewer samples";
+}
+
 TEST(LightMeter, LeavesOutSkyLightsAndMirrors) {
     test::SceneBuilder b;
     Material shining = test::matte(0.5F);
