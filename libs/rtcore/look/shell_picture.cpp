@@ -107,6 +107,7 @@ Brightness brightnessOf(const Seen& seen) {
 std::optional<Environment> pictureOfShell(const Scene& scene, const KdTree& tree,
                                           std::span<const std::uint8_t> pieces, std::string name) {
     constexpr float kEven = 1.1F; // the brightest is less than that many times the darkest
+    if (std::ranges::count(pieces, 0) == std::ssize(pieces)) return std::nullopt;
     Seen seen = lookAround(shellAlone(scene, pieces), tree, middleOfTheRest(scene.model, pieces));
     const Brightness brightness = brightnessOf(seen);
     if (!(brightness.highest > 0) || !std::isfinite(brightness.highest) ||

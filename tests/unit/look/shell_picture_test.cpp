@@ -62,4 +62,16 @@ TEST(ShellPicture, IsNoneWhereItIsEvenOrDark) {
     EXPECT_FALSE(Boxed({}, {}, {}).picture());
 }
 
+/// Also of a model that has no parts: its own lights are no shell.
+TEST(ShellPicture, IsNoneWithoutPieces) {
+    Boxed boxed({1, 1, 1}, {0.5F, 0.5F, 0.5F}, {0.1F, 0.1F, 0.1F});
+    EXPECT_TRUE(boxed.picture());
+    const std::vector<std::uint8_t> none{0, 0};
+    const rtcore::Scene& scene = boxed.traced.scene;
+    EXPECT_FALSE(rtcore::pictureOfShell(scene, boxed.traced.tree, none, "sky"));
+    rtcore::Scene whole = scene;
+    whole.model.parts = {};
+    EXPECT_FALSE(rtcore::pictureOfShell(whole, boxed.traced.tree, {}, "sky"));
+}
+
 } // namespace
