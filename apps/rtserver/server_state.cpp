@@ -115,8 +115,7 @@ void ServerState::setFrame(std::optional<rtcore::Vec3> up, std::optional<double>
 
 void ServerState::guessFrame(bool up, bool unit) {
     const rtcore::LoadedScene& loaded = world_->loaded;
-    const rtcore::UpAndUnit guess =
-        rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.model.mesh);
+    const rtcore::UpAndUnit guess = rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.model);
     rtcore::UpAndUnit frame = loaded.frame;
     if (up) {
         frame.up = guess.up;

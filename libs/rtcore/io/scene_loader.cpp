@@ -385,7 +385,7 @@ class Loader {
             frame.metresPerUnit = out_.scene.metresPerUnit;
             frame.upSaid = frame.unitSaid = Said::ByScene;
         } else {
-            frame = guessUpAndUnit(out_.origin, out_.tree, out_.scene.model.mesh);
+            frame = guessUpAndUnit(out_.origin, out_.tree, out_.scene.model);
         }
         frame = withUserSays(frame, options_.import.up, options_.import.metresPerUnit);
         // A camera of the model's or the scene's own knows what is up, unless the user knows better.
@@ -578,6 +578,17 @@ class Loader {
         setSky(scene, sky);
     }
 
+    /// An object is not half black by its author's only light, before nothing.
+    void fillTheDark() {
+        Scene& scene = out_.scene;
+        if (out_.indoors || surveyed().inside() || surveyed().isStage() || shines()) return;
+        const auto fill = fillLight(scene, out_.tree, out_.camera);
+        if (!fill) return;
+        scene.background = *fill;
+        take({{"skyLight.on", true}});
+        warn({"its own lights leave much of what is seen in the dark; a background that lights was added"});
+    }
+
     void giveLight() {
         Scene& scene = out_.scene;
         const Surroundings& surroundings = options_.surroundings;
@@ -591,6 +602,7 @@ class Loader {
         if (hasLight() || (surrounded && out_.sceneFile)) {
             if (!out_.sceneFile) take(exposureOf(surroundings.usual));
             if (surrounded) take({{"skyLight.on", true}});
+            if (!surrounded && !out_.sceneFile) fillTheDark();
         } else if (surrounded) {
             giveGround();
             addRoomLights(scene, out_.tree, surveyed());

@@ -1,6 +1,7 @@
 #include "rtcore/look/look.h"
 
 #include "rtcore/look/room_lights.h"
+#include "rtcore/look/seen_places.h"
 #include "rtcore/look/sun_of_view.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/render/default_view.h"
@@ -185,6 +186,20 @@ bool isLitBy(const Scene& scene, const LookLights& look) {
 void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
     addLight(scene, defaultLight(camera, bounds), kHeadlightName);
     numberLights(scene);
+}
+
+std::optional<Colour> fillLight(const Scene& scene, const KdTree& tree, const Camera& camera) {
+    constexpr float kDark = 0.02F, kMuch = 0.03F, kFill = 0.04F; // of what is well lit or seen
+    const Mesh& mesh = scene.model.mesh;
+    const std::vector<SeenPlace> places = seenPlaces(tree, mesh, camera);
+    if (places.empty()) return std::nullopt;
+    std::vector<float> sums = irradianceAt(tree, mesh, scene.lights, places);
+    for (float& sum : sums) sum += kPi * maxComponent(scene.ambient);
+    std::ranges::sort(sums);
+    const float well = sums[sums.size() * 9 / 10];
+    const auto dark = std::ranges::count_if(sums, [&](float sum) { return sum < kDark * well; });
+    if (static_cast<float>(dark) < kMuch * static_cast<float>(sums.size())) return std::nullopt;
+    return kWhite * (kFill * well / kPi);
 }
 
 void addRoomLights(Scene& scene, const KdTree& tree, const Survey& survey) {

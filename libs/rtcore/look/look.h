@@ -63,6 +63,10 @@ void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera);
 /// before a stage, and what has no ground of its own, unless that takes too much memory.
 bool wantsGround(const Mesh& mesh, const Survey& survey);
 
+/// The radiance of an even background that lights what an object's own lights leave in the dark, where that
+/// is much of what the camera sees: weak beside what is well lit. None where they light it well.
+std::optional<Colour> fillLight(const Scene& scene, const KdTree& tree, const Camera& camera);
+
 /// Those of roomLights(), behind the lights that the scene has.
 void addRoomLights(Scene& scene, const KdTree& tree, const Survey& survey);
 

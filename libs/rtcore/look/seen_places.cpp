@@ -77,18 +77,22 @@ float partInImage(std::span<const SeenPlace> places, const Camera& camera) {
            static_cast<float>(places.size());
 }
 
+std::vector<float> irradianceAt(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
+                                std::span<const SeenPlace> places) {
+    std::vector<float> sums(places.size(), 0.0F);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (const Light& light : lights)
+            if (light.on != 0) sums[i] += irradianceAt(tree, mesh, light, places[i]);
+    return sums;
+}
+
 bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
                   std::span<const SeenPlace> places, Colour ambient) {
     constexpr float kNoticed = 0.02F; // beside what the ambient light brings
     const float least = kNoticed * kPi * maxComponent(ambient);
-    std::size_t lit = 0;
-    for (const SeenPlace& place : places) {
-        float sum = 0;
-        for (const Light& light : lights)
-            if (light.on != 0) sum += irradianceAt(tree, mesh, light, place);
-        lit += sum > least ? 1 : 0;
-    }
-    return 50 * lit >= places.size();
+    const std::vector<float> sums = irradianceAt(tree, mesh, lights, places);
+    const auto lit = std::ranges::count_if(sums, [&](float sum) { return sum > least; });
+    return 50 * static_cast<std::size_t>(lit) >= places.size();
 }
 
 bool isOpen(const KdTree& tree, const Mesh& mesh, std::span<const SeenPlace> places) {

@@ -29,6 +29,10 @@ bool showsModel(std::span<const SeenPlace> places, const Box3& box);
 /// perspective nor orthographic 1.
 float partInImage(std::span<const SeenPlace> places, const Camera& camera);
 
+/// What the lights that are on bring to each of the places; W/m^2 of the brightest channel.
+std::vector<float> irradianceAt(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
+                                std::span<const SeenPlace> places);
+
 /// Whether one of the lights that are on can be noticed beside `ambient` at some of the places.
 bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
                   std::span<const SeenPlace> places, Colour ambient);

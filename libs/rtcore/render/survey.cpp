@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 namespace rtcore {
 
@@ -102,9 +103,15 @@ float roomHeight(const KdTree& tree, const Mesh& mesh, Vec3 up) {
         }
     }
     if (heights.empty() || 10 * heights.size() < filled) return 0;
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    return *middle;
+    // Half of the space is in higher ones: what is below tables counts little.
+    std::sort(heights.begin(), heights.end());
+    const double half = std::accumulate(heights.begin(), heights.end(), 0.0) / 2;
+    double below = 0;
+    for (const float height : heights) {
+        below += double{height};
+        if (below >= half) return height;
+    }
+    return heights.back();
 }
 
 } // namespace rtcore

@@ -1,5 +1,6 @@
 #include "rtcore/render/up_and_unit.h"
 
+#include "rtcore/render/part_roles.h"
 #include "rtcore/render/shape_of_model.h"
 #include "rtcore/render/survey.h"
 #include "rtcore/scene/exporter_habits.h"
@@ -39,46 +40,64 @@ double oddsOfUp(const AxisShape& axis, const AxisShape& other) {
     return odds;
 }
 
-/// How much more likely things of that size are than others; metres. `room`: the height of its rooms, 0:
-/// none.
-double oddsOfSize(double height, double longest, double room, double boxy) {
-    const auto outside = [](double value, double low, double high, double below, double above) {
+/// How much speaks for z to be up rather than y, by what its floors and walls are across.
+double oddsOfNames(const PartRoles& roles) {
+    const auto lead = [](const std::array<double, 3>& areas) {
+        const double sum = areas[0] + areas[1] + areas[2];
+        return sum > 0 ? (areas[2] - areas[1]) / sum : 0;
+    };
+    // Walls are across two axes.
+    constexpr double kFloors = 4, kWalls = 4, kMost = 4;
+    return std::clamp(kFloors * lead(roles.lying) - kWalls * lead(roles.standing), -kMost, kMost);
+}
+
+/// What decides how large something is; in scene units.
+struct Sizes {
+    double height = 0, longest = 0;
+    double room = 0; ///< the height of its rooms, 0: none
+    double boxy = 0; ///< of ModelShape
+    bool building = false, landscape = false;
+};
+
+/// How much more likely things of that size are than others.
+double oddsOfSize(const Sizes& size, double metres) {
+    const auto outside = [metres](double units, double low, double high, double below, double above) {
+        const double value = units * metres;
         if (value < low) return -below * std::log10(low / value);
         return value > high ? -above * std::log10(value / high) : 0.0;
     };
     constexpr double kBelow = 3, kAbove = 4;
+    if (size.landscape) return outside(size.longest, 30, 20'000, kBelow, kAbove);
     // Houses have right angles, and so have cupboards; other things seldom are as large as a car.
-    const double largest = boxy > 0.6 ? 25 : 5;
-    const double thing = outside(longest, 0.02, largest, kBelow, kAbove);
-    if (!(room > 0)) return thing;
-    // Rooms, or a hollow thing.
-    constexpr double kHollow = -0.7;
-    const double rooms = std::min(outside(height, 2.2, 30, 9, 6), outside(room, 2, 30, 9, 6));
-    return std::max(rooms, thing + kHollow);
+    const double largest = size.boxy > 0.6 ? 25 : 5;
+    const double thing = outside(size.longest, 0.02, largest, kBelow, kAbove);
+    if (!(size.room > 0) && !size.building) return thing;
+    double house = outside(size.height, 2.2, 30, 9, 6);
+    // Few rooms are as high as churches.
+    if (size.room > 0)
+        house = std::min(house, outside(size.room, 2, 30, 9, 6) + outside(size.room, 2, 6, 0, 1));
+    // Else a hollow thing; of a building, a model of it.
+    const double hollow = size.building ? -3 : -0.7;
+    return std::max(house, thing + hollow);
 }
 
 struct Choice {
     std::size_t unit = 0;
-    double lead = 0;     ///< before the second
     bool bySize = false; ///< against the habits
 };
 
-Choice chooseUnit(const OriginHabits& habits, double height, double longest, double room, double boxy) {
+Choice chooseUnit(const OriginHabits& habits, const Sizes& size) {
     std::array<double, kLengthUnits> odds{};
-    for (std::size_t i = 0; i < kLengthUnits; ++i) {
-        const double metres = kMetresIn.at(i);
-        odds.at(i) = habits.units.at(i) + oddsOfSize(height * metres, longest * metres, room * metres, boxy);
-    }
+    for (std::size_t i = 0; i < kLengthUnits; ++i)
+        odds.at(i) = habits.units.at(i) + oddsOfSize(size, kMetresIn.at(i));
     Choice choice;
     choice.unit = static_cast<std::size_t>(std::max_element(odds.begin(), odds.end()) - odds.begin());
     const auto usual = std::max_element(habits.units.begin(), habits.units.end());
     choice.bySize = habits.units.at(choice.unit) < *usual;
-    std::sort(odds.begin(), odds.end());
-    choice.lead = odds.at(kLengthUnits - 1) - odds.at(kLengthUnits - 2);
     return choice;
 }
 
-void guessUp(UpAndUnit& frame, const OriginHabits& habits, const ModelShape& shape) {
+void guessUp(UpAndUnit& frame, const OriginHabits& habits, const ModelShape& shape, const PartRoles& roles) {
     const AxisShape &y = shape.axes[1], &z = shape.axes[2];
     // A single flat piece may be a picture as well as a floor.
     constexpr float kPicture = 0.003F;
@@ -87,35 +106,38 @@ void guessUp(UpAndUnit& frame, const OriginHabits& habits, const ModelShape& sha
     constexpr double kMostByShape = 3;
     const double byShape =
         picture ? 0 : std::clamp(oddsOfUp(z, y) - oddsOfUp(y, z), -kMostByShape, kMostByShape);
-    const double odds = habits.zUp + byShape;
+    const double byNames = oddsOfNames(roles);
+    const double odds = habits.zUp + byShape + byNames;
     const bool zUp = odds > 0;
     frame.up = zUp ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
     frame.otherUp = zUp ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     const bool usual = (habits.zUp > 0) == zUp;
-    frame.upWhy = usual ? "usual for " + habits.name : "by its shape";
+    const bool named = (byNames > 0) == zUp && std::fabs(byNames) > std::fabs(byShape);
+    frame.upWhy = usual ? "usual for " + habits.name : named ? "by its floors and walls" : "by its shape";
     constexpr double kDoubtful = 1;
     frame.surprising = zUp || std::fabs(odds) < kDoubtful;
 }
 
-void guessUnit(UpAndUnit& frame, OriginHabits habits, const ModelShape& shape, const KdTree& tree,
-               const Mesh& mesh) {
+void guessUnit(UpAndUnit& frame, OriginHabits habits, const ModelShape& shape, const PartRoles& roles,
+               const KdTree& tree, const Mesh& mesh) {
     const int axis = std::fabs(frame.up.x) > 0.5F ? 0 : std::fabs(frame.up.y) > 0.5F ? 1 : 2;
-    const double height = double{shape.axes[axis].extent()};
-    double longest = 0;
-    for (const AxisShape& each : shape.axes) longest = std::max(longest, double{each.extent()});
-    if (!(longest > 0) || !std::isfinite(longest)) return;
+    Sizes size{.boxy = shape.boxy, .building = roles.building, .landscape = roles.landscape};
+    for (const AxisShape& each : shape.axes) size.longest = std::max(size.longest, double{each.extent()});
+    if (!(size.longest > 0) || !std::isfinite(size.longest)) return;
+    size.height = std::max(double{shape.axes[axis].extent()}, 1e-6 * size.longest);
     // What counts z upwards though its format does not ask for it comes from CAD.
-    if (frame.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0)
+    const bool known = roles.building || roles.landscape;
+    if (frame.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0 && !known)
         habits.units.at(static_cast<std::size_t>(LengthUnit::Millimetre)) += 2;
-    const auto room = double{roomHeight(tree, mesh, frame.up)};
-    const Choice choice = chooseUnit(habits, std::max(height, 1e-6 * longest), longest, room, shape.boxy);
+    size.room = double{roomHeight(tree, mesh, frame.up)};
+    const Choice choice = chooseUnit(habits, size);
     frame.metresPerUnit = static_cast<float>(kMetresIn.at(choice.unit));
     frame.unitWhy = choice.bySize ? "by its size" : "usual for " + habits.name;
 }
 
 } // namespace
 
-UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Mesh& mesh) {
+UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Model& model) {
     UpAndUnit frame;
     const OriginHabits habits = habitsOf(origin);
     if (origin.up) {
@@ -127,9 +149,10 @@ UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Me
         frame.unitSaid = Said::ByFormat;
     }
     if (origin.up && origin.metresPerUnit) return frame;
-    const ModelShape shape = shapeOf(mesh);
-    if (!origin.up) guessUp(frame, habits, shape);
-    if (!origin.metresPerUnit) guessUnit(frame, habits, shape, tree, mesh);
+    const ModelShape shape = shapeOf(model.mesh);
+    const PartRoles roles = partRoles(model);
+    if (!origin.up) guessUp(frame, habits, shape, roles);
+    if (!origin.metresPerUnit) guessUnit(frame, habits, shape, roles, tree, model.mesh);
     return frame;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/scene/mesh.h"
+#include "rtcore/scene/model.h"
 #include "rtcore/scene/model_origin.h"
 
 #include <optional>
@@ -28,10 +28,11 @@ struct UpAndUnit {
 };
 
 /// Guesses what the origin leaves open, +y or +z for the up axis and metre, centimetre, millimetre, inch or
-/// foot for the unit: from the habits of its format and of the program that wrote it, and from its shape:
-/// what it stands on, where it is symmetric, whether it has rooms, and how large such things are. Takes some
-/// milliseconds for a million triangles. Safe from many threads.
-UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Mesh& mesh);
+/// foot for the unit: from the habits of its format and of the program that wrote it, from names (floors lie,
+/// walls stand, and what has both is a building), and from its shape: what it stands on, where it is
+/// symmetric, whether it has rooms, and how large such things are. Takes some milliseconds for a million
+/// triangles. Safe from many threads.
+UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Model& model);
 
 /// With what the user says in place of it, where it is there.
 UpAndUnit withUserSays(UpAndUnit frame, std::optional<Vec3> up, std::optional<double> metresPerUnit);

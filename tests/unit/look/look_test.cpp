@@ -2,6 +2,7 @@
 
 #include "unit/look/rooms.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/render/default_view.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -44,6 +45,29 @@ TEST(Look, OfAnObjectIsASkyOrAStudioWithThreeLights) {
         EXPECT_GT(dot(light.direction, -light.position), 0) << "shines at the object";
         EXPECT_TRUE(isMirrored(light));
     }
+}
+
+TEST(FillLight, IsForWhatOwnLightsLeaveInTheDark) {
+    test::SceneBuilder builder = test::block();
+    builder.scene.ambient = {};
+    test::TracedScene s(builder.finish());
+    const rtcore::Mesh& mesh = s.scene.model.mesh;
+    const rtcore::Camera camera =
+        rtcore::defaultCamera(s.tree, mesh, rtcore::survey(s.tree, mesh, rtcore::Axes(kUp)));
+    rtcore::Light above;
+    above.kind = rtcore::LightKind::Directional;
+    above.direction = -kUp;
+    above.intensity = rtcore::kWhite * 3;
+    s.scene.lights = {above};
+    const auto fill = rtcore::fillLight(s.scene, s.tree, camera);
+    ASSERT_TRUE(fill) << "its sides are black";
+    EXPECT_NEAR(fill->g * rtcore::kPi, 0.04F * 3, 1e-5F);
+    s.scene.ambient = rtcore::kWhite * 0.15F;
+    EXPECT_FALSE(rtcore::fillLight(s.scene, s.tree, camera)) << "it has light from around";
+    s.scene.ambient = {};
+    s.scene.lights.push_back(above);
+    s.scene.lights.back().direction = camera.forward;
+    EXPECT_FALSE(rtcore::fillLight(s.scene, s.tree, camera)) << "all that is seen is lit";
 }
 
 TEST(Look, LetsRoomsBeAsBrightOnWideGroundAsWithout) {

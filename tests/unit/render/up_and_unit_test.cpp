@@ -9,6 +9,9 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace {
 
@@ -61,14 +64,51 @@ UpAndUnit guess(const test::SampleMesh& mesh, const std::string& format, const s
     BuildOptions options;
     options.threads = 1;
     const KdTree tree = buildKdTree(mesh.view(), options);
-    return guessUpAndUnit({format, exporter, {}, {}}, tree, mesh.view());
+    Model model;
+    model.mesh = mesh.view();
+    return guessUpAndUnit({format, exporter, {}, {}}, tree, model);
+}
+
+/// Boxes that an author named.
+struct NamedBoxes {
+    void add(std::string_view name, Vec3 lo, Vec3 hi) {
+        const test::SampleMesh piece = box(lo, hi);
+        buffers.parts.push_back({buffers.addName(name), static_cast<std::uint32_t>(mesh.triangles.size()),
+                                 static_cast<std::uint32_t>(piece.triangles.size())});
+        mesh.append(piece);
+    }
+    UpAndUnit guess() {
+        buffers.vertices = mesh.vertices;
+        buffers.triangles = mesh.triangles;
+        buffers.shading.resize(mesh.triangles.size());
+        buffers.materials.resize(1);
+        const KdTree tree = buildKdTree(mesh.view(), {});
+        return guessUpAndUnit({kObj, "", {}, {}}, tree, makeModel(std::move(buffers)));
+    }
+    test::SampleMesh mesh;
+    ModelBuffers buffers;
+};
+
+/// A closed room, 4 x 4 x 2.5, with z upwards, whose shape tells nothing; `unit` is its metre.
+NamedBoxes room(std::string_view floor, std::string_view wall, std::string_view ceiling, float unit = 1) {
+    NamedBoxes all;
+    const float x = 2 * unit, high = 2.5F * unit, thick = 0.2F * unit;
+    all.add(floor, {-x, -x, -thick}, {x, x, 0});
+    all.add(ceiling, {-x, -x, high}, {x, x, high + thick});
+    for (const float side : {-x, x - thick}) {
+        all.add(wall, {side, -x, 0}, {side + thick, x, high});
+        all.add(wall, {-x, side, 0}, {x, side + thick, high});
+    }
+    return all;
 }
 
 TEST(UpAndUnit, WhatTheFileSaysIsTaken) {
     const test::SampleMesh mesh = table();
     const KdTree tree = buildKdTree(mesh.view(), {});
     const ModelOrigin origin{kStl, "OpenSCAD", Vec3{-1, 0, 0}, 0.0254};
-    const UpAndUnit frame = guessUpAndUnit(origin, tree, mesh.view());
+    Model model;
+    model.mesh = mesh.view();
+    const UpAndUnit frame = guessUpAndUnit(origin, tree, model);
     EXPECT_EQ(frame.up, (Vec3{-1, 0, 0}));
     EXPECT_FLOAT_EQ(frame.metresPerUnit, 0.0254F);
     EXPECT_EQ(frame.upSaid, Said::ByFormat);
@@ -125,6 +165,33 @@ TEST(UpAndUnit, TheUnitIsOneThatGivesAThingASensibleSize) {
     EXPECT_FLOAT_EQ(guess(scaled(mesh, 1000), kStl).metresPerUnit, 0.001F);
     EXPECT_FLOAT_EQ(guess(upright(house()), kObj).metresPerUnit, 1);
     EXPECT_FLOAT_EQ(guess(upright(scaled(house(), 100)), kObj).metresPerUnit, 0.01F);
+}
+
+TEST(UpAndUnit, FloorsLieAndWallsStand) {
+    EXPECT_EQ(room("a", "b", "c").guess().up, kY) << "without names it is as OBJ files are";
+    EXPECT_EQ(room("Floor.001", "b", "c").guess().up, kZ);
+    EXPECT_EQ(room("a", "outer_walls", "c").guess().up, kZ);
+    EXPECT_EQ(room("Fu\xC3\x9F"
+                   "boden",
+                   "Au\xC3\x9F"
+                   "enwand 3",
+                   "Decke")
+                  .guess()
+                  .up,
+              kZ);
+    EXPECT_EQ(room("podlaha", "st\xC4\x9Bna", "strop").guess().upWhy, "by its floors and walls");
+}
+
+TEST(UpAndUnit, BuildingsAreAsLargeAsBuildings) {
+    for (const auto& [unit, metres] : {std::pair{1.0F, 1.0F}, {100.0F, 0.01F}, {1000.0F, 0.001F}})
+        EXPECT_FLOAT_EQ(room("floor", "wall", "ceiling", unit).guess().metresPerUnit, metres);
+    EXPECT_FLOAT_EQ(room("tray", "rim", "lid").guess().metresPerUnit, 1);
+    NamedBoxes land;
+    land.add("terrain", {-200, -200, 0}, {200, 200, 1});
+    land.add("house", {-5, -4, 1}, {5, 4, 7});
+    const UpAndUnit frame = land.guess();
+    EXPECT_EQ(frame.up, kZ);
+    EXPECT_FLOAT_EQ(frame.metresPerUnit, 1) << "no plate with a pin";
 }
 
 TEST(UpAndUnit, AFlatPieceIsAsItsFormatIs) {

@@ -1,0 +1,130 @@
+#include "rtcore/render/part_roles.h"
+
+#include "rtcore/scene/name_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+using std::string_view;
+
+enum class Lies { Flat, Upright, Anyhow };
+
+struct Role {
+    Lies lies;
+    bool ofBuildings; ///< cars and housings have doors, windows and roofs too
+    std::array<string_view, 22> words;
+};
+
+constexpr Role kRoles[] = {
+    {Lies::Flat, true, {"floor",    "floors",  "flooring",  "boden",   "fussboden", "plancher",
+                        "suelo",    "piso",    "pavimento", "podlaha", "podloga",   "vloer",
+                        "chao",     "parquet", "parkett",   "parket",  "parkety",   "parquete",
+                        "laminate", "carpet",  "teppich",   "koberec"}},
+    {Lies::Flat,
+     true,
+     {"ceiling", "ceilings", "zimmerdecke", "plafond", "techo", "soffitto", "strop", "sufit", "teto"}},
+    {Lies::Flat, false, {"ground",  "terrain",  "gelande",  "grass",   "gras",    "lawn",  "rasen", "pelouse",
+                         "herbe",   "erba",     "cesped",   "trava",   "travnik", "trawa", "relva", "road",
+                         "strasse", "sidewalk", "pavement", "asphalt", "asfalt",  "meadow"}},
+    {Lies::Upright, true, {"wall",  "walls",   "wand",   "wande",  "mauer",  "mur",    "murs",
+                           "pared", "paredes", "muro",   "muri",   "parete", "zed",    "zdi",
+                           "stena", "steny",   "sciana", "parede", "muur",   "facade", "fassade"}},
+    {Lies::Upright, false, {"door",    "doors",    "tur",  "turen",  "porte",   "puerta",  "porta",
+                            "dvere",   "drzwi",    "deur", "window", "windows", "fenster", "fenetre",
+                            "ventana", "finestra", "okno", "okna",   "janela",  "raam"}},
+    {Lies::Anyhow, true, {"stair",    "stairs",   "staircase", "steps", "treppe",  "stufen",
+                          "escalier", "escalera", "scala",     "scale", "schody",  "escada",
+                          "trap",     "storey",   "stockwerk", "etage", "balcony", "balkon",
+                          "chimney",  "veranda",  "attic",     "cellar"}},
+    {Lies::Anyhow,
+     true,
+     {"roof", "dach", "toit", "toiture", "tejado", "tetto", "strecha", "telhado", "gable", "giebel"}},
+};
+
+/// German writes compounds as one word, and so do many people in English: "Fussboden", "groundfloor".
+bool means(string_view word, string_view known) {
+    constexpr std::size_t kLong = 5;
+    return word == known || (known.size() >= kLong && word.ends_with(known));
+}
+
+const Role* roleOf(string_view name) {
+    for (const std::string& word : nameWords(name))
+        for (const Role& role : kRoles)
+            for (const string_view known : role.words)
+                if (!known.empty() && means(word, known)) return &role;
+    return nullptr;
+}
+
+/// The role of each triangle's part, or else of its material.
+class Roles {
+  public:
+    explicit Roles(const Model& model) : model_(model) {
+        for (const ModelPart& part : model.parts) parts_.push_back(roleOf(model.name(part.nameOffset)));
+        for (const Material& material : model.materials)
+            materials_.push_back(roleOf(model.name(material.nameOffset)));
+    }
+    bool any() const {
+        const auto known = [](const Role* role) { return role != nullptr; };
+        return std::ranges::any_of(parts_, known) || std::ranges::any_of(materials_, known);
+    }
+    /// `triangle` must not be below that of the last call.
+    const Role* at(std::uint32_t triangle) {
+        while (part_ < model_.parts.size() && end(model_.parts[part_]) <= triangle) ++part_;
+        const bool inPart = part_ < model_.parts.size() && model_.parts[part_].firstTriangle <= triangle;
+        if (inPart && parts_[part_] != nullptr) return parts_[part_];
+        const std::uint32_t material = model_.mesh.shading[triangle].material;
+        return material < materials_.size() ? materials_[material] : nullptr;
+    }
+
+  private:
+    static std::uint64_t end(const ModelPart& part) {
+        return std::uint64_t{part.firstTriangle} + part.triangleCount;
+    }
+    const Model& model_;
+    std::vector<const Role*> parts_, materials_;
+    std::size_t part_ = 0;
+};
+
+} // namespace
+
+PartRoles partRoles(const Model& model) {
+    PartRoles sum;
+    const Mesh& mesh = model.mesh;
+    Roles roles(model);
+    if (!roles.any() || mesh.shading.size() != mesh.triangles.size()) return sum;
+    std::array<bool, std::size(kRoles)> seen{};
+    double all = 0, ground = 0;
+    constexpr std::size_t kMost = 400'000;
+    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kMost);
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
+        const auto id = static_cast<std::uint32_t>(t);
+        const Role* const role = roles.at(id);
+        const Vec3 a = mesh.position(id, 0);
+        const Vec3 across = cross(mesh.position(id, 1) - a, mesh.position(id, 2) - a);
+        const auto area = double{length(across)};
+        if (!std::isfinite(area)) continue;
+        all += area;
+        if (role == nullptr) continue;
+        if (role->lies == Lies::Flat && !role->ofBuildings) ground += area;
+        seen.at(static_cast<std::size_t>(role - kRoles)) = true;
+        if (role->lies == Lies::Anyhow) continue;
+        std::array<double, 3>& areas = role->lies == Lies::Flat ? sum.lying : sum.standing;
+        for (int axis = 0; axis < 3; ++axis)
+            areas.at(static_cast<std::size_t>(axis)) += 0.5 * std::fabs(double{across[axis]});
+    }
+    int ofBuildings = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) ofBuildings += seen.at(i) && kRoles[i].ofBuildings ? 1 : 0;
+    sum.building = ofBuildings >= 2;
+    sum.landscape = !sum.building && ground > 0.5 * all;
+    return sum;
+}
+
+} // namespace rtcore
