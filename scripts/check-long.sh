@@ -44,7 +44,7 @@ for check in "$@"; do
     web)
         # The bridge's page in a real Chromium (Debian package chromium), which walks for so many seconds; without it all
         # are skipped.
-        RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} $release/test_web
+        RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} RT_DRAGS=${RT_DRAGS:-1000} $release/test_web
         $release/test_web_modules
         ;;
     formulas)

@@ -4,6 +4,8 @@
 #include "rtcore/math/vec.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <random>
 
 namespace {
 
@@ -127,6 +129,60 @@ TEST_F(PageInput, TheModelIsTurnedInTheHand) {
     EXPECT_TRUE(test::eventually([&] { return walked(far) > 0.05F; }, 20s)) << "nearer";
     touch(page, "touchEnd");
     EXPECT_TRUE(comesToRest());
+}
+
+// RT_DRAGS: how many (check-long.sh: 1,000).
+TEST_F(PageInput, HomeShowsTheModelAfterAnyTouches) {
+    const char* const wanted = std::getenv("RT_DRAGS");
+    const int count = wanted != nullptr ? std::atoi(wanted) : 10, atOnce = 5;
+    const WebPage page = drive();
+    ask("fly");
+    page.value("document.querySelector('#orbit[aria-pressed=\"false\"]')?.click()");
+    page.call("Emulation.setTouchEmulationEnabled", {{"enabled", true}, {"maxTouchPoints", 2}});
+    ASSERT_TRUE(page.becomes("!document.getElementById('fit').hidden"));
+    const auto fit = [&] {
+        page.value("document.getElementById('fit').click()");
+        ASSERT_TRUE(comesToRest());
+    };
+    // Where the ways of two views of the whole meet is its middle.
+    ask("camera view front");
+    ASSERT_NO_FATAL_FAILURE(fit());
+    const rtcore::Vec3 front = eye(), ahead = forward();
+    ask("camera view right");
+    ASSERT_NO_FATAL_FAILURE(fit());
+    const rtcore::Vec3 middle = front + ahead * dot(eye() - front, ahead);
+    ask("camera view three-quarter");
+    ASSERT_NO_FATAL_FAILURE(fit());
+    const rtcore::Vec3 fitted = eye();
+    const float far = length(fitted - middle);
+    std::mt19937 random(5);
+    const auto number = [&](int from, int to) { return std::uniform_int_distribution(from, to)(random); };
+    float furthest = 0;
+    for (int i = 1; i <= count; ++i) {
+        const int fingers = number(1, 2);
+        test::Json down = test::Json::array(), moved = test::Json::array();
+        for (int id = 0; id < fingers; ++id) {
+            const int x = number(100, 600), y = number(100, 500);
+            down.push_back({{"x", x}, {"y", y}, {"id", id}});
+            moved.push_back({{"x", x + number(-90, 90)}, {"y", y + number(-90, 90)}, {"id", id}});
+        }
+        touch(page, "touchStart", down);
+        touch(page, "touchMove", moved);
+        touch(page, "touchEnd");
+        if (i % atOnce != 0) continue;
+        ASSERT_TRUE(comesToRest());
+        furthest = std::max(furthest, length(eye() - fitted) / far);
+        ASSERT_NO_FATAL_FAILURE(fit());
+        EXPECT_TRUE(test::eventually(
+            [&] {
+                const rtcore::Vec3 way = middle - eye();
+                return dot(normalize(way), normalize(forward())) > 0.95F &&
+                       std::fabs(length(way) / far - 1) < 0.4F;
+            },
+            20s))
+            << i << ": " << length(eye() - middle) / far;
+    }
+    EXPECT_GT(furthest, 0.1F) << "the touches moved it";
 }
 
 // Held upright, a phone that drives gets images of its shape; put down again, it gives the old one back.

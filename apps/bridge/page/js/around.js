@@ -21,7 +21,7 @@ export class Around {
     }
 
     nameAll() {
-        const buttons = { menu: "menu", close: "close", full: "full", orbit: "orbit", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
+        const buttons = { menu: "menu", close: "close", full: "full", orbit: "orbit", fit: "fitView", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
         for (const [id, text] of Object.entries(buttons)) name(byId(id), t(text));
         const places = { view: "view", corner: "corner", pads: "pads", tabs: "tabs" };
         for (const [id, text] of Object.entries(places)) byId(id).setAttribute("aria-label", t(text));
@@ -91,6 +91,7 @@ export class Around {
         const button = byId("orbit");
         button.hidden = !this.app.drives();
         button.setAttribute("aria-pressed", this.app.orbits());
+        byId("fit").hidden = button.hidden || !this.app.orbits();
         if (this.app.orbits()) byId("pads").hidden = true;
         this.showHint();
     }

@@ -19,7 +19,7 @@ export class Input {
      * @param {HTMLCanvasElement} canvas
      * @param {Held} held
      * @param {Object} on `mayCapture()`, `captured(kind)` ("lock", "drag", "retry", ""), `wheel(steps)`, `pointed(x, y)`,
-     *     `focused(x, y)` with places in the window; `orbit`
+     *     `focused(x, y)` with places in the window; `orbit`, `fit()`
      */
     constructor(canvas, held, on) {
         this.canvas = canvas;
@@ -111,6 +111,10 @@ export class Input {
         if (!isDown && this.down.delete(place)) return void this.tell();
         if (!isDown || event.target !== this.canvas) return;
         if (!this.captured) {
+            if (place === "Home" && this.orbits && this.on.mayDrive()) {
+                event.preventDefault();
+                return void this.on.fit();
+            }
             if (place !== "Enter" || event.ctrlKey || event.metaKey || event.altKey) return;
             event.preventDefault();
             return void this.capture();

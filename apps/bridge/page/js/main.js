@@ -122,6 +122,10 @@ function onOrbit() {
 // Hands
 const hands = {
     orbit,
+    fit() {
+        orbit.forget();
+        app.ask("fit");
+    },
     mayCapture: () => app.drives() || (offerDriving(), false),
     mayDrive: () => app.drives() || (offerDriving(), false),
     captured: onCaptured,
@@ -352,6 +356,7 @@ function letGo() {
 // Buttons and keys of the page
 byId("full").addEventListener("click", toggleFullScreen);
 byId("full").hidden = !document.fullscreenEnabled;
+byId("fit").addEventListener("click", () => hands.fit());
 byId("orbit").addEventListener("click", () => orbit.choose(!orbit.is));
 const steps = new Steps(app.ask, link);
 for (const what of ["undo", "redo"]) byId(what).addEventListener("click", () => steps.take(what));

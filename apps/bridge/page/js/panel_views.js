@@ -6,6 +6,9 @@ import { viewText } from "./fragment.js";
 import { counted, t } from "./texts.js";
 
 const SPEED_STEP = 1.5;
+/** What the server calls them, and their texts. */
+const SIDES = [["front", "sideFront"], ["back", "sideBack"], ["left", "sideLeft"], ["right", "sideRight"], ["top", "sideTop"],
+    ["bottom", "sideBottom"], ["three-quarter", "sideThreeQuarter"]];
 
 /** Offers bytes as a file. */
 export function download(name, blob) {
@@ -15,7 +18,7 @@ export function download(name, blob) {
 }
 
 export function viewsPanel(app) {
-    let motion, angle, speed, middle, own, here, name, plus, copy, reset, last = "";
+    let motion, angle, speed, middle, own, here, name, plus, copy, reset, sides, last = "";
 
     const instance = () => app.welcome?.instance ?? "", scene = () => app.state.scene ?? "";
     const stored = () => load(instance(), scene());
@@ -86,8 +89,10 @@ export function viewsPanel(app) {
         middle = button(t("focusMiddle"), () => app.focus({ x: 0.5, y: 0.5 }));
         copy = button(t("copyLink"), copyLink);
         reset = button(t("resetView"), () => app.ask("reset"));
+        sides = SIDES.map(([side, text]) => button(t(text), () => app.ask("side", { side })));
         place.append(motion.element, angle.element, speed.element, make("div", { className: "actions" }, ...speed.steps, middle),
-            make("div", { className: "actions" }, copy, reset));
+            make("div", { className: "actions" }, copy, reset),
+            make("h3", {}, t("seenFrom")), make("div", { className: "actions" }, ...sides));
     }
 
     const panel = {
@@ -111,7 +116,7 @@ export function viewsPanel(app) {
             angle.element.hidden = !fov;
             if (fov && !app.edits.isBusy("angle")) angle.show(fov, drives);
             speed.show(app.speed, drives);
-            for (const each of [...speed.steps, middle, reset]) each.disabled = !drives;
+            for (const each of [...speed.steps, ...sides, middle, reset]) each.disabled = !drives;
             copy.disabled = plus.disabled = !app.status.eye;
             const list = stored(), scenes = app.state.bookmarks ?? [];
             const now = JSON.stringify([list, scenes, drives]);
