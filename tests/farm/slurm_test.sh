@@ -99,17 +99,27 @@ until [ "$(find "$work/out" -name '*.png' 2>/dev/null | wc -l)" -ge 3 ]; do
     sleep 0.2
 done
 
+# The step that renders a part on the node n2; nothing between two parts.
+step_of_n2() {
+    for step in $(pgrep -f "slurmstepd: \[.*batch\]" || true); do
+        child=$(pgrep -P "$step" | head -n 1)
+        if grep -qzx "SLURMD_NODENAME=n2" "/proc/$child/environ" 2>/dev/null &&
+            grep -qzx "SLURM_CONF=$SLURM_CONF" "/proc/$child/environ" 2>/dev/null; then
+            echo "$step"
+            return
+        fi
+    done
+}
+
 # The node n2 dies, with the part that it renders.
-kill -9 "$(cat "$work/slurmd.n2.pid")"
-steps=$(pgrep -f "slurmstepd: \[.*batch\]" || true)
-for step in $steps; do
-    if grep -qz "SLURMD_NODENAME=n2" "/proc/$(pgrep -P "$step" | head -n 1)/environ" 2>/dev/null; then
-        for child in $(pgrep -P "$step"); do pkill -9 -P "$child" || true; kill -9 "$child" || true; done
-        kill -9 "$step" || true
-        killed=yes
-    fi
+until step=$(step_of_n2) && [ -n "$step" ]; do
+    kill -0 "$film" 2>/dev/null || wrong "nothing ran on the node that was to die"
+    sleep 0.1
 done
-[ "${killed:-}" = yes ] || wrong "nothing ran on the node that was to die"
+kill -9 "$(cat "$work/slurmd.n2.pid")"
+children=$(pgrep -P "$step")
+kill -9 "$step" || true # before its children: a dead node does not tell how they ended
+for child in $children; do pkill -9 -P "$child" || true; kill -9 "$child" || true; done
 rm -f "$work/slurmd.n2.pid"
 echo "killed n2 with $(find "$work/out" -name '*.png' | wc -l) of $frames frames done"
 
