@@ -140,8 +140,15 @@ TEST_F(PageInput, HomeShowsTheModelAfterAnyTouches) {
     page.value("document.querySelector('#orbit[aria-pressed=\"false\"]')?.click()");
     page.call("Emulation.setTouchEmulationEnabled", {{"enabled", true}, {"maxTouchPoints", 2}});
     ASSERT_TRUE(page.becomes("!document.getElementById('fit').hidden"));
+    bool byKey = false;
     const auto fit = [&] {
-        page.value("document.getElementById('fit').click()");
+        page.value(byKey ? "document.getElementById('view').focus()"
+                         : "document.getElementById('fit').click()");
+        if (byKey) {
+            page.keyDown("Home");
+            page.keyUp("Home");
+        }
+        byKey = !byKey;
         ASSERT_TRUE(comesToRest());
     };
     // Where the ways of two views of the whole meet is its middle.

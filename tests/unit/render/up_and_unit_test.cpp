@@ -186,6 +186,8 @@ TEST(UpAndUnit, BuildingsAreAsLargeAsBuildings) {
     for (const auto& [unit, metres] : {std::pair{1.0F, 1.0F}, {100.0F, 0.01F}, {1000.0F, 0.001F}})
         EXPECT_FLOAT_EQ(room("floor", "wall", "ceiling", unit).guess().metresPerUnit, metres);
     EXPECT_FLOAT_EQ(room("tray", "rim", "lid").guess().metresPerUnit, 1);
+    EXPECT_GT(room("floor", "wall", "ceiling", 30).guess().metresPerUnit, 0.02F);
+    EXPECT_LT(room("floor", "door", "roof", 30).guess().metresPerUnit, 0.02F) << "cars have them, too";
     NamedBoxes land;
     land.add("terrain", {-200, -200, 0}, {200, 200, 1});
     land.add("house", {-5, -4, 1}, {5, 4, 7});

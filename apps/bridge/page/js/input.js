@@ -111,13 +111,11 @@ export class Input {
         if (!isDown && this.down.delete(place)) return void this.tell();
         if (!isDown || event.target !== this.canvas) return;
         if (!this.captured) {
-            if (place === "Home" && this.orbits && this.on.mayDrive()) {
-                event.preventDefault();
-                return void this.on.fit();
-            }
-            if (place !== "Enter" || event.ctrlKey || event.metaKey || event.altKey) return;
+            const fits = place === "Home" && this.orbits;
+            if ((place !== "Enter" && !fits) || event.ctrlKey || event.metaKey || event.altKey) return;
             event.preventDefault();
-            return void this.capture();
+            if (!fits) return void this.capture();
+            return void (this.on.mayDrive() && this.on.fit());
         }
         if (place === "Escape") {
             event.preventDefault();
