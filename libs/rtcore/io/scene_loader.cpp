@@ -12,6 +12,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/render/default_view.h"
+#include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/image_summary.h"
 #include "rtcore/scene/material_edit.h"
@@ -539,9 +540,10 @@ class Loader {
     /// Whether the lights of the model, if it has any, can be noticed where its first camera looks.
     bool ownLightsReach() const {
         const Scene& scene = out_.scene;
-        const std::vector<SeenPlace> places = seenPlaces(out_.tree, scene.model.mesh, out_.camera);
+        const KdTree shown = visibleTree(out_.tree, scene);
+        const std::vector<SeenPlace> places = seenPlaces(shown, scene.model.mesh, out_.camera);
         return scene.lights.empty() || places.empty() ||
-               lightReaches(out_.tree, scene.model.mesh, scene.lights, places, kPlainAmbient);
+               lightReaches(shown, scene.model.mesh, scene.lights, places, kPlainAmbient);
     }
 
     /// Beside the lights of the model, which light nothing that is seen.
@@ -562,9 +564,10 @@ class Loader {
         Scene& scene = out_.scene;
         if (out_.sceneFile || out_.look == Look::Headlight || options_.surroundings.look || shines()) return;
         const Mesh& mesh = scene.model.mesh;
-        const std::vector<SeenPlace> places = seenPlaces(out_.tree, mesh, out_.camera);
-        if (places.empty() || isOpen(out_.tree, mesh, places) ||
-            lightReaches(out_.tree, mesh, scene.lights, places, kPlainAmbient))
+        const KdTree shown = visibleTree(out_.tree, scene);
+        const std::vector<SeenPlace> places = seenPlaces(shown, mesh, out_.camera);
+        if (places.empty() || isOpen(shown, mesh, places) ||
+            lightReaches(shown, mesh, scene.lights, places, kPlainAmbient))
             return;
         addHeadlight(scene, out_.tree.bounds, out_.camera);
         warn({"no light reaches what is seen; one beside the viewer was added"});
@@ -582,7 +585,7 @@ class Loader {
     void fillTheDark() {
         Scene& scene = out_.scene;
         if (out_.indoors || surveyed().inside() || surveyed().isStage() || shines()) return;
-        const auto fill = fillLight(scene, out_.tree, out_.camera);
+        const auto fill = fillLight(scene, visibleTree(out_.tree, scene), out_.camera);
         if (!fill) return;
         scene.background = *fill;
         take({{"skyLight.on", true}});
@@ -596,7 +599,9 @@ class Loader {
         if (!out_.sceneFile && (!hasLight() || !ownLightsReach())) {
             hideDomes();
             surrounded = surrounded || scene.environment() != nullptr;
-            if (hasLight() && !surrounded && !surroundings.look) return lightBeside(surroundings.usual);
+            // What is not hidden any more may reach.
+            if (hasLight() && !surrounded && !surroundings.look && !ownLightsReach())
+                return lightBeside(surroundings.usual);
         }
         if (surroundings.look) return lightByLook(*surroundings.look, true);
         if (hasLight() || (surrounded && out_.sceneFile)) {

@@ -30,6 +30,7 @@ void Aovs::add(std::span<const PrimaryHit> hits, std::span<const SampleId> sampl
         pixel.direct += hit.direct;
         pixel.soft += hit.soft;
         pixel.covered += 1;
+        if (hit.shines) pixel.shining += 1;
         if (hit.matte > hit.mirrored) {
             pixel.matte += hit.matte;
             ++sums_[at].matte;
@@ -53,6 +54,7 @@ void Aovs::finish([[maybe_unused]] int threads) {
             pixel.direct = pixel.direct * fraction;
             pixel.soft = pixel.soft * fraction;
             pixel.covered *= fraction;
+            pixel.shining *= fraction;
             pixel.matte = sums.matte == sums.samples ? pixel.matte * fraction : 0;
             if (sums.whole > 0) pixel.visible = std::min(sums.arriving / sums.whole, 1.0F);
         }

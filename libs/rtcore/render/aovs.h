@@ -24,6 +24,7 @@ struct AovPixel {
     float covered = 0;              ///< fraction of the samples that hit something
     float matte =
         0; ///< mean of PrimaryHit::matte where that is more than what is mirrored of every sample, else 0
+    float shining = 0; ///< fraction of the samples that hit something that shines by itself
 };
 
 /// Samples are added by tiles, in any order of tiles: those of one pixel by one thread at a time, always in

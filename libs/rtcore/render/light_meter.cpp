@@ -9,11 +9,12 @@ namespace rtcore {
 namespace {
 
 constexpr int kWidth = 48, kRoughWidth = 32;
-constexpr int kAntialiasing = 3;      ///< each way
-constexpr int kPathsOfPixel = 64;     ///< of a pixel
-constexpr float kLeastMatte = 0.005F; ///< less says nothing of the light
-constexpr float kBrighter = 0.1F;     ///< of the pixels that count
-constexpr float kLeastPixels = 0.01F; ///< of all
+constexpr int kAntialiasing = 3;             ///< each way
+constexpr int kPathsOfPixel = 64;            ///< of a pixel
+constexpr float kLeastMatte = 0.005F;        ///< less says nothing of the light
+constexpr float kLeastMatteOfShining = 0.1F; ///< less is a light
+constexpr float kBrighter = 0.1F;            ///< of the pixels that count
+constexpr float kLeastPixels = 0.01F;        ///< of all
 
 RenderSettings smallSettings(const RenderSettings& whole, int width) {
     RenderSettings small = whole;
@@ -64,10 +65,17 @@ std::optional<float> LightMeter::roughWhite(const View& view, RenderControl& con
 std::optional<float> LightMeter::whiteOf(const View& small, RenderControl& control) {
     RenderControl quietly{.threads = control.threads};
     if (control.cancel || !render(small, quietly) || control.cancel) return std::nullopt;
+    if (const auto white = whiteOn(Metered::Lit)) return white;
+    return whiteOn(Metered::Shining);
+}
+
+std::optional<float> LightMeter::whiteOn(Metered what) {
+    const bool shining = what == Metered::Shining;
+    const float least = shining ? kLeastMatteOfShining : kLeastMatte;
     const std::vector<AovPixel>& surfaces = surfaces_.aovs.pixels();
     whites_.clear();
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        if (!(surfaces[i].matte > kLeastMatte)) continue;
+        if ((surfaces[i].shining > 0) != shining || !(surfaces[i].matte > least)) continue;
         const float white = luminance(frame_.radiance.pixels[i]) / surfaces[i].matte;
         if (std::isfinite(white)) whites_.push_back(white);
     }

@@ -17,10 +17,12 @@ class LightMeter {
   public:
     /// The radiance of a surface that scatters all light, in light that a tenth of what is seen has more of:
     /// of a small image by the settings' integrator, each pixel's luminance over what its surface scatters.
-    /// The background, what shines by itself, and what mostly mirrors or lets light through are left out.
-    /// Nothing where little else is seen, where no light falls, or when control.cancel was set. A function of
-    /// the scene, the camera, the settings and the image's aspect alone: the same bits for any size of the
-    /// image, any number of threads and any instruction set.
+    /// The background, what shines by itself, and what mostly mirrors or lets light through are left out;
+    /// where nearly all shines, as in games that were made without lights, such surfaces count as what they
+    /// scatter and give off, if they scatter a tenth. Nothing where little else is seen, where no light
+    /// falls, or when control.cancel was set. A function of the scene, the camera, the settings and the
+    /// image's aspect alone: the same bits for any size of the image, any number of threads and any
+    /// instruction set.
     std::optional<float> white(const View& view, RenderControl& control);
     /// The same by one sample for each pixel of a smaller image, a twentieth of the work: within some
     /// percent. For images that move.
@@ -30,6 +32,9 @@ class LightMeter {
     std::optional<float> whiteOf(const View& small, RenderControl& control);
     bool render(const View& view, RenderControl& control);
     bool findSurfaces(const View& view, RenderControl& control);
+    enum class Metered { Lit, Shining };
+    /// Of what was rendered last.
+    std::optional<float> whiteOn(Metered what);
 
     FrameRenderer rays_;
     PathRenderer paths_;

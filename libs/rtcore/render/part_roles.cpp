@@ -18,33 +18,40 @@ namespace {
 using std::string_view;
 
 enum class Lies { Flat, Upright, Anyhow };
+enum class Of { Anything, Buildings, Sky }; ///< cars have doors and windows, too
 
 struct Role {
     Lies lies;
-    bool ofBuildings; ///< cars have doors and windows, too
+    Of of;
     std::array<string_view, 22> words;
 };
 
 constexpr Role kRoles[] = {
-    {Lies::Flat, true, {"floor",    "floors",  "flooring",  "boden",   "fussboden", "plancher",
-                        "suelo",    "piso",    "pavimento", "podlaha", "podloga",   "vloer",
-                        "chao",     "parquet", "parkett",   "parket",  "parkety",   "parquete",
-                        "laminate", "carpet",  "teppich",   "koberec"}},
+    {Lies::Flat, Of::Buildings, {"floor",    "floors",  "flooring",  "boden",   "fussboden", "plancher",
+                                 "suelo",    "piso",    "pavimento", "podlaha", "podloga",   "vloer",
+                                 "chao",     "parquet", "parkett",   "parket",  "parkety",   "parquete",
+                                 "laminate", "carpet",  "teppich",   "koberec"}},
     {Lies::Flat,
-     true,
+     Of::Buildings,
      {"ceiling", "ceilings", "zimmerdecke", "plafond", "techo", "soffitto", "strop", "sufit", "teto"}},
-    {Lies::Flat, false, {"ground",  "terrain",  "gelande",  "grass",   "gras",    "lawn",  "rasen", "pelouse",
-                         "herbe",   "erba",     "cesped",   "trava",   "travnik", "trawa", "relva", "road",
-                         "strasse", "sidewalk", "pavement", "asphalt", "asfalt",  "meadow"}},
-    {Lies::Upright, true, {"wall",  "walls",   "wand",   "wande",  "mauer",  "mur",    "murs",
-                           "pared", "paredes", "muro",   "muri",   "parete", "zed",    "zdi",
-                           "stena", "steny",   "sciana", "parede", "muur",   "facade", "fassade"}},
-    {Lies::Upright, false, {"door",    "doors",    "tur",  "turen",  "porte",   "puerta",  "porta",
-                            "dvere",   "drzwi",    "deur", "window", "windows", "fenster", "fenetre",
-                            "ventana", "finestra", "okno", "okna",   "janela",  "raam"}},
-    {Lies::Anyhow, true, {"stair",    "stairs",  "staircase", "steps",  "treppe",    "stufen", "escalier",
-                          "escalera", "schody",  "escada",    "storey", "stockwerk", "etage",  "balcony",
-                          "balkon",   "chimney", "gable",     "giebel", "attic",     "cellar"}},
+    {Lies::Flat, Of::Anything, {"ground",   "terrain", "gelande", "grass", "gras",    "lawn",
+                                "rasen",    "pelouse", "herbe",   "erba",  "cesped",  "trava",
+                                "travnik",  "trawa",   "relva",   "road",  "strasse", "sidewalk",
+                                "pavement", "asphalt", "asfalt",  "meadow"}},
+    {Lies::Upright, Of::Buildings, {"wall",  "walls",   "wand",   "wande",  "mauer",  "mur",    "murs",
+                                    "pared", "paredes", "muro",   "muri",   "parete", "zed",    "zdi",
+                                    "stena", "steny",   "sciana", "parede", "muur",   "facade", "fassade"}},
+    {Lies::Upright, Of::Anything, {"door",    "doors",    "tur",  "turen",  "porte",   "puerta",  "porta",
+                                   "dvere",   "drzwi",    "deur", "window", "windows", "fenster", "fenetre",
+                                   "ventana", "finestra", "okno", "okna",   "janela",  "raam"}},
+    {Lies::Anyhow, Of::Buildings, {"stair",   "stairs",    "staircase", "steps",   "treppe",
+                                   "stufen",  "escalier",  "escalera",  "schody",  "escada",
+                                   "storey",  "stockwerk", "etage",     "balcony", "balkon",
+                                   "chimney", "gable",     "giebel",    "attic",   "cellar"}},
+    {Lies::Anyhow,
+     Of::Sky,
+     {"sky", "skies", "skybox", "skydome", "skysphere", "himmel", "ciel", "cielo", "nebe", "obloha", "niebo",
+      "ceu", "hemel"}},
 };
 
 /// German writes compounds as one word, and so do many people in English: "Fussboden", "groundfloor".
@@ -99,7 +106,7 @@ PartRoles partRoles(const Model& model) {
     Roles roles(model);
     if (!roles.any() || mesh.shading.size() != mesh.triangles.size()) return sum;
     std::array<bool, std::size(kRoles)> seen{};
-    double all = 0, ground = 0;
+    double all = 0, ground = 0, sky = 0;
     constexpr std::size_t kMost = 400'000;
     const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kMost);
     for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
@@ -111,7 +118,8 @@ PartRoles partRoles(const Model& model) {
         if (!std::isfinite(area)) continue;
         all += area;
         if (role == nullptr) continue;
-        if (role->lies == Lies::Flat && !role->ofBuildings) ground += area;
+        if (role->lies == Lies::Flat && role->of == Of::Anything) ground += area;
+        if (role->of == Of::Sky) sky += area;
         seen.at(static_cast<std::size_t>(role - kRoles)) = true;
         if (role->lies == Lies::Anyhow) continue;
         std::array<double, 3>& areas = role->lies == Lies::Flat ? sum.lying : sum.standing;
@@ -119,9 +127,11 @@ PartRoles partRoles(const Model& model) {
             areas.at(static_cast<std::size_t>(axis)) += 0.5 * std::fabs(double{across[axis]});
     }
     int ofBuildings = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i) ofBuildings += seen.at(i) && kRoles[i].ofBuildings ? 1 : 0;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        ofBuildings += seen.at(i) && kRoles[i].of == Of::Buildings ? 1 : 0;
     sum.building = ofBuildings >= 2;
-    sum.landscape = !sum.building && ground > 0.5 * all;
+    constexpr double kMuchSky = 0.3; // not a picture of it on a wall
+    sum.landscape = sky > kMuchSky * all || (!sum.building && ground > 0.5 * all);
     return sum;
 }
 

@@ -13,7 +13,7 @@ struct PartRoles {
     std::array<double, 3> lying{};    ///< area of floors, ceilings and grounds across each axis; scene units
     std::array<double, 3> standing{}; ///< area of walls, doors and windows across each axis
     bool building = false;  ///< it has several of what only buildings have: floors, walls, stairs ...
-    bool landscape = false; ///< not that, and most of it is ground
+    bool landscape = false; ///< not that, and most of it is ground, or it has a sky around it
 };
 
 /// A part's own name counts before its material's. Looks at a sample of at most some hundred thousand

@@ -119,7 +119,16 @@ std::size_t surroundingsOf(std::span<const Piece> pieces, const Axes& axes, Subj
     return 0;
 }
 
-/// Without pieces that are few and lie far outside of where most are.
+/// Whether a piece beside the bulk is lost: far away, or a crumb that lies well apart.
+bool isLost(const Box3& piece, const Box3& bulk) {
+    constexpr float kFar = 3, kApart = 0.5F, kCrumb = 0.03F; // of the bulk
+    const float size = bulk.diagonal();
+    const float reach = (piece.diagonal() < kCrumb * size ? kApart : kFar) * size;
+    const Vec3 above = piece.lo - bulk.hi, below = bulk.lo - piece.hi;
+    return std::max({above.x, above.y, above.z, below.x, below.y, below.z}) > reach;
+}
+
+/// Without pieces that are few and lost outside of where most are.
 Box3 bulkOf(std::span<const Piece> pieces) {
     std::size_t all = 0;
     for (const Piece& piece : pieces) all += piece.triangles;
@@ -154,14 +163,9 @@ Box3 bulkOf(std::span<const Piece> pieces) {
         if (inside) near.extend(piece.bounds);
     }
     if (near.empty()) return near;
-    constexpr float kFar = 3;
-    const Vec3 reach = Vec3{1, 1, 1} * (kFar * near.diagonal());
     Box3 result = near;
-    for (const Piece& piece : pieces) {
-        const Vec3 lo = piece.bounds.lo - near.hi - reach, hi = near.lo - reach - piece.bounds.hi;
-        const bool far = std::max({lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}) > 0;
-        if (!far) result.extend(piece.bounds);
-    }
+    for (const Piece& piece : pieces)
+        if (!isLost(piece.bounds, near)) result.extend(piece.bounds);
     return result;
 }
 

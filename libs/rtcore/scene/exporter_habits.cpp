@@ -23,13 +23,14 @@ struct FormatHabit {
 constexpr Units kSuch{0.4, 0.2, 0, -1, -2.5};
 
 // Scans come in metres and millimetres; printing knows millimetres alone. What games and simulators read is
-// made in metres. Assimp turns 3DS and ASE, which count z upwards, but not trueSpace, Quick3D and height
-// maps.
+// made in metres. Assimp turns 3DS and ASE, which count z upwards, but not Blender's own files,
+// trueSpace, Quick3D and height maps.
 constexpr std::array kFormats{
     FormatHabit{"Stereolithography", "STL files", 2, {0, -0.5, 2, -0.5, -3}},
     FormatHabit{"Stanford", "PLY files", -0.7, {0.3, 0, 0.3, -2, -3}},
     FormatHabit{"Wavefront", "OBJ files", -1.5, {0.4, 0.4, -0.2, -1.2, -2.5}},
     FormatHabit{"AC3D", "AC3D files", -kSure, {3, 0, -1, -0.5, 0}},
+    FormatHabit{"Blender", "Blender files", kSure, {6, 0, -1, -1, -2}},
     FormatHabit{"TrueSpace", "trueSpace files", kSure, kSuch},
     FormatHabit{"Quick3D", "Quick3D files", kSure, kSuch},
     FormatHabit{"Heightmap", "height maps of 3D GameStudio", kSure, kSuch},

@@ -84,13 +84,14 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh, const MaterialTable& 
                .normal = surfaces.shadingNormal.at(i),
                .albedo = albedo.scattered + albedo.mirrored + albedo.through,
                .mirrored = std::clamp(luminance(albedo.mirrored + albedo.through), 0.0F, 1.0F),
-               .matte = shines(materials.rows()[surfaces.material[i]]) ? 0 : luminance(albedo.scattered),
+               .matte = luminance(albedo.scattered),
                .direct = {},
                .soft = {},
                .wave = wave_,
                .own = {},
                .tint = {},
-               .bounces = bouncesOf(wave, i)};
+               .bounces = bouncesOf(wave, i),
+               .shines = shines(materials.rows()[surfaces.material[i]])};
         if (hit.mirrored > 0)
             hit.curvature = meanCurvature(mesh, wave.hits.triangle[i], surfaces.geometricNormal.at(i));
     }

@@ -21,7 +21,7 @@ struct PrimaryHit {
     Vec3 normal;        ///< the shading normal, unit, on the side of the viewer
     Colour albedo;      ///< fraction of light that the surface scatters, mirrors or transmits
     float mirrored = 0; ///< luminance of the part of it that is mirrored or transmitted, 0..1
-    float matte = 0;    ///< luminance of the rest, of what shines by itself 0
+    float matte = 0;    ///< luminance of the rest
     Colour direct;      ///< radiance due to direct light, once scattered
     Colour soft; ///< radiance by sampled, and so noisy, light: of area lights, ambient light and the sky
     float arriving = 0, whole = 0; ///< ambient light or the sky's, and what there would be without occlusion
@@ -33,6 +33,7 @@ struct PrimaryHit {
     float mirroredWeight = 0;  ///< of the path that it is that of
     Colour tint;               ///< fraction of the light arriving there that is mirrored or transmitted
     std::uint32_t bounces = 0; ///< of the path that ended here: so often mirrored, refracted or passed
+    bool shines = false;       ///< by itself
     float curvature = 0; ///< the mean of its surface, where that mirrors; above 0 bulges towards the viewer
 
     bool any() const { return wave != 0; }

@@ -30,6 +30,9 @@ constexpr std::array<std::string_view, 20> kHttpTokens{"\r\n",
                                                        "\xFF",
                                                        "Upgrade: h2c\r\n"};
 
+/// So many take turns with such as end.
+constexpr long kOpenHeads = 1'000;
+
 class DamagedHeads : public BridgeTest {};
 
 TEST_F(DamagedHeads, HarmNobody) {
@@ -46,6 +49,8 @@ TEST_F(DamagedHeads, HarmNobody) {
     for (long i = 0; i < damagedTexts(); ++i) {
         RawSocket socket(port);
         socket.write(damaged.next() + "\r\n\r\n");
+        // Who waits for a body that never comes takes the whole time, so most say that there is none.
+        if (i % 2 == 0 || i >= kOpenHeads) socket.endWriting();
         const std::string answer = socket.read(200ms);
         ASSERT_TRUE(answer.empty() || answer.starts_with("HTTP/1.1 ")) << answer;
         ++answers.at(answer.empty() ? 0 : static_cast<std::size_t>(answer.at(9) - '0'));

@@ -58,6 +58,20 @@ PlyFile smallPly() {
             .faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
+TEST(ScanImport, IsGreyWithoutColoursAndWhiteBelowThem) {
+    const auto diffuseOf = [](const std::string& name, const std::string& text) {
+        return test::importText(name, text).model.materials[0].diffuse;
+    };
+    PlyFile file = smallPly();
+    EXPECT_EQ(diffuseOf("a.ply", file.text()), Colour(0.6F, 0.6F, 0.6F));
+    for (const char* name : {"red", "green", "blue"})
+        file.attributes.push_back({"uchar", name, {0, 1, 3, 100, 27}});
+    EXPECT_EQ(diffuseOf("a.ply", file.text()), kWhite);
+    EXPECT_EQ(diffuseOf("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                 "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"),
+              Colour(0.6F, 0.6F, 0.6F));
+}
+
 TEST(ScanImport, PlyOfEveryTypeAndByteOrder) {
     const std::vector<std::string> integers{"char", "uchar", "short", "ushort",
                                             "int",  "uint",  "uint8", "int32"};

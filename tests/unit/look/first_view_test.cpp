@@ -117,6 +117,16 @@ TEST(FirstView, LeavesOutWhatLiesFarOff) {
     EXPECT_LT(Seen(b).survey.subject.bounds.hi.x, 1.1F);
 }
 
+TEST(FirstView, LeavesOutCrumbsThatLieApart) {
+    for (const auto& [size, kept] : {std::pair{0.02F, false}, {0.3F, true}}) {
+        test::SceneBuilder b;
+        const std::uint32_t grey = b.material(test::matte(0.3F));
+        b.sphere({0, 0, 0}, 1, 24, grey);
+        b.box({0, 4, 0}, {size, 4 + size, size}, grey);
+        EXPECT_EQ(Seen(b).survey.subject.bounds.hi.y > 4, kept) << size;
+    }
+}
+
 TEST(FirstView, LooksOverAHillThatIsInTheWay) {
     test::SceneBuilder b = test::block();
     const std::uint32_t grey = b.material(test::matte(0.3F));

@@ -140,6 +140,15 @@ TEST(LightMeter, LeavesOutSkyLightsAndMirrors) {
     EXPECT_NEAR(whiteOf(b.finish()).value_or(0), 2 / kPi, 0.01F);
 }
 
+// As in games that were made without lights: what shines is all that there is.
+TEST(LightMeter, CountsWhatShinesAndScattersWhereThatIsAll) {
+    Material shining = test::matte(0.4F);
+    shining.emission = {0.3F, 0.3F, 0.3F};
+    EXPECT_NEAR(whiteOf(wallOf(shining, 2)).value_or(0), 2 / kPi + 0.3F / 0.4F, 0.01F);
+    shining.diffuse = {0.05F, 0.05F, 0.05F};
+    EXPECT_FALSE(whiteOf(wallOf(shining, 2))) << "a light";
+}
+
 TEST(LightMeter, SaysNothingWhereThereIsNothingToMeasure) {
     EXPECT_FALSE(whiteOf(wallOf(test::mirror(0.9F), 3)));
     EXPECT_FALSE(whiteOf(wallOf(test::matte(0.5F), 0)));

@@ -133,8 +133,8 @@ TEST(UpAndUnit, ProgramsHaveTheirHabits) {
 
 // By Assimp's names of their importers.
 TEST(UpAndUnit, FormatsThatCountZUpwardsAreNotTurned) {
-    for (const char* format :
-         {"TrueSpace Object Importer", "Quick3D Importer", "3D GameStudio Heightmap (HMP) Importer"})
+    for (const char* format : {"Blender 3D Importer", "TrueSpace Object Importer", "Quick3D Importer",
+                               "3D GameStudio Heightmap (HMP) Importer"})
         EXPECT_EQ(guess(table(), format).up, kZ) << format;
     for (const char* format : {"AC3D Importer", "LightWave/Modo Object Importer", "Milkshape 3D Importer"})
         EXPECT_EQ(guess(upright(table()), format).up, kY) << format;
@@ -194,6 +194,18 @@ TEST(UpAndUnit, BuildingsAreAsLargeAsBuildings) {
     const UpAndUnit frame = land.guess();
     EXPECT_EQ(frame.up, kZ);
     EXPECT_FLOAT_EQ(frame.metresPerUnit, 1) << "no plate with a pin";
+}
+
+TEST(UpAndUnit, WhatHasASkyIsALandscape) {
+    const auto insideOf = [](const char* shell) {
+        NamedBoxes all;
+        all.add(shell, {-250, -250, -1}, {250, 250, 250});
+        all.add("city", {-60, -40, 0}, {50, 40, 30});
+        return all.guess().metresPerUnit;
+    };
+    EXPECT_FLOAT_EQ(insideOf("SkyBox"), 1);
+    EXPECT_FLOAT_EQ(insideOf("Obloha_01"), 1);
+    EXPECT_LT(insideOf("case"), 0.1F);
 }
 
 TEST(UpAndUnit, AFlatPieceIsAsItsFormatIs) {

@@ -5,14 +5,38 @@
 #include "rtcore/io/import/scan_import.h"
 #include "rtcore/platform/error.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 namespace rtcore {
 
+namespace {
+
+/// What Assimp gives surfaces without a material in other formats.
+constexpr Colour kWithoutColour{0.6F, 0.6F, 0.6F};
+
+/// Formats of scans have shapes, and seldom colours: their readers make a white of it that scatters all
+/// light, as nothing does, and in which no shape can be told in full light.
+void greyWhereNoColourIs(FileImport& import) {
+    constexpr std::array<std::string_view, 2> kScans{"Stereolithography", "Stanford"};
+    const bool scan = std::ranges::any_of(kScans, [&](std::string_view format) {
+        return import.report.origin.format.find(format) != std::string::npos;
+    });
+    if (!scan || !import.model.colours.empty()) return;
+    for (Material& m : import.model.materials)
+        if (m.diffuse == kWhite && m.diffuseTexture == kNoTexture) m.diffuse = kWithoutColour;
+}
+
+} // namespace
+
 FileImport importFile(const std::filesystem::path& path, const FileImportOptions& options) {
     if (const auto sentence = unreadFormat(path)) throw FileError(FailureKind::BadData, "", *sentence);
-    if (auto scan = importScan(path, options)) return std::move(*scan);
-    return importWithAssimp(path, options);
+    auto scan = importScan(path, options);
+    FileImport import = scan ? std::move(*scan) : importWithAssimp(path, options);
+    greyWhereNoColourIs(import);
+    return import;
 }
 
 } // namespace rtcore
