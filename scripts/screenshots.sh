@@ -146,6 +146,9 @@ look() {
     sleep 1
     xdotool windowfocus --sync "$main"
     import -window "$main" "$pictures/window-$suffix.png"
+    keys F2
+    whole_window orbit
+    keys F2
     about="alt+h a" sharing="alt+c b" stop_sharing=alt+t
     menus="f c a l o d s h"
     if [ "$language" = cs ]; then

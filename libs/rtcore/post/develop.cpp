@@ -31,6 +31,16 @@ void developRow(const Development& how, const RowPart& part, const Colour* radia
     std::copy(developed, developed + (part.right - x), pixels + x);
 }
 
+/// `usual` as the thesis' curve takes it. Others show the mean as that one does.
+float adapted(float usual, const RenderSettings& settings) {
+    const bool thesis =
+        settings.toneMapping == ToneMapping::Luminance || settings.toneMapping == ToneMapping::Channels;
+    if (thesis || settings.exposure.mode == ExposureMode::Fixed) return usual;
+    const float key = settings.exposure.key;
+    const float found = exposureShowing(developmentOf(settings, 1), usual * key, key / (1 + key));
+    return std::clamp(found, kLeast, kMost);
+}
+
 } // namespace
 
 std::optional<float> PictureDeveloper::average(const Frame& frame, bool background, int threads) {
@@ -74,7 +84,7 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
 float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& settings,
                                  std::optional<float> white, int threads) {
     if (settings.exposure.mode != ExposureMode::Incident || !white)
-        return exposure(frame, settings.exposure, threads);
+        return adapted(exposure(frame, settings.exposure, threads), settings);
     const float usual = exposureOfWhite(developmentOf(settings, 1), kWhiteAlbedo * *white);
     return std::clamp(usual * (kUsualKey / settings.exposure.key), kLeast, kMost);
 }

@@ -25,7 +25,8 @@ class PictureDeveloper {
     float exposure(const Frame& frame, const ExposureSettings& settings, int threads);
 
     /// The same where ExposureMode::Incident has what it needs, LightMeter's `white`: then that of a surface
-    /// of albedo 0.9 in this light, whatever the frame is. Without it, as ExposureMode::Automatic.
+    /// of albedo 0.9 in this light, whatever the frame is. Without it, as ExposureMode::Automatic, whose mean
+    /// each curve shows as the thesis' does.
     float exposure(const Frame& frame, const RenderSettings& settings, std::optional<float> white,
                    int threads);
 

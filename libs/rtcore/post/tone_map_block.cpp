@@ -101,10 +101,14 @@ HWY_EXPORT(quantiseBlock);
 
 float exposureOfWhite(const Development& how, float white) {
     constexpr float kShown = 0.8387990F; // the linear light of 236 of 255
-    // Greys between two bounds, three times, each time between two neighbours: within 2e-5.
+    return exposureShowing(how, white, kShown);
+}
+
+float exposureShowing(const Development& how, float radiance, float shown) {
+    // Greys between two bounds, three times, each time between two neighbours: within 6e-5.
     Development one = how;
     one.exposure = 1;
-    float low = 0.125F, high = 64;
+    float low = 1.0F / 4096, high = 64;
     for (int round = 0; round < 3; ++round) {
         Colour greys[kToneBlock];
         const float octaves = portableLog2(high / low);
@@ -113,11 +117,11 @@ float exposureOfWhite(const Development& how, float white) {
         ToneBlock block;
         HWY_DYNAMIC_DISPATCH(mapBlock)(one, &greys[0].r, block);
         std::size_t above = 1;
-        while (above + 1 < kToneBlock && block.shown[1][above] < kShown) ++above;
+        while (above + 1 < kToneBlock && block.shown[1][above] < shown) ++above;
         low = greys[above - 1].g;
         high = greys[above].g;
     }
-    return white / high;
+    return radiance / high;
 }
 
 void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels) {

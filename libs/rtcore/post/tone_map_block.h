@@ -22,6 +22,9 @@ inline Development developmentOf(const RenderSettings& settings, float exposure)
 
 /// The exposure by which a grey of radiance `white` is shown as 236 of 255.
 float exposureOfWhite(const Development& how, float white);
+/// The exposure by which a grey of that radiance is shown as `shown`, linear light 0..1, of what the curve
+/// makes of greys of 1/4096 to 64 times the exposure.
+float exposureShowing(const Development& how, float radiance, float shown);
 
 /// kToneBlock pixels of row `y` from column `x` on.
 void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels);

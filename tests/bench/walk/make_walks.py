@@ -26,6 +26,9 @@ WALKS = {
         (-1050, 50, -40, 90, 5), (-400, 50, -20, 95, 10), (300, 50, -60, 85, 8), (850, 50, -40, 90, 4)]),
     "lamborghini": dict(fov=60, sway=6, period=4, around=True, points=[
         (4.6, 1.5, 4.6, 0, 0), (0.5, 1.3, 5.8, 0, 0), (-4.2, 1.4, 4.2, 0, 0), (-6.0, 1.7, 0.0, 0, 0)]),
+    # Once around an object, as by a drag.
+    "orbit": dict(fov=60, sway=0, period=1, around=True, points=[
+        (5.8 * math.sin(math.tau * i / 16), 1.6, 5.8 * math.cos(math.tau * i / 16), 0, 0) for i in range(17)]),
 }
 
 LIGHT = "\n[[light]]\nkind = \"{}\"\n{}\nintensity = {}\n"

@@ -38,6 +38,17 @@ TEST(MtlMaterial, LambertAndHighlight) {
     EXPECT_TRUE(isBlack(m.specular));
 }
 
+// One white glow, or metal all over, is never what an author meant by an image.
+TEST(MissingImages, MakeNothingShineAndNothingMetal) {
+    EXPECT_TRUE(isBlack(ofMtl("Kd 0.5 0.5 0.5\nKe 1 1 1\nmap_Ke nowhere.png\n").emission));
+    const Material m = ofGltf(R"({"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0},
+"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}})",
+                              R"(,"textures":[{"source":0}],"images":[{"uri":"nowhere.png"}])");
+    EXPECT_TRUE(isBlack(m.emission));
+    EXPECT_EQ(m.metallic, 0);
+    EXPECT_EQ(ofGltf("{}").metallic, 1) << "as the file says";
+}
+
 TEST(MtlMaterial, EnergyIsConserved) {
     const Material m = ofMtl("Kd 0.8 0.6 0.6\nKs 0.9 0.45 0\nNs 10\nillum 2\n");
     EXPECT_TRUE(near(m.diffuse, {0.8F, 0.6F, 0.6F}));

@@ -133,6 +133,27 @@ TEST(Exposure, AdaptsToTheBackgroundWhenThereIsNothingElse) {
     EXPECT_NEAR(exposureFor(frameOf(Pixels().add(50, grey(9), 0)), settings), 9 / 0.18, 50 * kBin);
 }
 
+TEST(Exposure, EveryCurveShowsTheMeanAlike) {
+    const Frame frame = frameOf(Pixels().add(64, grey(9)));
+    for (const float key : {0.05F, 0.18F, 0.9F}) {
+        const auto shown = [&](ToneMapping curve, float contrast) {
+            RenderSettings settings;
+            settings.toneMapping = curve;
+            settings.toneContrast = contrast;
+            settings.dithering = false;
+            settings.exposure.key = key;
+            PictureDeveloper developer;
+            LdrImage image;
+            developer.develop(frame, settings, developer.exposure(frame, settings, {}, 1), 1, image);
+            return int{image.pixels[20].g};
+        };
+        const int thesis = shown(ToneMapping::Luminance, 0);
+        for (const float contrast : {0.0F, 1.0F, 2.0F})
+            EXPECT_NEAR(shown(ToneMapping::AgX, contrast), thesis, 1) << key << " " << contrast;
+        EXPECT_NEAR(shown(ToneMapping::Neutral, 0), thesis, 1) << key;
+    }
+}
+
 TEST(Exposure, IsOfUseForAnyPicture) {
     const ExposureSettings settings;
     for (const Colour c : {Colour{}, grey(kNan), grey(kInf), grey(1e38F), grey(1e-45F)}) {

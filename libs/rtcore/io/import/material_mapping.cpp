@@ -101,9 +101,11 @@ void coverEmission(const SourceMaterial& s, Material& m) {
     if (covers && m.opacity < 1 && isVeil(m)) m.emission = m.emission * m.opacity;
 }
 
+/// Where the image is missing that says what is metal, its factor would make all of it metal.
 void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.metallicRoughnessTexture = textures.texture(s.metallicRoughnessMap);
-    setMetallicRoughness(m, m.diffuse, unit(s.metallic), unit(s.roughness, 1));
+    const bool missing = !s.metallicRoughnessMap.empty() && m.metallicRoughnessTexture == kNoTexture;
+    setMetallicRoughness(m, m.diffuse, missing ? 0 : unit(s.metallic), unit(s.roughness, 1));
     m.specular = kWhite * unit(s.reflectance);
     mapTransparency(s, m, m.diffuse);
     if (unit(s.transmissionFactor) > 0) m.transmissionTexture = textures.texture(s.transmissionMap);
@@ -134,6 +136,8 @@ void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
         m.normalScale = relief.scale;
     }
     m.emissionTexture = textures.texture(s.emissionMap);
+    // Where the image is missing that says what shines, its factor would make all of it shine.
+    if (m.emissionTexture == kNoTexture && !s.emissionMap.empty()) m.emission = {};
     const bool inDiffuse = s.alphaInDiffuseMap && s.alphaMap.empty();
     const SourceMap& alphaMap = inDiffuse ? s.diffuseMap : s.alphaMap;
     // An image that hides nothing would make every ray ask for nothing.
