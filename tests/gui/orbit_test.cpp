@@ -114,6 +114,22 @@ TEST_F(OrbitTest, ButtonsChangeBetweenOrbitWalkAndFly) {
     EXPECT_TRUE(buttons[static_cast<int>(cube->mode())]->isChecked());
 }
 
+// Another program's walk may begin where the camera stands: no image tells of it.
+TEST_F(OrbitTest, ButtonsShowWhatAnotherProgramBegins) {
+    writeText(folder() / "room.obj", "v -3 0 -3\nv 3 0 -3\nv 3 2.6 -3\nv -3 2.6 -3\nv -3 0 3\nv 3 0 3\n"
+                                     "v 3 2.6 3\nv -3 2.6 3\nf 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\n"
+                                     "f 7 8 4 3\nf 8 5 1 4\n");
+    ASSERT_NO_FATAL_FAILURE(openAndRest("room.obj"));
+    auto* cube = window->view().findChild<ViewCube*>();
+    ASSERT_NE(cube, nullptr);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("walk")).done);
+    settle();
+    for (const auto& [order, mode] : {std::pair{"fly", Mode::Fly}, {"walk", Mode::Walk}}) {
+        ASSERT_TRUE(ask(window->session(), QString::fromLatin1(order)).done);
+        EXPECT_TRUE(comes([&, shown = mode] { return cube->mode() == shown; })) << order;
+    }
+}
+
 TEST_F(OrbitTest, DragsAsBlenderDoesByPreference) {
     useMouse(MouseScheme::Blender);
     ASSERT_NO_FATAL_FAILURE(openAndRest("block.obj"));

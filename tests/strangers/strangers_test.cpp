@@ -115,8 +115,8 @@ void expectSeenWhole(const rtcore::LoadedScene& scene) {
     const auto hit = rtcore::closestHit(scene.tree, mesh, scene.camera.eye, way);
     if (hit && hit->t < 1) {
         rtcore::Box3 near = bounds;
-        near.lo = near.lo - bounds.size() * 0.01F;
-        near.hi = near.hi + bounds.size() * 0.01F;
+        near.lo = near.lo - Vec3{1, 1, 1} * (0.005F * bounds.diagonal());
+        near.hi = near.hi + Vec3{1, 1, 1} * (0.005F * bounds.diagonal());
         EXPECT_TRUE(near.contains(scene.camera.eye + way * hit->t));
     }
 }

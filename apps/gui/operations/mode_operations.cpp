@@ -27,9 +27,10 @@ ModeOperations::ModeOperations(const GuiContext& context, QObject* parent)
     connect(&session, &Session::stateChanged, this, &ModeOperations::showCube);
     connect(&session, &Session::frameChanged, this, [this] {
         showCube();
-        showMode();
         cube_->setView(context_.session.status().view);
     });
+    // Who walks and stands where the camera was changes no image.
+    connect(&session, &Session::statusChanged, this, &ModeOperations::showMode);
     connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] {
         const bool orbits = !context_.editor.state().indoors;
         context_.actions[ActionId::Orbit]->setChecked(orbits);

@@ -196,7 +196,8 @@ std::optional<Colour> fillLight(const Scene& scene, const KdTree& tree, const Ca
     std::vector<float> sums = irradianceAt(tree, mesh, scene.lights, places);
     for (float& sum : sums) sum += kPi * maxComponent(scene.ambient);
     std::ranges::sort(sums);
-    const float well = sums[sums.size() * 9 / 10];
+    const float usual = sums[sums.size() * 9 / 10];
+    const float well = usual > 0 ? usual : sums.back();
     const auto dark = std::ranges::count_if(sums, [&](float sum) { return sum < kDark * well; });
     if (static_cast<float>(dark) < kMuch * static_cast<float>(sums.size())) return std::nullopt;
     return kWhite * (kFill * well / kPi);

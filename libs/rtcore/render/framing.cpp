@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace rtcore {
 
 namespace {
 
-constexpr float kMargin = 0.95F;
+constexpr float kMargin = 0.88F;
 
 /// Right, up and forward in the image, from the middle of the box.
 class ImagePoints {
@@ -30,6 +32,32 @@ class ImagePoints {
   private:
     Vec3 middle_, forward_, right_, up_;
 };
+
+/// How far points are beyond the borders of the image along an axis, for an eye at `distance` before depth 0
+/// whose image reaches `reach` times the distance to either side; below 0 for within.
+struct Overhang {
+    Overhang(std::span<const Vec3> points, int axis, float distance, float reach) {
+        for (const Vec3 p : points) {
+            const float border = reach * (p.z + distance);
+            above = std::max(above, p[axis] - border);
+            below = std::max(below, -p[axis] - border);
+        }
+    }
+    float both() const { return above + below; }         ///< at most 0: beside there all is seen
+    float middle() const { return (above - below) / 2; } ///< where that is
+    float above = std::numeric_limits<float>::lowest(), below = std::numeric_limits<float>::lowest();
+};
+
+/// From where at that distance the outermost points are equally far from the middle of the image.
+float middleOf(std::span<const Vec3> points, int axis, float distance, float reach) {
+    float low = 0, high = reach;
+    constexpr int kSteps = 16; // a hundredth of a pixel
+    for (int i = 0; i < kSteps; ++i) {
+        const float between = (low + high) / 2;
+        (Overhang(points, axis, distance, between).both() > 0 ? low : high) = between;
+    }
+    return Overhang(points, axis, distance, high).middle();
+}
 
 std::vector<Vec3> pointsIn(const Mesh& mesh, const Box3& box, const ImagePoints& image) {
     constexpr std::size_t kSamples = 50'000;
@@ -51,26 +79,28 @@ std::vector<Vec3> pointsIn(const Mesh& mesh, const Box3& box, const ImagePoints&
 
 Camera framed(const Mesh& mesh, const Box3& box, Camera camera, float aspect) {
     const ImagePoints image(camera, box);
-    const std::vector<Vec3> points = pointsIn(mesh, box, image);
+    std::vector<Vec3> points = pointsIn(mesh, box, image);
     Box3 seen;
     for (const Vec3 point : points) seen.extend(point);
     const Vec3 middle = seen.centre();
-    float distance = 0, width = 0;
     const float half = camera.horizontalFov * kPi / 360;
     // An author's aspect widens images that are wider (camera.h).
     const float across = portableSin(half) / portableCos(half) * kMargin *
                          (camera.aspect > 0 ? std::max(1.0F, aspect / camera.aspect) : 1.0F);
-    for (const Vec3 point : points) {
-        const Vec3 p = point - middle;
-        distance =
-            std::max({distance, std::fabs(p.x) / across - p.z, std::fabs(p.y) * aspect / across - p.z});
-        width = std::max({width, 2 * std::fabs(p.x), 2 * std::fabs(p.y) * aspect});
-    }
+    for (Vec3& point : points) point = point - middle;
+    Vec3 eye = middle;
     if (camera.kind == CameraKind::Orthographic) {
+        const float width = std::max(seen.size().x, seen.size().y * aspect);
         camera.orthographicWidth = width > 0 ? width / kMargin : 1;
-        distance = box.diagonal();
+        eye.z -= box.diagonal();
+    } else {
+        const float far = std::max(Overhang(points, 0, 0, across).both() / (2 * across),
+                                   Overhang(points, 1, 0, across / aspect).both() / (2 * across / aspect));
+        const float distance = far > 0 ? far : 1;
+        eye += {middleOf(points, 0, distance, across), middleOf(points, 1, distance, across / aspect),
+                -distance};
     }
-    camera.eye = image.back(middle - Vec3{0, 0, distance > 0 ? distance : 1.0F});
+    camera.eye = image.back(eye);
     return camera;
 }
 

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 20> kHttpTokens{"\r\n",
                                                        "\xFF",
                                                        "Upgrade: h2c\r\n"};
 
-/// So many take turns with such as end.
+/// Of the first so many, each second one stays open.
 constexpr long kOpenHeads = 1'000;
 
 class DamagedHeads : public BridgeTest {};

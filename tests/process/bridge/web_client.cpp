@@ -72,9 +72,7 @@ RawSocket& RawSocket::operator=(RawSocket&& other) noexcept {
     return *this;
 }
 
-void RawSocket::endWriting() const {
-    ::shutdown(socket_, SHUT_WR);
-}
+void RawSocket::endWriting() const { ::shutdown(socket_, SHUT_WR); }
 bool RawSocket::write(std::string_view bytes) const {
     while (!bytes.empty()) {
         const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);

@@ -28,7 +28,7 @@ class RawSocket {
     RawSocket& operator=(RawSocket&& other) noexcept;
 
     bool write(std::string_view bytes) const; ///< false: it is closed
-    void endWriting() const;                   ///< the other side reads to the end, and may still answer
+    void endWriting() const;                  ///< the other side reads to the end, and may still answer
     /// What is there, within the time; "" and closed() when the other side has ended it.
     std::string read(std::chrono::milliseconds within);
     bool closed() const { return closed_; }

@@ -1,12 +1,15 @@
 // What a model is looked at as, and from where.
 #include "rtcore/look/seen_places.h"
 #include "rtcore/render/default_view.h"
+#include "rtcore/render/framing.h"
 
 #include "rooms.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace {
 
@@ -106,6 +109,35 @@ TEST(FirstView, TakesAPartOfAThingForNoSurroundings) {
         const Seen seen(b);
         EXPECT_GE(seen.survey.subject.bounds.size().x, 2 * size.x);
         EXPECT_FALSE(seen.survey.subject.ground);
+    }
+}
+
+TEST(Framing, HasEqualMarginsOnOppositeSides) {
+    test::SceneBuilder b;
+    const std::uint32_t grey = b.material(test::matte(0.3F));
+    b.box({-2, -1, -5}, {2, 1, 1}, grey);
+    b.box({-0.3F, 1, 0.5F}, {0.3F, 1.6F, 1}, grey);
+    const test::TracedScene s(b.finish());
+    const rtcore::Mesh& mesh = s.scene.mesh();
+    for (const float aspect : {0.5F, 16.0F / 9, 4.0F}) {
+        for (const Vec3 forward : {Vec3{0, 0, -1}, {-0.4F, -0.3F, -0.9F}, {0.5F, -0.9F, -0.2F}}) {
+            Camera camera;
+            camera.forward = normalize(forward);
+            camera.horizontalFov = 70;
+            const Vec3 right = normalize(cross(camera.forward, {0, 1, 0}));
+            camera.up = cross(right, camera.forward);
+            camera = rtcore::framed(mesh, mesh.bounds(), camera, aspect);
+            rtcore::Box3 image;
+            for (const rtcore::Vertex& vertex : mesh.vertices) {
+                const Vec3 p = vertex.position() - camera.eye;
+                const float depth =
+                    dot(p, camera.forward) * std::tan(0.5F * 70 * std::numbers::pi_v<float> / 180);
+                image.extend(Vec3{dot(p, right) / depth, dot(p, camera.up) * aspect / depth, 0});
+            }
+            EXPECT_NEAR(image.lo.x, -image.hi.x, 1e-3F);
+            EXPECT_NEAR(image.lo.y, -image.hi.y, 1e-3F);
+            EXPECT_NEAR(std::max(image.hi.x, image.hi.y), 0.88F, 1e-3F);
+        }
     }
 }
 

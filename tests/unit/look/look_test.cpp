@@ -62,6 +62,10 @@ TEST(FillLight, IsForWhatOwnLightsLeaveInTheDark) {
     const auto fill = rtcore::fillLight(s.scene, s.tree, camera);
     ASSERT_TRUE(fill) << "its sides are black";
     EXPECT_NEAR(fill->g * rtcore::kPi, 0.04F * 3, 1e-5F);
+    rtcore::Camera level = camera;
+    level.eye = {0, 1.3F, 7};
+    level.forward = {0, 0, -1};
+    EXPECT_TRUE(rtcore::fillLight(s.scene, s.tree, level)) << "only a sliver is lit";
     s.scene.ambient = rtcore::kWhite * 0.15F;
     EXPECT_FALSE(rtcore::fillLight(s.scene, s.tree, camera)) << "it has light from around";
     s.scene.ambient = {};
