@@ -150,10 +150,10 @@ look() {
     whole_window orbit
     keys F2
     about="alt+h a" sharing="alt+c b" stop_sharing=alt+t
-    menus="f c a l o d s h"
+    menus="f c a v l o d s h"
     if [ "$language" = cs ]; then
         about="alt+v o" sharing="alt+p h" stop_sharing=alt+u
-        menus="s p a t k z n v"
+        menus="s p a h t k z n v"
     fi
     for menu in $menus; do
         xdotool windowfocus --sync "$main"
