@@ -14,7 +14,7 @@ namespace gui {
 namespace {
 
 QString row(const QString& keys, const QString& meaning) {
-    return QStringLiteral("<tr><td align=right><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+    return QStringLiteral("<tr><td align=right style=\"padding-right:10px\"><b>%1</b></td><td>%2</td></tr>")
         .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
 }
 

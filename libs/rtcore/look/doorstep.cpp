@@ -44,7 +44,7 @@ std::array<Side, 4> sidesOf(const Box3& box, const Axes& axes) {
 class Approach {
   public:
     Approach(const KdTree& tree, const Mesh& mesh, const Survey& survey)
-        : tree_(tree), mesh_(mesh), axes_(survey.axes), box_(survey.subject.bounds),
+        : tree_(tree), mesh_(mesh), axes_(survey.axes), box_(survey.subject.standing),
           lowest_(rangeAlong(tree.bounds, axes_.up).low) {}
 
     /// Standing `away` before `target`, a point of that side; facing it.
@@ -180,7 +180,7 @@ bool isTooSmallToWalk(const Survey& survey) {
 
 std::vector<Camera> doorsteps(const KdTree& tree, const Mesh& mesh, const Survey& survey,
                               const Camera& from) {
-    const Box3& box = survey.subject.bounds;
+    const Box3& box = survey.subject.standing;
     const Axes& axes = survey.axes;
     if (box.empty()) return {};
     if (isLand(box, axes)) return {standOnLand(tree, mesh, survey, from)};

@@ -91,6 +91,29 @@ bool isDomeOf(const Piece& piece, const Box3& rest, const Axes& axes) {
            holds(piece.bounds, rest, axes.right, 0) && holds(piece.bounds, rest, axes.front, 0);
 }
 
+/// Flat, below the rest, and somewhat wider.
+bool isPlotOf(const Piece& piece, const Box3& rest, const Axes& axes) {
+    constexpr float kReaches = 1.15F;
+    const float width = widthOf(piece.bounds, axes);
+    if (extentAlong(piece.bounds, axes.up) > kFlatGround * width || width < kReaches * widthOf(rest, axes))
+        return false;
+    const Range plot = rangeAlong(piece.bounds, axes.up), thing = rangeAlong(rest, axes.up);
+    return (plot.low + plot.high) / 2 < (thing.low + thing.high) / 2 && thing.high > plot.high &&
+           holds(piece.bounds, rest, axes.right, 0) && holds(piece.bounds, rest, axes.front, 0);
+}
+
+/// The bounds of what stands on the widest of the pieces, if that is a plot; else of all.
+Box3 standingOn(std::span<const Piece> pieces, const Box3& bulk, const Axes& axes) {
+    if (pieces.empty()) return bulk;
+    Box3 rest;
+    std::size_t triangles = 0;
+    for (const Piece& piece : pieces.subspan(1)) {
+        rest.extend(piece.bounds);
+        triangles += piece.triangles;
+    }
+    return triangles >= kFewest && isPlotOf(pieces.front(), rest, axes) ? rest : bulk;
+}
+
 /// The number of pieces, from the widest on, that are surroundings of the others; Subject::domes becomes the
 /// numbers of those that are skies.
 std::size_t surroundingsOf(std::span<const Piece> pieces, const Axes& axes, Subject& subject) {
@@ -174,7 +197,7 @@ Box3 bulkOf(std::span<const Piece> pieces) {
 Subject subjectOf(const Mesh& mesh, const Axes& axes) {
     Subject subject;
     if (mesh.triangles.size() > kMostTriangles) {
-        subject.bounds = mesh.bounds();
+        subject.bounds = subject.standing = mesh.bounds();
         return subject;
     }
     std::vector<std::uint32_t> pieceOf;
@@ -183,7 +206,9 @@ Subject subjectOf(const Mesh& mesh, const Axes& axes) {
     const std::vector<std::uint32_t> skies = std::exchange(subject.domes, {});
     for (std::uint32_t t = 0; !skies.empty() && t < pieceOf.size(); ++t)
         if (std::ranges::find(skies, pieceOf[t]) != skies.end()) subject.domes.push_back(t);
-    subject.bounds = bulkOf(std::span(pieces).subspan(around));
+    const std::span<const Piece> things = std::span(pieces).subspan(around);
+    subject.bounds = bulkOf(things);
+    subject.standing = standingOn(things, subject.bounds, axes);
     return subject;
 }
 

@@ -12,6 +12,7 @@ namespace rtcore {
 
 struct Subject {
     Box3 bounds;         ///< of the model without surroundings and without what lies far from the rest
+    Box3 standing;       ///< the same without a plot below it, which reaches beyond it
     bool ground = false; ///< it stands on wide ground, or floats on a sea
     std::vector<std::uint32_t> domes; ///< triangles of skies around it, ascending
 };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -72,6 +73,17 @@ TEST(Doorstep, StandsOnTheGround) {
     const Steps steps(std::move(b), {2, 8, 20});
     EXPECT_NEAR(steps.cameras.front().eye.y, 1.4F, 0.01F);
     EXPECT_LT(steps.cameras.front().eye.z, 12) << "before the hut, not before the ground";
+}
+
+// Not a few steps before the plot.
+TEST(Doorstep, IsOnThePlotOfTheHouse) {
+    test::SceneBuilder builder = hut(true);
+    builder.box({-8, -0.5F, -8}, {8, -0.2F, 8}, builder.material(test::matte(0.3F)));
+    const Steps steps(std::move(builder), {5, 8, 20});
+    EXPECT_FALSE(steps.survey.subject.ground) << "so small a plot is seen with the house";
+    EXPECT_NEAR(steps.cameras.front().eye.x, 1.5F, 0.1F);
+    EXPECT_LT(steps.cameras.front().eye.z, 7.9F);
+    EXPECT_NEAR(steps.cameras.front().eye.y, 1.4F, 0.01F) << "with its feet on the plot";
 }
 
 TEST(Doorstep, OnLandIsWhereOneLooks) {
