@@ -69,16 +69,23 @@ double oddsOfSize(const Sizes& size, double metres) {
     constexpr double kBelow = 3, kAbove = 4;
     if (size.landscape) return outside(size.longest, 30, 20'000, kBelow, kAbove);
     // Houses have right angles, and so have cupboards; other things seldom are as large as a car.
-    const double largest = size.boxy > 0.6 ? 25 : 5;
+    const bool hollow = size.room > 0 && !size.building;
+    const double largest = size.boxy > 0.6 && !hollow ? 25 : 5;
     const double thing = outside(size.longest, 0.02, largest, kBelow, kAbove);
     if (!(size.room > 0) && !size.building) return thing;
     double house = outside(size.height, 2.2, 30, 9, 6);
     // Few rooms are as high as churches.
     if (size.room > 0)
         house = std::min(house, outside(size.room, 2, 30, 9, 6) + outside(size.room, 2, 6, 0, 1));
+    // Without a name for it, what is hollow is an oven or a car rather than a higher one, or a round hall.
+    if (hollow) {
+        const double round = std::clamp(8 * (0.6 - size.boxy), 0.0, 3.0);
+        house -= round * std::clamp((size.height * metres - 4) / 3, 0.0, 1.0);
+        house += outside(size.room, 0, 18, 0, 8) + outside(size.longest, 0, 120, 0, 6);
+    }
     // Else a hollow thing; of a building, a model of it.
-    const double hollow = size.building ? -3 : -0.7;
-    return std::max(house, thing + hollow);
+    const double rarely = size.building ? -3 : -0.7;
+    return std::max(house, thing + rarely);
 }
 
 struct Choice {

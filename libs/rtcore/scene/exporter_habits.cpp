@@ -67,7 +67,7 @@ constexpr std::array kPrograms{
     ProgramHabit{"gmsh", "Gmsh", 3, 3, {1, -1, 1, -2, -3}},
     ProgramHabit{"sketchup", "SketchUp", kSure, -1, {0.5, 0, 1, 1, -1}},
     ProgramHabit{"sweet home 3d", "Sweet Home 3D", -kSure, -kSure, kCentimetres},
-    ProgramHabit{"blender", "Blender", kSure, -kSure, {1.5, 0.2, 0.2, -1.5, -3}},
+    ProgramHabit{"blender", "Blender", kSure, -kSure, {1.2, 0.2, 0.2, -1.5, -3}},
     ProgramHabit{"uses centimeters as units", "Maya", -2, -2, kCentimetres},
     ProgramHabit{"maya", "Maya", -2, -2, kCentimetres},
     ProgramHabit{"cinema 4d", "Cinema 4D", -2, -2, kCentimetres},

@@ -196,6 +196,35 @@ TEST(UpAndUnit, BuildingsAreAsLargeAsBuildings) {
     EXPECT_FLOAT_EQ(frame.metresPerUnit, 1) << "no plate with a pin";
 }
 
+/// Six walls without names, of a thickness of 1.
+test::SampleMesh hollow(Vec3 size) {
+    const Vec3 half = size * 0.5F;
+    test::SampleMesh mesh;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0F, 1.0F}) {
+            Vec3 lo = -half, hi = half;
+            (side < 0 ? hi : lo)[axis] = side * (half[axis] - 1);
+            mesh.append(box(lo, hi));
+        }
+    }
+    return mesh;
+}
+
+TEST(UpAndUnit, WhatIsHollowAndHighIsAnOvenRatherThanAHall) {
+    EXPECT_FLOAT_EQ(guess(hollow({56, 36, 47}), kObj, "Blender").metresPerUnit, 0.01F);
+    EXPECT_FLOAT_EQ(guess(hollow({40, 14, 20}), kObj, "Blender").metresPerUnit, 1) << "a hall";
+    // A car: few of its faces are across an axis.
+    test::SampleMesh car = hollow({14, 10, 29});
+    car.map([](Vec3 p) {
+        const float turned = 0.5F;
+        const Vec3 once{p.x * std::cos(turned) - p.z * std::sin(turned), p.y,
+                        p.x * std::sin(turned) + p.z * std::cos(turned)};
+        return Vec3{once.x, once.y * std::cos(turned) - once.z * std::sin(turned),
+                    once.y * std::sin(turned) + once.z * std::cos(turned)};
+    });
+    EXPECT_FLOAT_EQ(guess(car, kObj, "Blender").metresPerUnit, 0.01F);
+}
+
 TEST(UpAndUnit, WhatHasASkyIsALandscape) {
     const auto insideOf = [](const char* shell) {
         NamedBoxes all;
