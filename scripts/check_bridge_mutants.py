@@ -150,16 +150,17 @@ MUTANTS = [
          ""),
     ]),
     ("door: parts of messages are not counted", [
-        ("net/receiving_limit.h", "over_ = true;",
-         ""),
+        ("net/receiving_limit.h",
+         "if (over_ || (bytes_.take(now, static_cast<double>(count)) && unfinished_ <= mostUnfinished_)) return;",
+         "return;"),
     ]),
     ("door: a message may never end", [
         ("net/receiving_limit.h", "&& unfinished_ <= mostUnfinished_",
          ""),
     ]),
     ("door: messages are not counted", [
-        ("net/http_connection-inl.h", "return tellClosed(); } if (!bucket_.take(steadySeconds()))",
-         "return tellClosed(); } if (false)"),
+        ("net/http_connection-inl.h", "limit().messageCame(); if (!bucket_.take(steadySeconds()))",
+         "limit().messageCame(); if (false)"),
     ]),
     ("door: the silent keep their places", [
         ("hub.cpp", "visitors_ < options_.clients || makeRoom();",

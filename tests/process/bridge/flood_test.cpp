@@ -184,7 +184,7 @@ TEST_F(Floods, OfPartsOfAMessageThatNeverEndsAreClosed) {
     EXPECT_TRUE(eventually([&] { return visitors() == 1; }, 10s)) << visitors();
 }
 
-TEST_F(Floods, OfSlowPartsEndTooButThoseOfAWholeMessageAreRight) {
+TEST_F(Floods, OfPartsThatComeSlowlyEndTooButThoseOfAWholeMessageAreRight) {
     const auto bad = join(kViewer);
     bad->socket().write(webFrame(0x01, ""));
     std::string parts;
