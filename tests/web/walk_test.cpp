@@ -188,6 +188,16 @@ TEST_F(PageInput, HomeShowsTheModelAfterAnyTouches) {
             },
             20s))
             << i << ": " << length(eye() - middle) / far;
+        // From beside the model the page shows it as the server fits it, to the width of a line.
+        ask("camera fit");
+        ASSERT_TRUE(comesToRest());
+        const rtcore::Vec3 whole = eye();
+        ask("camera pan 3 2");
+        ASSERT_TRUE(comesToRest());
+        ASSERT_GT(length(eye() - whole), far);
+        ASSERT_NO_FATAL_FAILURE(fit());
+        EXPECT_TRUE(test::eventually([&] { return length(eye() - whole) < 0.005F * far; }, 20s))
+            << i << ": " << length(eye() - whole) / far;
     }
     EXPECT_GT(furthest, 0.1F) << "the touches moved it";
 }
