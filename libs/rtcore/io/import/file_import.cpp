@@ -2,6 +2,7 @@
 
 #include "rtcore/io/import/assimp_import.h"
 #include "rtcore/io/import/foreign_formats.h"
+#include "rtcore/io/import/material_mapping.h"
 #include "rtcore/io/import/scan_import.h"
 #include "rtcore/platform/error.h"
 
@@ -14,9 +15,6 @@ namespace rtcore {
 
 namespace {
 
-/// What Assimp gives surfaces without a material in other formats.
-constexpr Colour kWithoutColour{0.6F, 0.6F, 0.6F};
-
 /// Formats of scans have shapes, and seldom colours: their readers make a white of it that scatters all
 /// light, as nothing does, and in which no shape can be told in full light.
 void greyWhereNoColourIs(FileImport& import) {
@@ -26,7 +24,7 @@ void greyWhereNoColourIs(FileImport& import) {
     });
     if (!scan || !import.model.colours.empty()) return;
     for (Material& m : import.model.materials)
-        if (m.diffuse == kWhite && m.diffuseTexture == kNoTexture) m.diffuse = kWithoutColour;
+        if (m.diffuse == kWhite && m.diffuseTexture == kNoTexture) m.diffuse = kUnsetDiffuse;
 }
 
 } // namespace

@@ -123,8 +123,8 @@ void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& t
     mapTransparency(s, m, m.diffuse);
 }
 
-/// Black, or the grey that Assimp gives where a file says nothing: an image is meant to be seen.
-bool diffuseIsUnset(Colour c) { return isBlack(c) || c == Colour{0.6F, 0.6F, 0.6F}; }
+/// Black, or nothing that a file says: an image is meant to be seen.
+bool diffuseIsUnset(Colour c) { return isBlack(c) || c == kUnsetDiffuse; }
 
 void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.diffuseTexture = textures.texture(s.diffuseMap);

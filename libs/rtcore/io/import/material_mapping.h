@@ -17,6 +17,9 @@ enum class MaterialRules {
 };
 enum class AlphaMode { Opaque, Mask, Blend };
 
+/// The diffuse colour that Assimp gives where a file says nothing.
+inline constexpr Colour kUnsetDiffuse{0.6F, 0.6F, 0.6F};
+
 /// A material as its file has it. Any floats.
 struct SourceMaterial {
     MaterialRules rules = MaterialRules::Classic;
