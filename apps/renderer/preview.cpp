@@ -6,7 +6,7 @@
 
 #include "ipc/layout/frame_info.h"
 
-#include "rtcore/post/upsample.h"
+#include "rtcore/upsample/upsample.h"
 
 #include <algorithm>
 #include <span>
@@ -140,7 +140,8 @@ void Preview::showPass(int block, std::uint32_t samples, const rtcore::Frame& fr
                        {.settings = settings, .threads = threads, .exposure = status_.exposure});
     if (block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
-        rtcore::upsample(small_, block, threads, picture_);
+        const auto side = static_cast<float>(block);
+        rtcore::upsample(small_, {side, side}, threads, picture_);
         for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = 0; // until it has a sample of its own
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);

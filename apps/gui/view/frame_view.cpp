@@ -4,10 +4,14 @@
 #include "gui/view/input_capture.h"
 #include "gui/view/overlay.h"
 
+#include "rtcore/upsample/upsample.h"
+
 #include <QPaintEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace gui {
@@ -19,6 +23,22 @@ using namespace std::chrono_literals;
 constexpr auto kTellFor = 4s;
 constexpr auto kResizeRest = 300ms;
 constexpr QRgb kBackground = 0xff1a1c1f;
+
+/// Of the same kind, along its edges, so that a frame of few pixels shows no squares; at most about as large
+/// as a widget of `most`, and not above what is upsampled within a few milliseconds.
+QImage upsampled(const QImage& picture, const QSize& most) {
+    constexpr double kMostPixels = 1 << 21;
+    const double pixels = static_cast<double>(most.width()) * most.height();
+    const QSize size = most * std::min(1.0, std::sqrt(kMostPixels / pixels));
+    const bool grows =
+        size.width() >= picture.width() && size.height() >= picture.height() && size != picture.size();
+    if (!grows || picture.format() != QImage::Format_RGB32) return picture;
+    QImage result(size, QImage::Format_RGB32);
+    if (result.isNull()) return picture;
+    rtcore::upsample({picture.constBits(), picture.width(), picture.height(), picture.bytesPerLine()}, 1,
+                     {result.bits(), size.width(), size.height(), result.bytesPerLine()});
+    return result;
+}
 
 } // namespace
 
@@ -141,7 +161,8 @@ void FrameView::drawPicture(QPainter& painter, const QImage& picture, const QRec
     for (const QRect& strip : border) painter.fillRect(strip, background);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, smooth_);
-    painter.drawImage(area, picture);
+    painter.drawImage(area,
+                      smooth_ ? upsampled(picture, (area.size() * devicePixelRatioF()).toSize()) : picture);
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
 }
 

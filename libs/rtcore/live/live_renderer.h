@@ -30,7 +30,7 @@ class LiveRenderer {
   public:
     /// What it keeps for each pixel, beside the frame: where nothing mirrors and few pixels are traced; and
     /// at most, where something mirrors and all are traced. Some megabytes for each thread are not counted.
-    static constexpr std::size_t kBytesPerPixel = 94, kMostBytesPerPixel = 360;
+    static constexpr std::size_t kBytesPerPixel = 103, kMostBytesPerPixel = 369;
 
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
     /// than Reprojection::kMostPixels.

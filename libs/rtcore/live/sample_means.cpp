@@ -25,12 +25,10 @@ void SampleMeans::begin(int width, int height) {
 void SampleMeans::addUp(const Level& fine, Level& coarse, int first, int last) const {
     for (int row = first >> coarse.shift; row < up(last, coarse.shift); ++row) {
         for (int column = 0; column < coarse.columns; ++column) {
-            Sum sum;
+            Weighed sum;
             for (int v = row << kStep; v < std::min((row + 1) << kStep, fine.rows); ++v) {
-                for (int u = column << kStep; u < std::min((column + 1) << kStep, fine.columns); ++u) {
-                    sum.light += fine.at(u, v).light;
-                    sum.samples += fine.at(u, v).samples;
-                }
+                for (int u = column << kStep; u < std::min((column + 1) << kStep, fine.columns); ++u)
+                    add(sum, fine.at(u, v));
             }
             coarse.at(column, row) = sum;
         }
@@ -38,30 +36,38 @@ void SampleMeans::addUp(const Level& fine, Level& coarse, int first, int last) c
 }
 
 /// Of the four squares whose middles are around that of the pixel, the nearer ones more.
-SampleMeans::Sum SampleMeans::Level::around(int x, int y) const {
+SampleMeans::Weighed SampleMeans::Level::around(int x, int y) const {
     const auto side = static_cast<float>(1 << shift);
     const float across = (static_cast<float>(x) + 0.5F) / side - 0.5F,
                 down = (static_cast<float>(y) + 0.5F) / side - 0.5F;
     const int left = static_cast<int>(std::floor(across)), top = static_cast<int>(std::floor(down));
     const float u = across - static_cast<float>(left), v = down - static_cast<float>(top);
-    Sum sum;
+    Weighed sum;
     for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < 2; ++i) {
-            const Sum& square = at(std::clamp(left + i, 0, columns - 1), std::clamp(top + j, 0, rows - 1));
+            const Weighed& square =
+                at(std::clamp(left + i, 0, columns - 1), std::clamp(top + j, 0, rows - 1));
             const float weight = (i == 0 ? 1 - u : u) * (j == 0 ? 1 - v : v);
-            sum.light += square.light * weight;
-            sum.samples += square.samples * weight;
+            add(sum, {square.light * weight, square.weight * weight});
         }
     }
     return sum;
 }
 
 Colour SampleMeans::around(int x, int y) const {
+    constexpr float kEnough = 0.5F; // samples in a square
+    constexpr float kLittle = 0.01F;
+    Colour light{};
+    float left = 1;
     for (const Level& level : levels_) {
-        const Sum sum = level.around(x, y);
-        if (sum.samples > 0) return sum.light / sum.samples;
+        const Weighed there = level.around(x, y);
+        if (!(there.weight > 0)) continue;
+        const float part = left * std::min(there.weight / kEnough, 1.0F);
+        light += there.light * (part / there.weight);
+        left -= part;
+        if (left < kLittle) break;
     }
-    return {};
+    return left < 1 ? light / (1 - left) : Colour{};
 }
 
 } // namespace rtcore

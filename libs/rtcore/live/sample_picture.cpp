@@ -62,7 +62,8 @@ struct Columns {
 
 /// What a part of a row of pixels shows.
 struct ShownPixels {
-    Colour* light; ///< below 0 where nothing is known
+    Colour* light;
+    float* known; ///< 0..1: how well the light is known by the samples around
     /// Where mirrored light is missing, what it would be tinted by: of each vector in which it is, the first
     /// pixel, and from there on the tints; 0 where none is missing.
     std::uint32_t* lacking;
@@ -193,18 +194,27 @@ HWY_INLINE void storePixels(Float3 light, std::size_t count, Colour* to) {
 struct Means {
     Float3 light;
     Mask seen; ///< where there are samples
-    Float weights;
+    Float weights, samples;
 };
 HWY_INLINE Means ownMeans(const WeighedRow* const rows[3], std::size_t x) {
     Float3 sum{};
-    Float weights = 0.0F;
+    Float weights = 0.0F, samples = 0.0F;
     forEachAround(
         rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
         [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
             sum += load3(row.own.light, at) * weight;
             weights += weight;
+            samples += selectOrZero(weight > 0.0F, Float(1.0F));
         });
-    return {sum / weights, weights > 0.0F, weights};
+    return {sum / weights, weights > 0.0F, weights, samples};
+}
+
+/// How well a pixel is known. Of few samples around it, each would be seen for itself, as a stone of a
+/// mosaic; and so would such that are far from its middle, unless they are many.
+HWY_INLINE Float knownOf(const Means& means) {
+    constexpr float kFew = 4, kMany = 7, kNear = 0.25F; // samples; weights
+    const Float many = (means.samples - kFew) * (1 / (kMany - kFew));
+    return min(means.samples * (1 / kFew), 1.0F) * min(max(means.weights * (1 / kNear), many), 1.0F);
 }
 
 /// What is mirrored at these pixels, tinted by the samples there. `lacking`: their tint where it is not
@@ -238,7 +248,9 @@ Missing weighedMeans(const WeighedRow* const rows[3], std::size_t count, const S
     for (std::size_t x = 0; x < count; x += lanes()) {
         const Mask inside = toFloat(toInt(iota(x))) < static_cast<float>(count);
         Means own = ownMeans(rows, x);
-        missing.light = missing.light || any(inside & !own.seen);
+        const Float known = knownOf(own);
+        missing.light = missing.light || any(inside & (known < 1.0F));
+        store(known, to.known + x);
         if ((mirroring & WeighedRow::groupsOf(x, x + lanes() + 1)) != 0) {
             Float3 lacking;
             own.light += mirroredMeans(rows, x, own, lacking);
@@ -249,8 +261,7 @@ Missing weighedMeans(const WeighedRow* const rows[3], std::size_t count, const S
                 to.lacking[missing.mirrored++] = static_cast<std::uint32_t>(x);
             }
         }
-        storePixels(select(own.seen, own.light, broadcast(Vec3{-1, -1, -1})), std::min(lanes(), count - x),
-                    to.light + x);
+        storePixels(selectOrZero(own.seen, own.light), std::min(lanes(), count - x), to.light + x);
     }
     return missing;
 }
@@ -278,6 +289,7 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
     constexpr std::size_t kRow = WeighedRow::kArrays * WeighedRow::kArray;
     rows.values.resize(kKept * kRow + 3 * WeighedRow::kArray);
     rows.lacking.resize(WeighedRow::kArray);
+    rows.known.resize(WeighedRow::kArray);
     float* const values = rows.values.data();
     WeighedRow weighed[kKept] = {WeighedRow(values), WeighedRow(values + kRow), WeighedRow(values + 2 * kRow),
                                  WeighedRow(values + 3 * kRow)};
@@ -310,11 +322,13 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
         const WeighedRow* const around[] = {rowAt(y - 1), rowAt(y), rowAt(y + 1)};
         const std::size_t row = samples.own.index(0, y) + columns.first;
         const ShownPixels shown{&frame.radiance.pixels[row],
+                                rows.known.data(),
                                 rows.lacking.data(),
                                 {tints, tints + WeighedRow::kArray, tints + 2 * WeighedRow::kArray}};
         const std::size_t count = columns.last - columns.first;
         const Missing here = HWY_DYNAMIC_DISPATCH(weighedMeans)(around, count, shown);
         missing = missing || here.light;
+        std::copy_n(rows.known.data(), count, &known_[row]);
         const std::size_t lanes = HWY_DYNAMIC_DISPATCH(lanesOfMeans)();
         for (std::size_t k = 0; k < here.mirrored; ++k) {
             for (std::size_t x = rows.lacking[k]; x < std::min(rows.lacking[k] + lanes, count); ++x) {
@@ -331,6 +345,7 @@ void SamplePicture::show(const LiveLayers& samples, int threads, Frame& frame) {
     rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(threads)));
     for (Rows& rows : rows_) rows.missing.clear();
     std::atomic<bool> missing = false;
+    known_.resize(samples.own.size());
     const auto width = static_cast<std::size_t>(plane.width);
     forEachRows(plane.height, SampleMeans::kSide, threads, [&](int first, int last) {
         Rows& rows = rows_[static_cast<std::size_t>(threadNumber())];
@@ -348,10 +363,11 @@ void SamplePicture::show(const LiveLayers& samples, int threads, Frame& frame) {
 /// Where no mirrored light is known, that of what mirrors around.
 void SamplePicture::addMissing(const LiveLayers& samples, int threads, Frame& frame) {
     const ImagePlane& plane = samples.own.plane();
-    const auto mirroredAt = [&](int x, int y) {
+    const auto mirroredAt = [&](int x, int y) -> SampleMeans::Weighed {
         const std::size_t i = samples.own.index(x, y);
         const bool mayMirror = samples.own.mirrors(i) || !samples.own.known(i);
-        return mayMirror && samples.mirrored.known(i) ? samples.mirrored.light(i) : Colour{-1, -1, -1};
+        if (!mayMirror || !samples.mirrored.known(i)) return {};
+        return {samples.mirrored.light(i), 1};
     };
     means_.begin(plane.width, plane.height);
     forEachRows(plane.height, SampleMeans::kSide, threads,
@@ -366,10 +382,17 @@ void SamplePicture::addMissing(const LiveLayers& samples, int threads, Frame& fr
     }
 }
 
-/// Where nothing is known, what is seen around.
+/// Where little is known, what is seen around.
 void SamplePicture::fill(int threads, Frame& frame) {
     HdrImage& image = frame.radiance;
-    const auto lightAt = [&](int x, int y) { return image.at(x, y); };
+    const auto knownAt = [&](int x, int y) {
+        return known_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                      static_cast<std::size_t>(x)];
+    };
+    const auto lightAt = [&](int x, int y) {
+        const float known = knownAt(x, y);
+        return SampleMeans::Weighed{image.at(x, y) * known, known};
+    };
     means_.begin(image.width, image.height);
     forEachRows(image.height, SampleMeans::kSide, threads,
                 [&](int first, int last) { means_.take(lightAt, first, last); });
@@ -377,8 +400,8 @@ void SamplePicture::fill(int threads, Frame& frame) {
     forEachRows(image.height, kRows, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             for (int x = 0; x < image.width; ++x) {
-                Colour& pixel = image.at(x, y);
-                if (pixel.r < 0) pixel = means_.around(x, y);
+                const float known = knownAt(x, y);
+                if (known < 1) image.at(x, y) = image.at(x, y) * known + means_.around(x, y) * (1 - known);
             }
         }
     });

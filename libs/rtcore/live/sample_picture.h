@@ -18,8 +18,8 @@ class SamplePicture {
   public:
     /// Writes frame.radiance, whose size is that of the samples: each pixel shows the light of the samples
     /// around its middle, the nearer the more, within one pixel, and where these mirror, in the same way the
-    /// light that is mirrored there; or, where there is none of either, what is known of it around. Where all
-    /// samples are in the middles of their pixels, each shows its own.
+    /// light that is mirrored there; or, where there are few or none of either, a mean over more that is
+    /// known around. Where all samples are in the middles of their pixels, each shows its own.
     void show(const LiveLayers& samples, int threads, Frame& frame);
 
   private:
@@ -32,6 +32,7 @@ class SamplePicture {
     struct Rows {
         std::vector<float> values; ///< a few rows of samples, with what each weighs in the pixels beside
         std::vector<std::uint32_t> lacking;
+        std::vector<float> known; ///< of a part of a row
         std::vector<MissingLight> missing;
     };
     bool showColumns(const LiveLayers& samples, int first, int last, const Columns& columns, Rows& rows,
@@ -39,7 +40,8 @@ class SamplePicture {
     void addMissing(const LiveLayers& samples, int threads, Frame& frame);
     void fill(int threads, Frame& frame);
 
-    std::vector<Rows> rows_; ///< by thread
+    std::vector<Rows> rows_;   ///< by thread
+    std::vector<float> known_; ///< by pixel: how well its light is known
     SampleMeans means_;
 };
 

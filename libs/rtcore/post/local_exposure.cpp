@@ -40,9 +40,9 @@ float quickExp2(float x) {
 /// Powers of two above the average.
 float brightness(Colour c, float scale) {
     const float y = luminance(c) * scale;
-    constexpr float kLeast = 1.0F / 256, kMost = 256; // kFarthest
+    constexpr float kDarkest = 1.0F / 256, kBrightest = 256; // kFarthest
     static_assert(kFarthest == 8);
-    return quickLog2(y > kLeast ? std::min(y, kMost) : kLeast);
+    return quickLog2(y > kDarkest ? std::min(y, kBrightest) : kDarkest);
 }
 
 /// Means over 2 radius + 1 values, or as many as there are: from `count` of them, `step` apart, to `sums`.

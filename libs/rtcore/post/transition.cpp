@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/threads.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/upsample/upsample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,40 +11,7 @@ namespace rtcore {
 
 namespace {
 
-/// Where the middle of a pixel of `pixels` is among the middles of `small` ones: after the first, that part
-/// of the way to the second.
-struct Between {
-    int first, second;
-    float part;
-    Between(int pixel, int pixels, int small) {
-        const float at =
-            (static_cast<float>(pixel) + 0.5F) * static_cast<float>(small) / static_cast<float>(pixels) -
-            0.5F;
-        const float whole = std::floor(at);
-        part = at - whole;
-        first = std::clamp(static_cast<int>(whole), 0, small - 1);
-        second = std::clamp(static_cast<int>(whole) + 1, 0, small - 1);
-    }
-};
-
 Colour mix(Colour a, Colour b, float part) { return a + (b - a) * part; }
-
-void upsampleTo(const HdrImage& small, [[maybe_unused]] int threads, HdrImage& image) {
-    std::vector<Between> columns;
-    columns.reserve(static_cast<std::size_t>(image.width));
-    for (int x = 0; x < image.width; ++x) columns.emplace_back(x, image.width, small.width);
-#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
-    for (int y = 0; y < image.height; ++y) {
-        const Between rows(y, image.height, small.height);
-        const Colour* const upper = &small.at(0, rows.first);
-        const Colour* const lower = &small.at(0, rows.second);
-        Colour* to = &image.at(0, y);
-        for (const Between& column : columns) {
-            *to++ = mix(mix(upper[column.first], upper[column.second], column.part),
-                        mix(lower[column.first], lower[column.second], column.part), rows.part);
-        }
-    }
-}
 
 } // namespace
 
@@ -60,7 +28,7 @@ void Transition::begin(const Frame& frame, const RenderSettings& settings, int t
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
         for (int y = 0; y < before.height; ++y) std::copy_n(&before.at(0, y), width, &radiance_.at(0, y));
     } else {
-        upsampleTo(before, threads, radiance_);
+        upsample(before, threads, radiance_);
     }
     sparseCovered_.clear();
     forEachSparse([&](int x, int y) {

@@ -20,8 +20,8 @@ class Transition {
   public:
     static constexpr std::size_t kBytesPerPixel = sizeof(Colour) + sizeof(Rgba8) + 1; ///< beside its effects
 
-    /// Begins with the radiance of `before`, of any size, upsampled to that of the settings. Nothing is shown
-    /// before expose(). `threads` = 0: all cores.
+    /// Begins with the radiance of `before`, of any size up to that of the settings, upsampled to it. Nothing
+    /// is shown before expose(). `threads` = 0: all cores.
     void begin(const Frame& before, const RenderSettings& settings, int threads);
     /// From here on all is shown with that exposure, and with the settings' effects, as far as parts can have
     /// them (developPart()). By the calling thread.

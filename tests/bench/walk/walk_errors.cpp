@@ -1,5 +1,7 @@
 #include "bench/walk/walk_errors.h"
 
+#include "rtcore/upsample/upsample.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,38 +33,12 @@ double meanLight(const rtcore::LdrImage& image) {
     return sum / (3 * static_cast<double>(image.pixels.size()));
 }
 
-/// Two pixels of a row or column, and the part of the second.
-struct Between {
-    int first, second;
-    float part;
-};
-Between between(int i, int count, int of) {
-    const float x =
-        (static_cast<float>(i) + 0.5F) * static_cast<float>(of) / static_cast<float>(count) - 0.5F;
-    const float first = std::floor(x);
-    return {std::max(static_cast<int>(first), 0), std::min(static_cast<int>(first) + 1, of - 1), x - first};
-}
-
 } // namespace
 
 rtcore::LdrImage upsampled(const rtcore::LdrImage& image, int width, int height) {
     if (image.width == width && image.height == height) return image;
     rtcore::LdrImage result(width, height);
-    for (int y = 0; y < height; ++y) {
-        const Between row = between(y, height, image.height);
-        for (int x = 0; x < width; ++x) {
-            const Between column = between(x, width, image.width);
-            const auto part = [&](std::uint8_t rtcore::Rgba8::*channel) {
-                const auto at = [&](int u, int v) { return static_cast<float>(image.at(u, v).*channel); };
-                const float upper =
-                    std::lerp(at(column.first, row.first), at(column.second, row.first), column.part);
-                const float lower =
-                    std::lerp(at(column.first, row.second), at(column.second, row.second), column.part);
-                return static_cast<std::uint8_t>(std::lround(std::lerp(upper, lower, row.part)));
-            };
-            result.at(x, y) = {part(&rtcore::Rgba8::r), part(&rtcore::Rgba8::g), part(&rtcore::Rgba8::b)};
-        }
-    }
+    rtcore::upsample(image, 0, result);
     return result;
 }
 

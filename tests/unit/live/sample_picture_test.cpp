@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace rtcore {
@@ -88,6 +89,31 @@ TEST_F(Picture, WeighsSamplesByTheirDistanceFromThePixelsMiddle) {
     EXPECT_NEAR(right.r, (none * 0.25 + beside * 8) / (none + beside), 0.02);
     EXPECT_NEAR(frame.radiance.at(100, 30).r, 8, 1e-3) << here;
     EXPECT_NEAR(frame.radiance.at(99, 30).r, 0.25F, 1e-3) << "more than a pixel away";
+}
+
+// Each would be seen for itself, as a stone of a mosaic.
+TEST_F(Picture, MixesFewSamples) {
+    constexpr float kSlope = 0.01F; // from column to column
+    layers.mirrors = false;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const float light = 1 + kSlope * static_cast<float>(x);
+            layers.own.set(at(x, y), {.position = place(x, y, 5), .light = {light, light, light}});
+            if ((x * 7 + y * 3) % 11 != 0) layers.own.forget(at(x, y));
+        }
+    }
+    picture.show(layers, 2, frame);
+    double steps = 0;
+    int count = 0;
+    for (int y = 10; y < kHeight - 10; ++y) {
+        for (int x = 10; x < kWidth - 10; ++x) {
+            const auto here = static_cast<double>(frame.radiance.at(x, y).g);
+            EXPECT_NEAR(here, 1 + static_cast<double>(kSlope) * x, 7 * kSlope);
+            steps += std::abs(here - static_cast<double>(frame.radiance.at(x - 1, y).g));
+            ++count;
+        }
+    }
+    EXPECT_LT(steps / count, 1.6 * static_cast<double>(kSlope));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -89,6 +90,30 @@ TEST(Develop, TheSameBitsForAnyNumberOfThreads) {
 #ifdef _OPENMP
     omp_set_num_threads(before);
 #endif
+}
+
+TEST(DevelopPart, IsThePartOfTheWhole) {
+    Frame frame;
+    frame.radiance = HdrImage(203, 101);
+    std::mt19937 random(5);
+    for (Colour& c : frame.radiance.pixels) {
+        const auto number = [&] { return static_cast<float>(random() >> 8U) / 16777216.0F * 4; };
+        c = {number(), number(), number()};
+    }
+    const RenderSettings settings;
+    const LdrImage whole = develop(frame, settings, 0.7F);
+    LdrImage parts(203, 101, {1, 2, 3, 4});
+    for (int y = 0; y < 101; y += 21) {
+        for (int x = 0; x < 203; x += 67)
+            developPart(frame.radiance, developmentOf(settings, 0.7F), {},
+                        {x, y, std::min(67, 203 - x), std::min(21, 101 - y)}, parts);
+    }
+    EXPECT_TRUE(parts.pixels == whole.pixels);
+
+    LdrImage one(203, 101, {1, 2, 3, 4});
+    developPart(frame.radiance, developmentOf(settings, 0.7F), {}, {10, 20, 5, 6}, one);
+    const auto untouched = std::count(one.pixels.begin(), one.pixels.end(), Rgba8{1, 2, 3, 4});
+    EXPECT_EQ(untouched, 203 * 101 - 5 * 6);
 }
 
 } // namespace
