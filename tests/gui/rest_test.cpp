@@ -3,6 +3,8 @@
 
 #include "gui/dialogs/statistics_dialog.h"
 
+#include "rtcore/upsample/upsample.h"
+
 #include <QClipboard>
 #include <QElapsedTimer>
 #include <QGuiApplication>
@@ -240,6 +242,42 @@ TEST_F(FadeTest, TheSameLightNeedsNone) {
     view->showPicture(still, {false, 4});
     EXPECT_FALSE(view->fades());
     EXPECT_EQ(grabbed(), still);
+}
+
+// Smooth scaling: without it, each pixel of a smaller frame is a square.
+TEST_F(FadeTest, ASmallFrameShowsNoSquares) {
+    constexpr int kBlock = 4;
+    QImage small(view->devicePixels() / kBlock, QImage::Format_RGB32);
+    for (int y = 0; y < small.height(); ++y) {
+        for (int x = 0; x < small.width(); ++x)
+            small.setPixelColor(x, y, (x * 7 + y * 5) % 11 < 4 ? QColor(250, 20, 40) : QColor(10, 120, 200));
+    }
+    const auto stepsWithinSquares = [&] {
+        const QImage image = grabbed();
+        int steps = 0;
+        for (int x = 1; x < image.width(); ++x)
+            steps += x % kBlock != 0 && image.pixel(x, 60) != image.pixel(x - 1, 60) ? 1 : 0;
+        return steps;
+    };
+    view->setSmoothTransformation(false);
+    view->showPicture(small, {false, 1});
+    EXPECT_EQ(stepsWithinSquares(), 0);
+    view->setSmoothTransformation(true);
+    EXPECT_GT(stepsWithinSquares(), 80);
+    rtcore::LdrImage wanted(160, 120), pixels(small.width(), small.height());
+    for (int y = 0; y < small.height(); ++y) {
+        for (int x = 0; x < small.width(); ++x) {
+            const QColor colour = small.pixelColor(x, y);
+            const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
+            pixels.at(x, y) = {byte(colour.red()), byte(colour.green()), byte(colour.blue())};
+        }
+    }
+    rtcore::upsample(pixels, 1, wanted);
+    const QImage shown = grabbed();
+    for (int y = 0; y < 120; y += 7) {
+        for (int x = 0; x < 160; x += 7)
+            EXPECT_EQ(shown.pixelColor(x, y).green(), wanted.at(x, y).g) << "along edges";
+    }
 }
 
 } // namespace rest_test
