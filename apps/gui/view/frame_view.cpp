@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <utility>
 
 namespace gui {
@@ -35,8 +36,12 @@ QImage upsampled(const QImage& picture, const QSize& most) {
     if (!grows || picture.format() != QImage::Format_RGB32) return picture;
     QImage result(size, QImage::Format_RGB32);
     if (result.isNull()) return picture;
-    rtcore::upsample({picture.constBits(), picture.width(), picture.height(), picture.bytesPerLine()}, 1,
-                     {result.bits(), size.width(), size.height(), result.bytesPerLine()});
+    try {
+        rtcore::upsample({picture.constBits(), picture.width(), picture.height(), picture.bytesPerLine()}, 1,
+                         {result.bits(), size.width(), size.height(), result.bytesPerLine()});
+    } catch (const std::bad_alloc&) { // Qt lets no exception through
+        return picture;
+    }
     return result;
 }
 

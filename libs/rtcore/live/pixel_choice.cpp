@@ -1,6 +1,6 @@
 #include "rtcore/live/pixel_choice.h"
 
-#include "rtcore/live/parts.h"
+#include "rtcore/platform/parts.h"
 #include "rtcore/sampling/sample_id.h"
 
 #include <algorithm>

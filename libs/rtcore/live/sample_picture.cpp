@@ -1,6 +1,6 @@
 #include "rtcore/live/sample_picture.h"
 
-#include "rtcore/live/parts.h"
+#include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>

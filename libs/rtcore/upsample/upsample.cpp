@@ -1,6 +1,7 @@
 #include "rtcore/upsample/upsample.h"
 
 #include "rtcore/math/colour.h"
+#include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ struct UpsampledRow {
     const float* taps[kTaps][kTaps][kPlanes];   ///< by row and column of the small image
     const float* edges[2][kPlanes];             ///< above and below
     const float* across; ///< how far a pixel is to the right of the middle of the second column, 0..1
+    float even;          ///< fall-off to all sides, where there is no edge
     float down;          ///< how far below that of the second row
     std::size_t pixels;
     float* to[kPlanes];
@@ -83,7 +85,6 @@ HWY_INLINE F windowOf(F distance) {
     return falling * falling;
 }
 
-constexpr float kEven = 0.7F;   ///< fall-off to all sides, where there is no edge
 constexpr float kSharp = 2.5F;  ///< across an edge
 constexpr float kFaint = 60.0F; ///< slopes, squared, that count as half an edge (codes of 255)
 
@@ -98,7 +99,7 @@ void upsampleRow(const UpsampledRow& row) {
         // The slope's direction, twice its angle, as long as there is an edge.
         const Float cosine = (xx - yy) * whole, sine = xy * whole * 2.0F;
         const Float sure = sqrt(cosine * cosine + sine * sine);
-        const Float mean = Float(kEven) + sure * (0.5F * kSharp - kEven);
+        const Float mean = Float(row.even) + sure * (0.5F * kSharp - row.even);
         const Float a = mean + cosine * (0.5F * kSharp), b = sine * kSharp,
                     c = mean - cosine * (0.5F * kSharp);
         const Float across = load(row.across + x);
@@ -184,99 +185,6 @@ struct Around {
     }
 };
 
-/// What one thread keeps of rows of the small image: each of their pixels where the large image needs it.
-class SpreadRows {
-  public:
-    static constexpr std::size_t kLength = UpsampledRow::kPixels + kRoomOfVector;
-
-    SpreadRows()
-        : taps_(kTaps * kTaps * kPlanes * kLength), edges_(2 * kPlanes * kLength), to_(kPlanes * kLength),
-          across_(kLength), columns_(kLength) {}
-
-    void beginColumns(int first, int last, float scale) {
-        pixels_ = static_cast<std::size_t>(last - first);
-        for (std::size_t i = 0; i < pixels_; ++i) {
-            const Around around(first + static_cast<int>(i), scale);
-            across_[i] = around.beyond;
-            columns_[i] = around.second;
-        }
-        std::fill(columns_.begin() + static_cast<std::ptrdiff_t>(pixels_), columns_.end(),
-                  0); // read by whole vectors
-        heldTaps_.fill(kNone);
-        heldEdges_.fill(kNone);
-    }
-
-    /// `channels` and `edges`: the first values of the planes of a row of the small image.
-    template <typename Channels, typename Edges>
-    void show(const Around& rows, Channels&& channels, Edges&& edges) {
-        UpsampledRow row{};
-        for (int j = 0; j < kTaps; ++j) {
-            const int y = rows.second + j - 1;
-            holdTaps(y, channels(y));
-            for (int i = 0; i < kTaps; ++i) {
-                for (int plane = 0; plane < kPlanes; ++plane) row.taps[j][i][plane] = tapsAt(y, i, plane);
-            }
-        }
-        for (int j = 0; j < 2; ++j) {
-            const int y = rows.second + j;
-            holdEdges(y, edges(y));
-            for (int plane = 0; plane < kPlanes; ++plane) row.edges[j][plane] = edgesAt(y, plane);
-        }
-        row.across = across_.data();
-        row.down = rows.beyond;
-        row.pixels = pixels_;
-        std::ranges::copy(shown(), row.to);
-        HWY_DYNAMIC_DISPATCH(upsampleRow)(row);
-    }
-
-    using Shown = std::array<float*, kPlanes>; ///< with room for whole vectors
-    Shown shown() { return {&to_[0], &to_[kLength], &to_[2 * kLength]}; }
-
-  private:
-    using Planes = std::array<const float*, kPlanes>;
-    static constexpr int kNone = -1000;
-
-    static std::size_t slot(int y, int of) {
-        return static_cast<std::size_t>(y + kTaps) % static_cast<std::size_t>(of);
-    }
-    float* tapsAt(int y, int column, int plane) {
-        const std::size_t i = (slot(y, kTaps) * kTaps + static_cast<std::size_t>(column)) * kPlanes;
-        return &taps_[(i + static_cast<std::size_t>(plane)) * kLength];
-    }
-    float* edgesAt(int y, int plane) {
-        return &edges_[(slot(y, 2) * kPlanes + static_cast<std::size_t>(plane)) * kLength];
-    }
-
-    void holdTaps(int y, const Planes& from) {
-        int& held = heldTaps_[slot(y, kTaps)];
-        if (held == y) return;
-        held = y;
-        for (int column = 0; column < kTaps; ++column) {
-            for (int plane = 0; plane < kPlanes; ++plane) {
-                const float* const values = from[static_cast<std::size_t>(plane)] + column - 1;
-                HWY_DYNAMIC_DISPATCH(spreadRow)
-                (values, columns_.data(), pixels_, tapsAt(y, column, plane));
-            }
-        }
-    }
-    void holdEdges(int y, const Planes& from) {
-        int& held = heldEdges_[slot(y, 2)];
-        if (held == y) return;
-        held = y;
-        for (int plane = 0; plane < kPlanes; ++plane) {
-            HWY_DYNAMIC_DISPATCH(mixRow)
-            (from[static_cast<std::size_t>(plane)], columns_.data(), across_.data(), pixels_,
-             edgesAt(y, plane));
-        }
-    }
-
-    std::vector<float> taps_, edges_, to_, across_;
-    std::vector<std::int32_t> columns_; ///< Around::second of each pixel
-    std::size_t pixels_ = 0;
-    std::array<int, kTaps> heldTaps_{};
-    std::array<int, 2> heldEdges_{};
-};
-
 /// Rows of the small image that follow each other, with what is known of their edges. Beyond its borders all
 /// is as at these.
 class SmallRows {
@@ -358,33 +266,129 @@ class SmallRows {
     std::vector<float> between_;
 };
 
-/// Pixels of the small image by pixelAt(x, y), of the large one by put(x, y, count, planes), in rows.
-template <typename PixelAt, typename Put>
-void upsamplePixels(int smallWidth, int smallHeight, PixelAt&& pixelAt, int width, int height,
-                    UpsamplingScale scale, [[maybe_unused]] int threads, Put&& put) {
-    constexpr auto kColumns = static_cast<int>(UpsampledRow::kPixels);
-    const int parts = (height + kRowsOfPart - 1) / kRowsOfPart;
-#pragma omp parallel num_threads(threads)
-    {
-        SmallRows small;
-        SpreadRows rows;
-        const auto channels = [&](int y) { return small.channels(y); };
-        const auto edges = [&](int y) { return small.edges(y); };
-#pragma omp for schedule(dynamic)
-        for (int part = 0; part < parts; ++part) {
-            const int top = part * kRowsOfPart, bottom = std::min(top + kRowsOfPart, height);
-            small.take(smallWidth, smallHeight, Around(top, scale.down).second,
-                       Around(bottom - 1, scale.down).second, pixelAt);
-            for (int left = 0; left < width; left += kColumns) {
-                const int right = std::min(left + kColumns, width);
-                rows.beginColumns(left, right, scale.across);
-                for (int y = top; y < bottom; ++y) {
-                    rows.show(Around(y, scale.down), channels, edges);
-                    put(left, y, right - left, rows.shown());
-                }
+/// Pixels that become large are mixed more, or each would be seen for itself; others would be blurred by it.
+float evenFor(float scale) {
+    constexpr float kSoft = 0.7F, kCrisp = 2.5F, kLarge = 2;
+    return kSoft + (kCrisp - kSoft) * std::clamp(kLarge - scale, 0.0F, 1.0F);
+}
+
+/// What one thread keeps of rows of the small image: each of their pixels where the large image needs it.
+class SpreadRows {
+  public:
+    static constexpr std::size_t kLength = UpsampledRow::kPixels + kRoomOfVector;
+
+    SpreadRows()
+        : taps_(kTaps * kTaps * kPlanes * kLength), edges_(2 * kPlanes * kLength), to_(kPlanes * kLength),
+          across_(kLength), columns_(kLength) {}
+
+    void beginColumns(int first, int last, UpsamplingScale scale) {
+        even_ = evenFor(std::min(scale.across, scale.down));
+        pixels_ = static_cast<std::size_t>(last - first);
+        for (std::size_t i = 0; i < pixels_; ++i) {
+            const Around around(first + static_cast<int>(i), scale.across);
+            across_[i] = around.beyond;
+            columns_[i] = around.second;
+        }
+        std::fill(columns_.begin() + static_cast<std::ptrdiff_t>(pixels_), columns_.end(),
+                  0); // read by whole vectors
+        heldTaps_.fill(kNone);
+        heldEdges_.fill(kNone);
+    }
+
+    void show(const Around& rows, SmallRows& small) {
+        UpsampledRow row{};
+        for (int j = 0; j < kTaps; ++j) {
+            const int y = rows.second + j - 1;
+            holdTaps(y, small.channels(y));
+            for (int i = 0; i < kTaps; ++i) {
+                for (int plane = 0; plane < kPlanes; ++plane) row.taps[j][i][plane] = tapsAt(y, i, plane);
+            }
+        }
+        for (int j = 0; j < 2; ++j) {
+            const int y = rows.second + j;
+            holdEdges(y, small.edges(y));
+            for (int plane = 0; plane < kPlanes; ++plane) row.edges[j][plane] = edgesAt(y, plane);
+        }
+        row.across = across_.data();
+        row.even = even_;
+        row.down = rows.beyond;
+        row.pixels = pixels_;
+        std::ranges::copy(shown(), row.to);
+        HWY_DYNAMIC_DISPATCH(upsampleRow)(row);
+    }
+
+    using Shown = std::array<float*, kPlanes>; ///< with room for whole vectors
+    Shown shown() { return {&to_[0], &to_[kLength], &to_[2 * kLength]}; }
+
+  private:
+    using Planes = SmallRows::Row;
+    static constexpr int kNone = -1000;
+
+    static std::size_t slot(int y, int of) {
+        return static_cast<std::size_t>(y + kTaps) % static_cast<std::size_t>(of);
+    }
+    float* tapsAt(int y, int column, int plane) {
+        const std::size_t i = (slot(y, kTaps) * kTaps + static_cast<std::size_t>(column)) * kPlanes;
+        return &taps_[(i + static_cast<std::size_t>(plane)) * kLength];
+    }
+    float* edgesAt(int y, int plane) {
+        return &edges_[(slot(y, 2) * kPlanes + static_cast<std::size_t>(plane)) * kLength];
+    }
+
+    void holdTaps(int y, const Planes& from) {
+        int& held = heldTaps_[slot(y, kTaps)];
+        if (held == y) return;
+        held = y;
+        for (int column = 0; column < kTaps; ++column) {
+            for (int plane = 0; plane < kPlanes; ++plane) {
+                const float* const values = from[static_cast<std::size_t>(plane)] + column - 1;
+                HWY_DYNAMIC_DISPATCH(spreadRow)
+                (values, columns_.data(), pixels_, tapsAt(y, column, plane));
             }
         }
     }
+    void holdEdges(int y, const Planes& from) {
+        int& held = heldEdges_[slot(y, 2)];
+        if (held == y) return;
+        held = y;
+        for (int plane = 0; plane < kPlanes; ++plane) {
+            HWY_DYNAMIC_DISPATCH(mixRow)
+            (from[static_cast<std::size_t>(plane)], columns_.data(), across_.data(), pixels_,
+             edgesAt(y, plane));
+        }
+    }
+
+    std::vector<float> taps_, edges_, to_, across_;
+    std::vector<std::int32_t> columns_; ///< Around::second of each pixel
+    std::size_t pixels_ = 0;
+    float even_ = 0;
+    std::array<int, kTaps> heldTaps_{};
+    std::array<int, 2> heldEdges_{};
+};
+
+/// Pixels of the small image by pixelAt(x, y), of the large one by put(x, y, count, planes), in rows.
+template <typename PixelAt, typename Put>
+void upsamplePixels(int smallWidth, int smallHeight, PixelAt&& pixelAt, int width, int height,
+                    UpsamplingScale scale, int threads, Put&& put) {
+    constexpr auto kColumns = static_cast<int>(UpsampledRow::kPixels);
+    struct Rows {
+        SmallRows small;
+        SpreadRows spread;
+    };
+    std::vector<Rows> ofThreads(static_cast<std::size_t>(threads));
+    forEachRows(height, kRowsOfPart, threads, [&](int top, int bottom) {
+        auto& [small, spread] = ofThreads[static_cast<std::size_t>(threadNumber())];
+        small.take(smallWidth, smallHeight, Around(top, scale.down).second,
+                   Around(bottom - 1, scale.down).second, pixelAt);
+        for (int left = 0; left < width; left += kColumns) {
+            const int right = std::min(left + kColumns, width);
+            spread.beginColumns(left, right, scale);
+            for (int y = top; y < bottom; ++y) {
+                spread.show(Around(y, scale.down), small);
+                put(left, y, right - left, spread.shown());
+            }
+        }
+    });
 }
 
 UpsamplingScale scaleOf(int smallWidth, int smallHeight, int width, int height) {
@@ -433,11 +437,17 @@ void upsample(const LdrImage& small, UpsamplingScale scale, int threads, LdrImag
 }
 
 void upsample(const HdrImage& small, int threads, HdrImage& image) {
-    constexpr float kMostCode = 254.99F; // of 255, which would be endlessly bright
-    double sum = 0;
-    for (const Colour& pixel : small.pixels) sum += static_cast<double>(luminance(pixel));
-    const float middle = static_cast<float>(sum / static_cast<double>(small.pixels.size())) + 1e-20F;
-    const auto coded = [&](float light) { return std::min(255 * (light / (light + middle)), kMostCode); };
+    constexpr float kMostCode = 254.99F;            // of 255, which would be endlessly bright
+    constexpr float kLeast = 1e-20F, kMost = 1e20F; // one pixel decides nothing about the others
+    const auto within = [](float light) { return std::fmin(std::fmax(light, 0.0F), kMost); }; // not of NaN
+    double logs = 0;
+    for (const Colour& pixel : small.pixels)
+        logs += std::log2(static_cast<double>(within(luminance(pixel)) + kLeast));
+    const auto middle = static_cast<float>(std::exp2(logs / static_cast<double>(small.pixels.size())));
+    const auto coded = [&](float light) {
+        const float finite = within(light);
+        return std::min(255 * (finite / (finite + middle)), kMostCode);
+    };
     const auto decoded = [&](float code) { return middle * code / (255 - code); };
     const auto pixelAt = [&](int x, int y) {
         const Colour& pixel = small.at(x, y);

@@ -34,7 +34,8 @@ void upsample(BytePixels<const std::uint8_t> small, int threads, BytePixels<std:
 void upsample(const LdrImage& small, int threads, LdrImage& image);
 /// As that, where the images share no more than their upper left corner.
 void upsample(const LdrImage& small, UpsamplingScale scale, int threads, LdrImage& image);
-/// As that, of radiance, finite and not below 0: bright light weighs as on a display.
+/// As that, of radiance: bright light weighs as on a display. What is no number or below 0 counts as black,
+/// what is more than some 25,000 times the log-average as that.
 void upsample(const HdrImage& small, int threads, HdrImage& image);
 
 } // namespace rtcore

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -186,6 +187,45 @@ TEST(Upsample, OfRadianceKeepsDarkAndBright) {
         sum += static_cast<double>(pixel.g);
     }
     EXPECT_LT(sum / (60 * 60), 5000.0 / 400) << "a bright pixel does not spread over its neighbours";
+}
+
+TEST(Upsample, OfRadianceLetsNoPixelSpoilTheOthers) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float odd : {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity, -3.0F, 1e30F}) {
+        HdrImage small(20, 20, {0.5F, 0.5F, 0.5F}), image(60, 60);
+        small.at(10, 10) = {odd, odd, odd};
+        upsample(small, 2, image);
+        for (int y = 0; y < 60; ++y) {
+            for (int x = 0; x < 60; ++x) {
+                ASSERT_TRUE(isFinite(image.at(x, y))) << odd;
+                const bool apart = x < 20 || y < 20;
+                ASSERT_NEAR(apart ? image.at(x, y).g : 0.5F, 0.5F, 1e-3F) << odd;
+            }
+        }
+    }
+}
+
+/// Root of the mean square of the difference between neighbours.
+double contrastOf(const LdrImage& image) {
+    double sum = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 1; x < image.width; ++x) {
+            const double step = image.at(x, y).g - image.at(x - 1, y).g;
+            sum += step * step;
+        }
+    }
+    return std::sqrt(sum / (image.height * (image.width - 1)));
+}
+
+// Of nearly the size that it had, an image keeps its detail; of pixels that become large none is seen for
+// itself.
+TEST(Upsample, MixesLargePixelsMore) {
+    const LdrImage small = randomImage(275, 275);
+    const auto kept = [&](int side) {
+        return contrastOf(upsampled(small, side, side)) / contrastOf(bilinear(small, side, side));
+    };
+    EXPECT_GT(kept(300), 1);
+    EXPECT_LT(kept(825), 0.8);
 }
 
 } // namespace
