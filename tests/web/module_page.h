@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,8 +15,8 @@
 
 namespace test {
 
-/// Fixture: the modules as they are (those in RT_PAGE_MODULES, where that is set), and those that the build
-/// makes. Skips where there is no Chromium.
+/// Fixture: the modules as they are (those in RT_PAGE_MODULES, where that is set), those that the build
+/// makes, and the scripts that test them. Skips where there is no Chromium.
 class ModulePage : public testing::Test {
   protected:
     void SetUp() override {
@@ -23,7 +24,7 @@ class ModulePage : public testing::Test {
         namespace fs = std::filesystem;
         const char* const asked = std::getenv("RT_PAGE_MODULES");
         for (const char* const from :
-             {asked != nullptr ? asked : RT_PAGE_MODULES, RT_PAGE_MADE, RT_PAGE_PARTS})
+             {asked != nullptr ? asked : RT_PAGE_MODULES, RT_PAGE_MADE, RT_PAGE_PARTS, RT_MODULE_SCRIPTS})
             for (const fs::directory_entry& file : fs::directory_iterator(from))
                 fs::copy_file(file.path(), folder_.path() / file.path().filename(),
                               fs::copy_options::skip_existing);
@@ -32,7 +33,24 @@ class ModulePage : public testing::Test {
                       "file://" + (folder_ / "page.html").string());
         ASSERT_TRUE(page_->becomes("location.protocol === 'file:' && document.readyState === 'complete'"));
     }
-    const WebPage& page() const { return *page_; }
+    /// Runs the function of the running test in that script of `modules/`, with what it is given; failures
+    /// are told with their file and line there.
+    void passes(const std::string& script, const Json& given = {}) const {
+        const std::string name = functionOf(*testing::UnitTest::GetInstance()->current_test_info());
+        for (const Json& failure :
+             with("expect.js", "m.failuresOf('" + script + "', '" + name + "', " + given.dump() + ")")) {
+            const std::string at = failure["file"];
+            ADD_FAILURE_AT((RT_MODULE_SCRIPTS "/" + (at.empty() ? script : at)).c_str(),
+                           failure["line"].get<int>())
+                << failure["text"].get<std::string>();
+        }
+    }
+    /// `KeysHaveNumbers` is tested by `keysHaveNumbers`.
+    static std::string functionOf(const testing::TestInfo& test) {
+        std::string name = test.name();
+        name[0] = static_cast<char>(std::tolower(name[0]));
+        return name;
+    }
     /// An expression that has the module as `m`.
     Json with(const std::string& module, const std::string& expression) const {
         return page_->value("import('./" + module + "').then((m) => " + expression + ")");

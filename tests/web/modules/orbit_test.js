@@ -1,0 +1,36 @@
+import { equal } from "./expect.js";
+import { Orbit } from "./orbit.js";
+
+// What hands do while an answer is on its way is told together, and in the order in which it makes sense.
+export async function aModelInTheHandNeverFallsBehind() {
+    const asked = [], waiting = [];
+    const picture = {
+        aspect: 2,
+        box: () => ({ width: 360 }),
+        at: (x, y) => (x < 0 ? null : { x: x / 360, y: y / 180 }),
+    };
+    const ask = (what, keys) => {
+        asked.push([what, ...Object.values(keys)]);
+        return new Promise((done) => waiting.push(done));
+    };
+    const orbit = new Orbit(picture, { changed() {}, ask });
+    const answer = async (ok = true) => {
+        waiting.shift()({ ok });
+        await new Promise((done) => setTimeout(done));
+    };
+    orbit.grasp(180, 45);
+    orbit.turn(10, 0);
+    for (let i = 0; i < 20; ++i) orbit.turn(1, 2);
+    orbit.move(36, -18);
+    orbit.approach(2);
+    orbit.approach(2);
+    for (let i = 0; i < 4; ++i) await answer();
+    orbit.turn(1, 0);
+    orbit.turn(9, 0);
+    await answer(false); // nothing is heaped up for who may not drive
+    orbit.grasp(-1, 0);
+    orbit.turn(2, 0);
+    await answer();
+    equal(asked, [["pivot", 0.5, 0.25], ["orbit", 15, -20], ["pan", 0.1, 0.05], ["approach", 4], ["orbit", 0.5, 0],
+        ["orbit", 1, 0]]);
+}
