@@ -12,39 +12,9 @@
 namespace rtcore {
 namespace {
 
-using Decoder = DecodedImage (*)(ByteSpan, const std::string&);
-
-Decoder decoderFor(ImageFormat format) {
-    switch (format) {
-    case ImageFormat::Png:
-        return decodePng;
-    case ImageFormat::Jpeg:
-        return decodeJpeg;
-    case ImageFormat::Bmp:
-        return decodeBmp;
-    case ImageFormat::Pnm:
-        return decodePnm;
-    case ImageFormat::Tga:
-        return decodeTga;
-    case ImageFormat::Tiff:
-        return decodeTiff;
-    case ImageFormat::Radiance:
-        return decodeRadiance;
-    case ImageFormat::Exr:
-        return decodeExr;
-    case ImageFormat::Pfm:
-        return decodePfm;
-    case ImageFormat::Rare:
-        return decodeRare;
-    case ImageFormat::Unknown:
-        break;
-    }
-    return nullptr;
-}
-
 DecodedImage decode(ByteSpan bytes, const std::string& name) {
     if (bytes.empty()) badImage(name, "the file is empty");
-    const Decoder decoder = decoderFor(sniffImageFormat(bytes));
+    const auto decoder = codecOf(sniffImageFormat(bytes)).decode;
     if (decoder == nullptr) badImage(name, "not an image of a known format; convert it to PNG, JPEG or EXR");
     try {
         return decoder(bytes, name);
@@ -68,39 +38,17 @@ using Texts = std::span<const ImageText>;
 
 Bytes encodeHdr(const HdrImage& image, ImageFormat format, Texts texts, const std::string& name) {
     checkEncodable(image, name);
-    switch (format) {
-    case ImageFormat::Exr:
-        return encodeExr(image, texts, name);
-    case ImageFormat::Radiance:
-        return encodeRadiance(image, name);
-    case ImageFormat::Pfm:
-        return encodePfm(image, name);
-    default:
-        cannotEncode(name, "linear colour goes into .exr, .hdr or .pfm only");
-    }
+    const ImageCodec& codec = codecOf(format);
+    if (!codec.isLinear()) cannotEncode(name, "linear colour goes into .exr, .hdr or .pfm only");
+    return codec.encodeLinear(image, texts, name);
 }
 
 Bytes encodeLdr(const LdrImage& image, const FormatName* target, Texts texts, const std::string& name) {
     if (target == nullptr) cannotEncode(name, "unknown image format; known are " + writableFormats());
     checkEncodable(image, name);
-    switch (target->format) {
-    case ImageFormat::Png:
-        return withPngTexts(encodePng(image, name), texts);
-    case ImageFormat::Jpeg:
-        return encodeJpeg(image, name);
-    case ImageFormat::Bmp:
-        return encodeBmp(image, name);
-    case ImageFormat::Pnm:
-        return encodePpm(image, name);
-    case ImageFormat::Tga:
-        return encodeTga(image, name);
-    case ImageFormat::Tiff:
-        return encodeTiff(image, name);
-    case ImageFormat::Rare:
-        return encodeRare(image, name, target->magickName);
-    default:
-        return encodeHdr(toHdr(image), target->format, texts, name);
-    }
+    const ImageCodec& codec = codecOf(target->format);
+    if (codec.encode != nullptr) return codec.encode(image, texts, *target, name);
+    return encodeHdr(toHdr(image), target->format, texts, name);
 }
 
 void replaceWith(const std::filesystem::path& path, const Bytes& bytes) {
@@ -155,7 +103,7 @@ bool isExr(const std::filesystem::path& path) {
 
 bool isHdrFormat(const std::filesystem::path& path) {
     const FormatName* target = findFormat(extensionOf(path));
-    return target != nullptr && isLinear(target->format);
+    return target != nullptr && codecOf(target->format).isLinear();
 }
 
 bool isWritableFormat(const std::filesystem::path& path) {

@@ -1,5 +1,7 @@
 #include "rtcore/io/images/image_format.h"
 
+#include "rtcore/io/images/codecs.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -21,6 +23,42 @@ constexpr FormatName kNames[] = {
     {"psd", ImageFormat::Rare, "PSD"}, {"dds", ImageFormat::Rare, "DDS"},
     {"pcx", ImageFormat::Rare, "PCX"}, {"sgi", ImageFormat::Rare, "SGI"},
 };
+
+using Texts = ImageCodec::Texts;
+
+/// Of an encoder that keeps no texts.
+template <Bytes (*kEncode)(const LdrImage&, const std::string&)>
+Bytes plain(const LdrImage& image, Texts, const FormatName&, const std::string& name) {
+    return kEncode(image, name);
+}
+template <Bytes (*kEncode)(const HdrImage&, const std::string&)>
+Bytes plainLinear(const HdrImage& image, Texts, const std::string& name) {
+    return kEncode(image, name);
+}
+Bytes encodePngWithTexts(const LdrImage& image, Texts texts, const FormatName&, const std::string& name) {
+    return withPngTexts(encodePng(image, name), texts);
+}
+Bytes encodeRareAs(const LdrImage& image, Texts, const FormatName& target, const std::string& name) {
+    return encodeRare(image, name, target.magickName);
+}
+Bytes encodeExrImage(const HdrImage& image, Texts texts, const std::string& name) {
+    return encodeExr(image, texts, name);
+}
+
+/// By ImageFormat.
+constexpr std::array<ImageCodec, kImageFormats> kCodecs{{
+    {},
+    {decodePng, encodePngWithTexts},
+    {decodeJpeg, plain<encodeJpeg>},
+    {decodeBmp, plain<encodeBmp>},
+    {decodePnm, plain<encodePpm>},
+    {decodeTga, plain<encodeTga>},
+    {decodeTiff, plain<encodeTiff>},
+    {decodeRadiance, nullptr, plainLinear<encodeRadiance>},
+    {decodeExr, nullptr, encodeExrImage},
+    {decodePfm, nullptr, plainLinear<encodePfm>},
+    {decodeRare, encodeRareAs},
+}};
 
 struct Signature {
     std::size_t offset;
@@ -110,8 +148,6 @@ std::string extensionOf(const std::filesystem::path& path) {
     return extension.empty() ? extension : extension.substr(1);
 }
 
-bool isLinear(ImageFormat format) {
-    return format == ImageFormat::Exr || format == ImageFormat::Radiance || format == ImageFormat::Pfm;
-}
+const ImageCodec& codecOf(ImageFormat format) { return kCodecs.at(static_cast<std::size_t>(format)); }
 
 } // namespace rtcore

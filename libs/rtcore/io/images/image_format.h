@@ -1,13 +1,16 @@
-/// Which format a file has: by its first bytes when it is read, by its extension when it is written.
+/// Which format a file has: by its first bytes when it is read, by its extension when it is written; and how
+/// it is read and written.
 #pragma once
 
 #include "rtcore/io/images/decoded_image.h"
+#include "rtcore/io/images/image_file.h"
 
 #include <filesystem>
 
 namespace rtcore {
 
 enum class ImageFormat { Unknown, Png, Jpeg, Bmp, Pnm, Tga, Tiff, Radiance, Exr, Pfm, Rare };
+inline constexpr std::size_t kImageFormats = static_cast<std::size_t>(ImageFormat::Rare) + 1;
 
 /// TGA has no mark at its start: it is what has a sensible TGA header and is nothing else.
 ImageFormat sniffImageFormat(ByteSpan bytes);
@@ -25,6 +28,17 @@ std::span<const FormatName> formatNames();
 const FormatName* findFormat(const std::string& extension);
 /// The extension of a path, without its dot.
 std::string extensionOf(const std::filesystem::path& path);
-bool isLinear(ImageFormat format);
+/// What reads and writes files of a format; each null where there is nothing. They throw as codecs.h says.
+struct ImageCodec {
+    using Texts = std::span<const ImageText>;
+
+    DecodedImage (*decode)(ByteSpan bytes, const std::string& name) = nullptr;
+    Bytes (*encode)(const LdrImage& image, Texts texts, const FormatName& target,
+                    const std::string& name) = nullptr;
+    Bytes (*encodeLinear)(const HdrImage& image, Texts texts, const std::string& name) = nullptr;
+
+    bool isLinear() const { return encodeLinear != nullptr; }
+};
+const ImageCodec& codecOf(ImageFormat format);
 
 } // namespace rtcore
