@@ -92,6 +92,8 @@ SceneFile readSceneFile(const std::filesystem::path& path);
 /// The same from memory; `path` gives the folder of relative paths and is named in errors.
 SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path);
 
+/// The keys of a [[material]] that commands may give.
+std::span<const std::string_view> materialKeys();
 /// One key of a [[material]] with its value as it is typed in commands: one number or more, true, false.
 /// Throws FileError BadData.
 MaterialOverride parseMaterialKey(const std::string& key, std::span<const std::string> words);

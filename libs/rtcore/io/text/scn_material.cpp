@@ -1,33 +1,67 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/text_file.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 namespace rtcore {
 
 namespace {
 
-constexpr Limits kShininess{.minimum = 0, .maximum = 100'000};
-constexpr Limits kIndexOfRefraction{.minimum = 1, .maximum = 5};
+using Override = MaterialOverride;
+
+/// A key that changes a material, beside `diffuseTexture`.
+struct MaterialKey {
+    std::string_view name;
+    std::variant<std::optional<Colour> Override::*, std::optional<float> Override::*,
+                 std::optional<bool> Override::*>
+        member;
+    Limits limits = kShare;  ///< of numbers and of each part of a colour
+    bool alsoNumber = false; ///< a colour that may be one number, which is grey
+    int version = 1;         ///< of files that have it
+};
+
+/// In the order in which they are written.
+const std::array<MaterialKey, 14> kKeys{
+    {{"diffuse", &Override::diffuse},
+     {"specular", &Override::specular},
+     {"shininess", &Override::shininess, {.minimum = 0, .maximum = 100'000}},
+     {"roughness", &Override::roughness, kShare, false, 2},
+     {"metallic", &Override::metallic, kShare, false, 2},
+     {"reflectivity", &Override::reflectivity, kShare, true},
+     {"fresnel", &Override::fresnel},
+     {"opacity", &Override::opacity},
+     {"transmission", &Override::transmission},
+     {"attenuationDistance", &Override::attenuationDistance, kNotNegative},
+     {"indexOfRefraction", &Override::indexOfRefraction, {.minimum = 1, .maximum = 5}},
+     {"emission", &Override::emission, kNotNegative},
+     {"textures", &Override::textures, kShare, false, 2},
+     {"flipTextures", &Override::flipTextures, kShare, false, 2}}};
+
+struct Reader {
+    StrictTable& table;
+    const MaterialKey& key;
+    MaterialOverride& material;
+
+    void operator()(std::optional<Colour> Override::*member) const {
+        material.*member =
+            key.alsoNumber ? table.colourOrNumber(key.name, key.limits) : table.colour(key.name, key.limits);
+    }
+    void operator()(std::optional<float> Override::*member) const {
+        material.*member = table.number(key.name, key.limits);
+    }
+    void operator()(std::optional<bool> Override::*member) const {
+        material.*member = table.boolean(key.name);
+    }
+};
 
 void readChanges(StrictTable& table, const std::filesystem::path& folder, MaterialOverride& material) {
-    material.diffuse = table.colour("diffuse", kShare);
-    material.specular = table.colour("specular", kShare);
-    material.shininess = table.number("shininess", kShininess);
-    material.roughness = table.number("roughness", kShare);
-    material.metallic = table.number("metallic", kShare);
-    material.reflectivity = table.colourOrNumber("reflectivity", kShare);
-    material.fresnel = table.boolean("fresnel");
-    material.opacity = table.number("opacity", kShare);
-    material.transmission = table.colour("transmission", kShare);
-    material.attenuationDistance = table.number("attenuationDistance", kNotNegative);
-    material.indexOfRefraction = table.number("indexOfRefraction", kIndexOfRefraction);
-    material.emission = table.colour("emission", kNotNegative);
-    material.textures = table.boolean("textures");
-    material.flipTextures = table.boolean("flipTextures");
+    for (const MaterialKey& key : kKeys) std::visit(Reader{table, key, material}, key.member);
     material.diffuseTexture = table.path("diffuseTexture", folder);
 }
 
@@ -50,6 +84,15 @@ TextValue valueOf(std::span<const std::string> words) {
 }
 
 } // namespace
+
+std::span<const std::string_view> materialKeys() {
+    static const auto names = [] {
+        std::array<std::string_view, kKeys.size()> all;
+        std::ranges::transform(kKeys, all.begin(), &MaterialKey::name);
+        return all;
+    }();
+    return names;
+}
 
 MaterialOverride parseMaterialKey(const std::string& key, std::span<const std::string> words) {
     const std::string noFile;
@@ -85,7 +128,8 @@ MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& f
     const NameOrNumber which = readNameOrNumber(table, "a material");
     MaterialOverride material;
     readChanges(table, folder, material);
-    for (const char* key : {"roughness", "metallic", "textures", "flipTextures"}) table.needVersion(2, key);
+    for (const MaterialKey& key : kKeys)
+        if (key.version > 1) table.needVersion(key.version, key.name);
     table.finish();
 
     which.check(table);
@@ -103,20 +147,8 @@ void writeMaterial(TomlWriter& writer, const MaterialOverride& material,
                    const std::filesystem::path& folder) {
     writer.section("[[material]]");
     material.number ? writer.add("number", *material.number) : writer.add("name", material.pattern);
-    writer.add("diffuse", material.diffuse);
-    writer.add("specular", material.specular);
-    writer.add("shininess", material.shininess);
-    writer.add("roughness", material.roughness);
-    writer.add("metallic", material.metallic);
-    writer.add("reflectivity", material.reflectivity);
-    writer.add("fresnel", material.fresnel);
-    writer.add("opacity", material.opacity);
-    writer.add("transmission", material.transmission);
-    writer.add("attenuationDistance", material.attenuationDistance);
-    writer.add("indexOfRefraction", material.indexOfRefraction);
-    writer.add("emission", material.emission);
-    writer.add("textures", material.textures);
-    writer.add("flipTextures", material.flipTextures);
+    for (const MaterialKey& key : kKeys)
+        std::visit([&](const auto member) { writer.add(key.name, material.*member); }, key.member);
     if (material.diffuseTexture)
         writer.add("diffuseTexture", pathToUtf8(pathSeenFrom(folder, *material.diffuseTexture)));
 }
