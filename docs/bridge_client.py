@@ -137,7 +137,7 @@ async def run(options):
     async with websockets.connect(address, origin=f"{url.scheme}://{url.netloc}", subprotocols=["rtbridge.1"],
                                   compression=None, ssl=trust, max_size=None) as socket:
         walker = Walker(socket)
-        await socket.send(json.dumps({"do": "hello", "v": 1, "token": token, "name": "bridge_client"}))
+        await socket.send(json.dumps({"do": "hello", "v": 2, "token": token, "name": "bridge_client"}))
         listening = asyncio.ensure_future(walker.listen())
         await walker.until(lambda: "welcome" in walker.events)
         if walker.events["welcome"]["role"] != "driver":

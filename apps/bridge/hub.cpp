@@ -19,7 +19,11 @@ using nlohmann::json;
 Hub::Hub(const BridgeOptions& options, const Tokens& tokens, const Post& post,
          std::function<void(const std::string& driver)> linkUsed)
     : options_(options), admission_(tokens), linkUsed_(std::move(linkUsed)),
-      settings_(settingsTableJson(options.limits)), began_(nowSeconds()) {
+      tables_({{"settings", settingsTableJson(options.limits)},
+               {"labels", settingLabelsJson()},
+               {"commands", commandTableJson()},
+               {"lightKinds", lightKindsJson()}}),
+      began_(nowSeconds()) {
     StreamOptions stream = options.stream;
     stream.mostBits /= static_cast<double>(options.instances.size());
     for (const std::string& name : options.instances)
@@ -99,7 +103,7 @@ json Hub::welcome(const Room& room, SessionId id, Right right, const std::string
     constexpr int kMessage = 4096, kRequests = 4;
     constexpr double kMs = 1000;
     json welcome{{"event", "welcome"},
-                 {"v", 1},
+                 {"v", kPageVersion},
                  {"version", app::suiteVersion()},
                  {"you", id},
                  {"instance", room.instance()},
@@ -107,12 +111,13 @@ json Hub::welcome(const Room& room, SessionId id, Right right, const std::string
                  {"mayDrive", right == Right::Drive},
                  {"limits",
                   {{"maxPixels", options_.limits.maxPixels},
+                   {"lights", kMostLights},
                    {"message", kMessage},
                    {"requests", kRequests},
                    {"heartbeat", InputState::kHeartbeat * kMs}}},
                  {"locked", options_.limits.locked},
-                 {"rungs", rungs_},
-                 {"settings", settings_}};
+                 {"rungs", rungs_}};
+    welcome.update(tables_);
     if (!own.empty()) welcome["token"] = own;
     return welcome;
 }

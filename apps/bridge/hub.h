@@ -61,7 +61,7 @@ class Hub {
     Admission admission_;
     std::function<void(const std::string& driver)> linkUsed_;
     std::vector<std::unique_ptr<Room>> rooms_;
-    nlohmann::json settings_, rungs_;
+    nlohmann::json tables_, rungs_; ///< of each welcome
     Watch watch_;
     Journal journal_;
     std::map<std::string, ServerState> noted_; ///< of each instance, in the journal

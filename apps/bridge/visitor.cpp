@@ -59,8 +59,8 @@ void Visitor::hello(std::string_view text) {
     if (!message.is_object() || textOf(message, "do") != "hello")
         return close(CloseCode::BadMessage, "hello comes first");
     const auto version = message.find("v");
-    if (version == message.end() || !version->is_number_integer() || *version != 1)
-        return close(CloseCode::OtherVersion, "this bridge speaks version 1");
+    if (version == message.end() || !version->is_number_integer() || *version != kPageVersion)
+        return close(CloseCode::OtherVersion, fmt::format("this bridge speaks version {}", kPageVersion));
     const std::string token = textOf(message, "token");
     const Right right = hub_.rightOf(token);
     if (right == Right::Used) {

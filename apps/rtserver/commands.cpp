@@ -66,7 +66,7 @@ Prefixes takePrefixes(std::vector<std::string>& words, app::FoundCommand& found)
         words.erase(words.begin(), words.begin() + (isBy ? 2 : 1));
         found = app::findCommand(words);
         const bool again = found.command->id == app::CommandId::Also && isBy;
-        if (!found.command->edits && !again)
+        if (!found.command->edits() && !again)
             throw app::UsageError(std::string(prefix.name) + " is for edits; " +
                                   std::string(found.command->name) + " is none");
     }
@@ -107,7 +107,7 @@ Result runCommand(std::string_view text, ServerState& state, Host& host, std::ui
     app::checkArguments(command, arguments);
     if (command.needsScene && !state.ready()) return {.when = ReplyWhen::Again};
     const Call call{state, host, arguments, client};
-    return command.edits ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
+    return command.edits() ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
 }
 
 app::CommandEffect effectOf(std::string_view text) {

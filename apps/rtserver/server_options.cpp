@@ -11,6 +11,9 @@
 #include "common/settings/surroundings_options.h"
 
 #include "ipc/endpoint/instances.h"
+#include "ipc/layout/limits.h"
+
+#include <fmt/core.h>
 
 #include <limits>
 #include <stdexcept>
@@ -34,7 +37,7 @@ OptionGroup viewOptions() {
               .value = ValueKind::Text,
               .argument = "WxH",
               .help = "pixels of a frame",
-              .more = "Up to 16384 each way"},
+              .more = fmt::format("Up to {} each way", ipc::kMaxFrameSide)},
              {.name = "play",
               .value = ValueKind::Text,
               .argument = "LIST",

@@ -18,8 +18,6 @@
 #include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
 
-#include "common/commands/command_table.h"
-
 #include "rtcore/settings/settings_table.h"
 
 #include <QAbstractButton>
@@ -657,13 +655,6 @@ TEST(EditLabelTest, SaysWhatIsTakenBack) {
               QStringLiteral("camera by the altar"));
     EXPECT_EQ(editLabel(QStringLiteral("camera set")), QStringLiteral("look there"));
     EXPECT_EQ(editLabel(QStringLiteral("fold the room")), QStringLiteral("fold the room"));
-}
-
-TEST(EditLabelTest, EveryEditOfTheTableHasOne) {
-    for (const app::CommandSpec& command : app::commandTable()) {
-        if (!command.edits || command.id == app::CommandId::Set) continue;
-        EXPECT_FALSE(editText(command.id).isEmpty()) << command.name;
-    }
 }
 
 } // namespace

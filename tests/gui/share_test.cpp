@@ -61,7 +61,7 @@ class PageVisitor {
                       "Sec-WebSocket-Protocol: rtbridge.1\r\n\r\n");
         EXPECT_TRUE(socket_.waitForReadyRead(kPatience));
         EXPECT_TRUE(socket_.readAll().startsWith("HTTP/1.1 101"));
-        const QByteArray hello = R"({"do":"hello","v":1,"name":"Anna","view":{"w":64,"h":48},"token":")" +
+        const QByteArray hello = R"({"do":"hello","v":2,"name":"Anna","view":{"w":64,"h":48},"token":")" +
                                  link.fragment().section(QLatin1String("t="), 1).toUtf8() + "\"}";
         EXPECT_LT(hello.size(), 126); // else its length takes more bytes
         socket_.write("\x81" + QByteArray(1, static_cast<char>(0x80 | hello.size())) + QByteArray(4, '\0') +

@@ -1,7 +1,9 @@
 /// The texts that the window takes from the tables of settings and options are in translations/tables_cs.ts.
 /// RT_RENEW_DOCS=1 in the environment brings that file up to date: new ones come in as unfinished.
+#include "gui/models/edit_labels.h"
 #include "gui/models/option_names.h"
 #include "gui/models/setting_labels.h"
+#include "gui/panels/light_fields.h"
 
 #include "gui/translation_file.h"
 
@@ -31,7 +33,10 @@ QList<Context> tables() {
     QStringList options = optionTexts(renderer::rendererSpec());
     options.append(optionTexts(bspbuilder::builderSpec()));
     options.removeDuplicates();
-    return {{QStringLiteral("Settings"), settingTexts()}, {QStringLiteral("ProgramOptions"), options}};
+    return {{QStringLiteral("Settings"), settingTexts()},
+            {QStringLiteral("Edits"), editTexts()},
+            {QStringLiteral("LightKinds"), lightKindTexts()},
+            {QStringLiteral("ProgramOptions"), options}};
 }
 
 using Known = QMap<std::pair<QString, QString>, Message>; // by context and source

@@ -103,22 +103,24 @@ json seenJson(const std::string& text) {
 
 } // namespace
 
-json answerContent(AnswerShape shape, const std::string& text) {
+json answerContent(app::CommandId id, const std::string& text) {
+    using enum app::CommandId;
     try {
-        switch (shape) {
-        case AnswerShape::Text:
+        switch (id) {
+        case LightAdd:
+        case LightCopy:
+            if (const auto light = app::parseInteger(text)) return {{"light", *light}};
             break;
-        case AnswerShape::Light:
-            if (const auto id = app::parseInteger(text)) return {{"light", *id}};
-            break;
-        case AnswerShape::Parts:
+        case Parts:
             return listJson("parts", text, partJson);
-        case AnswerShape::Materials:
+        case Materials:
             return listJson("materials", text, materialRow);
-        case AnswerShape::Material:
+        case MaterialGet:
             return materialJson(text);
-        case AnswerShape::Seen:
+        case Seen:
             return seenJson(text);
+        default:
+            break;
         }
     } catch (const std::exception&) { // not what was expected
     }

@@ -1,5 +1,5 @@
-/// What pages ask for, by name, and the commands that this becomes. Text is composed from numbers and words
-/// of tables alone: what a page writes is never part of a command.
+/// What pages ask for: commands of the table that it permits them, with arguments that are held against their
+/// rows. A line is composed from numbers and words of tables alone: what a page writes is never part of it.
 #pragma once
 
 #include "bridge/control/caps.h"
@@ -8,12 +8,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace bridge {
 
@@ -23,15 +20,11 @@ class Refused : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What the answer to a command holds beside its text.
-enum class AnswerShape { Text, Light, Parts, Materials, Material, Seen };
-
 struct PlannedCommand {
     app::CommandId id{};
     std::string line;    ///< for the server
     bool anyone = false; ///< viewers may, too
     bool edits = false;  ///< one step of undo
-    AnswerShape shape = AnswerShape::Text;
     std::string setting; ///< that `set` changes
 };
 
@@ -43,18 +36,20 @@ struct RequestSurroundings {
     bool sky = false;                       ///< that it has one
 };
 
-/// Throws Refused for an unknown name, a key that is missing, of another type or out of range, and what is
-/// locked. Never another exception but std::bad_alloc, whatever `request` holds. Who asks is not looked at.
+/// Whether pages may ask for it.
+bool isRequest(const app::CommandSpec& command);
+
+/// Of {"do": "light temperature", "args": [3, 4000]}; {"also": true} makes an edit part of the last one.
+/// Throws Refused for a command that pages may not ask for, arguments of another number, type or range, and
+/// what is locked. Never another exception but std::bad_alloc, whatever `request` holds. Who asks is not
+/// looked at.
 PlannedCommand planRequest(const nlohmann::json& request, const RequestSurroundings& surroundings);
 
-/// The names that planRequest() knows, and their commands; for tests and documents.
-struct RequestName {
-    std::string_view name;
-    app::CommandId command;
-};
-std::vector<RequestName> requestNames();
+/// The rows of commands that pages may ask for, with the names, ranges and words of their arguments.
+nlohmann::json commandTableJson();
 
-/// The server's answer as a page gets it: keys beside `ok` and `text`. What is not as expected is left out.
-nlohmann::json answerContent(AnswerShape shape, const std::string& text);
+/// The server's answer to a command as a page gets it: keys beside `ok` and `text`. What is not as expected
+/// is left out; none where `text` is the answer.
+nlohmann::json answerContent(app::CommandId id, const std::string& text);
 
 } // namespace bridge

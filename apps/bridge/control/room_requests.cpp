@@ -12,7 +12,7 @@ using nlohmann::json;
 namespace {
 
 constexpr double kLongFrame = 5, kSettled = 0.5; // seconds
-constexpr const char* kLastEdit = "the last edit";
+constexpr const char *kLastEdit = "lastEdit", *kSize = "size";
 
 bool isStep(const PlannedCommand& planned) {
     return planned.edits || planned.id == app::CommandId::Undo || planned.id == app::CommandId::Redo;
@@ -22,7 +22,7 @@ bool isStep(const PlannedCommand& planned) {
 std::string watchedName(const PlannedCommand& planned) {
     if (planned.id == app::CommandId::Bloom) return "bloom.radius";
     if (planned.id == app::CommandId::Undo || planned.id == app::CommandId::Redo) return kLastEdit;
-    return planned.id == app::CommandId::Resolution ? "the size" : planned.setting;
+    return planned.id == app::CommandId::Resolution ? kSize : planned.setting;
 }
 
 /// A live frame is quick where the whole one, which follows at rest, is not.
@@ -90,8 +90,8 @@ void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planne
     Session* const session = find(by);
     if (session == nullptr) return;
     --session->requests;
-    answer(*session, id, done, planned.shape == AnswerShape::Text || !done ? reply.text : std::string(),
-           done ? answerContent(planned.shape, reply.text) : json::object());
+    json content = done ? answerContent(planned.id, reply.text) : json::object();
+    answer(*session, id, done, content.empty() ? reply.text : std::string(), std::move(content));
 }
 
 // A setting or a size that makes frames last for seconds locks its own author out: what was before comes
@@ -129,14 +129,16 @@ void Room::guardEdits() {
     };
     const bool heavy = std::ranges::any_of(watched_, [&](const auto& each) { return tooLong(each.second); });
     if (heavy) {
-        std::string names;
+        json back = json::array();
         for (const auto& [name, edit] : watched_) {
             commands_->request(edit.back, [](const ipc::Reply&) {});
-            names += (names.empty() ? "" : ", ") + name;
+            back.push_back(name);
         }
         commands_->refresh();
-        for (auto& [id, session] : sessions_)
-            notice(session, "heavy", names + " was set back: a frame took more than 5 s");
+        sendAll({{"event", "notice"},
+                 {"code", "heavy"},
+                 {"back", back},
+                 {"text", "undone, since a frame took more than 5 s"}});
         watched_.clear();
     }
     // The whole frame is there, and it was quick.

@@ -3,6 +3,7 @@
 #include "bridge/control/setting_value.h"
 
 #include "common/cli/command_line.h"
+#include "common/commands/step_label.h"
 
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/scene/light_power.h"
@@ -97,6 +98,15 @@ json valuesJson(const std::vector<rtcore::SettingAssignment>& settings) {
     return values;
 }
 
+/// By words of the table of commands; a step of a newer server by its line.
+json stepJson(const std::string& step) {
+    if (step.empty()) return nullptr;
+    const app::StepLabel label = app::stepLabel(step);
+    if (label.isSetting) return {{"setting", label.of}};
+    if (label.text.empty()) return {{"label", withoutFolders(step)}, {"of", ""}};
+    return {{"label", label.text}, {"of", label.of}};
+}
+
 /// The keys of `now` that are not the same in `before`.
 json difference(const json& now, const json& before) {
     json changed = json::object();
@@ -112,6 +122,20 @@ constexpr std::array<const char*, 3> kModes{"fly", "walk", "floor"};
 
 } // namespace
 
+json lightKindsJson() {
+    json kinds = json::array();
+    for (const rtcore::LightTraits& kind : rtcore::kLightTraits)
+        kinds.push_back({{"name", kind.name},
+                         {"position", kind.position},
+                         {"direction", kind.direction},
+                         {"cone", kind.beam == rtcore::Beam::Cone},
+                         {"radius", kind.position && !kind.sides},
+                         {"sides", kind.sides},
+                         {"disc", kind.disc},
+                         {"area", kind.radius || kind.sides}});
+    return kinds;
+}
+
 json sceneJson(const app::StateReport& state) {
     json scene{{"scene", std::filesystem::path(state.scene).filename().string()},
                {"up", vectorJson(state.up)},
@@ -123,8 +147,8 @@ json sceneJson(const app::StateReport& state) {
                {"map", nullptr},
                {"sky", skyJson(state)},
                {"bookmarks", state.bookmarks},
-               {"undo", withoutFolders(state.undo)},
-               {"redo", withoutFolders(state.redo)},
+               {"undo", stepJson(state.undo)},
+               {"redo", stepJson(state.redo)},
                {"edits", state.edits},
                {"modified", state.modified},
                {"indoors", state.indoors}};

@@ -46,6 +46,8 @@ class SceneFacts {
     bool hasSky_ = false;
 };
 
+/// What each kind of light has, by its name.
+nlohmann::json lightKindsJson();
 nlohmann::json sceneJson(const app::StateReport& state);
 /// The event `status`.
 nlohmann::json statusJson(const ipc::Status& status);

@@ -70,13 +70,25 @@ json settingJson(const rtcore::SettingValue& value) {
 json settingsTableJson(const Limits& limits) {
     json rows = json::array();
     for (const rtcore::Setting& setting : rtcore::settingsTable())
-        if (isOffered(setting)) rows.push_back(rowJson(setting, limits));
+        if (setting.browser.offered) rows.push_back(rowJson(setting, limits));
     return rows;
+}
+
+json settingLabelsJson() {
+    json labels = json::object();
+    const auto add = [&](std::string_view name) { labels[std::string(name)] = rtcore::settingLabel(name); };
+    for (const rtcore::Setting& setting : rtcore::settingsTable()) {
+        add(setting.name);
+        add(setting.group);
+        if (!setting.zero.empty()) add(setting.zero);
+        for (const std::string_view each : setting.choices) add(each);
+    }
+    return labels;
 }
 
 std::string settingValueText(const std::string& name, const json& value, const Limits& limits) {
     const rtcore::Setting* const setting = rtcore::findSetting(name);
-    if (setting == nullptr || setting->name != name || !isOffered(*setting))
+    if (setting == nullptr || setting->name != name || !setting->browser.offered)
         throw Refused("there is no such setting");
     if (limits.isLocked(setting->name)) throw Refused(fmt::format("{} is locked", setting->name));
     try {

@@ -14,6 +14,8 @@ namespace bridge {
 nlohmann::json settingJson(const rtcore::SettingValue& value);
 /// The rows for pages.
 nlohmann::json settingsTableJson(const Limits& limits);
+/// What settings, groups, choices and words for 0 are called, in English, by their names.
+nlohmann::json settingLabelsJson();
 /// The text of a value that may be set. Throws Refused: no such setting, locked, another type, out of range.
 std::string settingValueText(const std::string& name, const nlohmann::json& value, const Limits& limits);
 

@@ -7,8 +7,7 @@ set(BRIDGE_PAGE_MADE_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/page_made)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(page ${CMAKE_CURRENT_LIST_DIR})
 set(made ${BRIDGE_PAGE_MADE_FOLDER}/js)
-set(parts ${CMAKE_CURRENT_BINARY_DIR}/page_parts) # made, and joined into others
-file(MAKE_DIRECTORY ${made} ${parts})
+file(MAKE_DIRECTORY ${made})
 file(GLOB modules CONFIGURE_DEPENDS ${page}/js/*.js)
 
 # Texts that the window has, too, without Qt.
@@ -18,18 +17,12 @@ add_custom_command(
     COMMAND ${Python3_EXECUTABLE} ${page}/tables_cs.py ${translations} ${modules} -o ${made}/tables_cs.js
     DEPENDS ${page}/tables_cs.py ${translations} ${modules}
     COMMENT "Czech texts of the page's tables" VERBATIM)
-set(labels ${CMAKE_SOURCE_DIR}/apps/gui/models/setting_labels.cpp)
-add_custom_command(
-    OUTPUT ${parts}/setting_label_table.js
-    COMMAND ${Python3_EXECUTABLE} ${page}/setting_labels.py ${labels} -o ${parts}/setting_label_table.js
-    DEPENDS ${page}/setting_labels.py ${labels}
-    COMMENT "Labels of the page's settings" VERBATIM)
 
 # One request each for the page and for its worker.
 foreach(entry main.js stream_worker.js)
     add_custom_command(
         OUTPUT ${made}/${entry}
-        COMMAND ${Python3_EXECUTABLE} ${page}/bundle.py ${entry} ${page}/js ${parts} -o ${made}/${entry}
-        DEPENDS ${page}/bundle.py ${modules} ${parts}/setting_label_table.js
+        COMMAND ${Python3_EXECUTABLE} ${page}/bundle.py ${entry} ${page}/js -o ${made}/${entry}
+        DEPENDS ${page}/bundle.py ${modules}
         COMMENT "Joining the modules of ${entry}" VERBATIM)
 endforeach()

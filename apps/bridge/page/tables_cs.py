@@ -3,7 +3,7 @@
 
   tables_cs.py tables_cs.ts gui_cs.ts MODULE.js... -o tables_cs.js
 
-All of the contexts Settings and Edits, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
+All of the contexts Settings, Edits and LightKinds, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
 a text has no translation.
 """
 import json
@@ -11,7 +11,7 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 
-WHOLE = ("Settings", "Edits")
+WHOLE = ("Settings", "Edits", "LightKinds")
 ASKED = re.compile(r'\bof\("(\w+)", "((?:[^"\\]|\\.)*)"')
 
 

@@ -9,6 +9,7 @@
 #include "common/process/thread_seconds.h"
 
 #include "ipc/endpoint/client.h"
+#include "ipc/layout/limits.h"
 
 #include <algorithm>
 #include <atomic>
@@ -33,7 +34,6 @@ constexpr auto kBetweenFrames = 1000000us / 60;
 constexpr auto kSlice = 10ms;     ///< longest wait for a frame: demands change meanwhile
 constexpr auto kRestSlice = 25ms; ///< between looks at a picture that rests and improves
 constexpr auto kRetry = 200ms;    ///< to find a server
-constexpr std::uint32_t kMostSide = 16384;
 
 Pixels pixelsOf(const ipc::Frame& frame) {
     return {frame.pixels, static_cast<int>(frame.info.width), static_cast<int>(frame.info.height)};
@@ -53,7 +53,8 @@ FrameStep stepOf(const ipc::Frame& frame, const ipc::Status& status) {
 
 bool isUsable(const ipc::Frame& frame) {
     const ipc::FrameInfo& info = frame.info;
-    return info.width > 0 && info.height > 0 && info.width <= kMostSide && info.height <= kMostSide &&
+    return info.width > 0 && info.height > 0 && info.width <= ipc::kMaxFrameSide &&
+           info.height <= ipc::kMaxFrameSide &&
            frame.pixels.size() >= std::size_t(4) * info.width * info.height;
 }
 
@@ -231,8 +232,8 @@ FrameFacts FrameSource::State::factsOf(const ipc::Frame& frame, const ipc::Statu
     next.width = static_cast<std::uint16_t>(frame.info.width);
     next.height = static_cast<std::uint16_t>(frame.info.height);
     const bool coarse = frame.info.samples == 0 && status.width >= frame.info.width &&
-                        status.height >= frame.info.height && status.width <= kMostSide &&
-                        status.height <= kMostSide;
+                        status.height >= frame.info.height && status.width <= ipc::kMaxFrameSide &&
+                        status.height <= ipc::kMaxFrameSide;
     next.shownWidth = coarse ? static_cast<std::uint16_t>(status.width) : next.width;
     next.shownHeight = coarse ? static_cast<std::uint16_t>(status.height) : next.height;
     if (frame.epoch != epoch || next.shownWidth != facts.shownWidth || next.shownHeight != facts.shownHeight)

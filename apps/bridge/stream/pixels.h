@@ -9,7 +9,7 @@ namespace bridge {
 /// Pixels of a server: four bytes each, R, G, B and one that is ignored, rows without gaps.
 struct Pixels {
     std::span<const std::byte> bytes; ///< 4 * width * height
-    int width = 0, height = 0;        ///< 1..16384
+    int width = 0, height = 0;        ///< 1..ipc::kMaxFrameSide
 };
 
 } // namespace bridge

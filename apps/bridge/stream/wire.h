@@ -13,6 +13,9 @@
 
 namespace bridge {
 
+/// Of all that pages and the bridge say; `hello` names it. A page of another one is to be loaded again.
+inline constexpr int kPageVersion = 2;
+
 inline constexpr std::size_t kHeaderBytes = 40;
 using Header = std::array<std::uint8_t, kHeaderBytes>;
 

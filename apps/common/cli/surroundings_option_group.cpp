@@ -1,5 +1,7 @@
 #include "common/cli/surroundings_option_group.h"
 
+#include "rtcore/look/look_name.h"
+
 namespace app {
 
 OptionGroup surroundingsOptionGroup() {
@@ -24,7 +26,7 @@ OptionGroup surroundingsOptionGroup() {
                       "walls and floor, and three soft lights that mirrors show; `headlight`: one light "
                       "beside the viewer. Without this "
                       "option a model that brings no light gets `sky`, and a scene file keeps what it says",
-              .choices = {"sky", "studio", "headlight"}}}};
+              .choices = {rtcore::kLookNames.begin(), rtcore::kLookNames.end()}}}};
 }
 
 } // namespace app

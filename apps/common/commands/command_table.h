@@ -1,5 +1,6 @@
 /// THE table of commands: what a user of CUI types and what a client sends to a server. CUI, its completion,
-/// its manual page, docs/manual.md, the server and the window read it. It knows neither rays nor sockets.
+/// its manual page, the server, the window, the bridge, its page and their documents read it. It knows
+/// neither rays nor sockets.
 #pragma once
 
 #include <cstddef>
@@ -140,15 +141,21 @@ enum class CommandId {
 inline constexpr std::size_t kCommands = static_cast<std::size_t>(CommandId::Unbind) + 1;
 
 enum class ArgumentType {
-    Integer,      ///< decimal, in [minimum, maximum]
-    Number,       ///< finite, in the range
-    Choice,       ///< one of `words`
-    Path,         ///< absolute, once it is sent to a server
-    Text,         ///< anything; so are those below, which only the server can check
-    Setting,      ///< the name of a setting
-    SettingValue, ///< of the setting before it
-    Key,          ///< the name of a key
-    Action,       ///< what a key can be bound to
+    Integer,       ///< decimal, in [minimum, maximum]
+    Number,        ///< finite, in the range
+    Choice,        ///< one of `words`
+    Path,          ///< absolute, once it is sent to a server
+    Text,          ///< anything; so are those below, which only the server can check
+    Setting,       ///< the name of a setting
+    SettingValue,  ///< of the setting before it
+    Date,          ///< a day, such as 2026-06-21
+    Part,          ///< the number of a part, or a pattern for names
+    Material,      ///< the number of a material, or a pattern for names
+    MaterialKey,   ///< a key of a [[material]]
+    MaterialValue, ///< of the key before it: a number, true or false
+    Bookmark,      ///< the name of a bookmark
+    Key,           ///< the name of a key
+    Action,        ///< what a key can be bound to
 };
 
 struct CommandArgument {
@@ -156,7 +163,7 @@ struct CommandArgument {
     ArgumentType type = ArgumentType::Text;
     double minimum = 0, maximum = 0;     ///< Integer and Number
     bool open = false;                   ///< a Number's range is without its two ends
-    std::string_view words = {};         ///< what may stand in its place, parted by '|'
+    std::string words = {};              ///< what may stand in its place, parted by '|'
     std::vector<std::string> files = {}; ///< of a Path: usual extensions; none = any
     bool optional = false;               ///< may be missing, and then all that follow are
     bool repeats = false;                ///< stands for any number of words; the last one only
@@ -175,6 +182,15 @@ enum class CommandEffect {
     Changes, ///< changes what is shown
 };
 
+/// What people in browsers may bring about by a command. A row without the word forbids it.
+enum class BrowserUse {
+    Forbidden, ///< files, names, other people's keys, the server's life
+    Own,       ///< the bridge itself sends it
+    Look,      ///< a page may ask for it, of viewers too: it only tells
+    Move,      ///< the driver's page may: it changes the view, not the model
+    Edit,      ///< the driver's page may, unless edits are locked
+};
+
 /// Limits of arguments that have none of their own.
 inline constexpr double kMostWhole = 1e9, kMostNumber = 1e30;
 
@@ -184,16 +200,23 @@ struct CommandSpec {
     std::vector<CommandArgument> arguments = {};
     CommandEffect effect = CommandEffect::Changes;
     Runner runner = Runner::Server;
-    bool edits = false;         ///< what it changes is one step of `undo`
-    bool needsScene = true;     ///< waits until there is one; of the server's
-    std::string_view help;      ///< sentence without a full stop, for --help
+    std::string_view step = {}; ///< what clients call a step of `undo` by it; "": it makes none
+    BrowserUse browser = BrowserUse::Forbidden;
+    std::vector<std::string_view> sets = {}; ///< settings that it may change, beside those in its arguments
+    bool needsScene = true;                  ///< waits until there is one; of the server's
+    std::string_view help;                   ///< sentence without a full stop, for --help
     std::string_view more = {}; ///< further sentences for the manual, which has code in backquotes
+
+    /// What it changes is one step of `undo`.
+    bool edits() const { return !step.empty(); }
 };
 
 /// All rows, by CommandId. Safe from many threads.
 std::span<const CommandSpec> commandTable();
 
 const CommandSpec& commandOf(CommandId id);
+/// By its whole name; nullptr: there is none.
+const CommandSpec* commandNamed(std::string_view name);
 
 /// "X Y", "N on|off|toggle", "FILE [FPS]"; empty without arguments.
 std::string argumentsLabel(const CommandSpec& command);

@@ -17,15 +17,14 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export camera"));
     path_->setPath(path);
-    constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096;
     const QSize kept = preferences.get(pref::exportSize);
     const QSize proposed = kept.isEmpty() ? size : kept;
-    width_ = numberField(1, kMostPixels, proposed.width(), tr("Width"));
-    height_ = numberField(1, kMostPixels, proposed.height(), tr("Height"));
-    antialiasing_ =
-        numberField(1, kMostSamples, preferences.get(pref::exportAntialiasing), tr("Anti-aliasing"));
+    width_ = numberField(1, mostOf("width"), proposed.width(), tr("Width"));
+    height_ = numberField(1, mostOf("height"), proposed.height(), tr("Height"));
+    antialiasing_ = numberField(1, mostOf("antialiasing"), preferences.get(pref::exportAntialiasing),
+                                tr("Anti-aliasing"));
     antialiasing_->setToolTip(tr("N × N samples per pixel"));
-    bloom_ = numberField(0, kMostBloom, preferences.get(pref::exportBloom), tr("Bloom"));
+    bloom_ = numberField(0, mostOf("bloom.radius"), preferences.get(pref::exportBloom), tr("Bloom"));
     bloom_->setSpecialValueText(tr("none"));
     bloom_->setSuffix(tr(" pixels"));
     auto* now = new QPushButton(tr("As &now"));

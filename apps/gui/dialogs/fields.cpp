@@ -2,6 +2,8 @@
 
 #include "gui/view/plain_widgets.h"
 
+#include "rtcore/settings/settings_table.h"
+
 #include <QHBoxLayout>
 #include <QSpinBox>
 
@@ -14,6 +16,8 @@ QSpinBox* numberField(int minimum, int maximum, int value, const QString& access
     box->setAccessibleName(accessibleName);
     return box;
 }
+
+int mostOf(std::string_view setting) { return static_cast<int>(rtcore::requireSetting(setting).maximum); }
 
 QWidget* rowOfFields(std::initializer_list<QWidget*> fields) {
     auto* row = new QWidget;

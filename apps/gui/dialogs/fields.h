@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <initializer_list>
+#include <string_view>
 
 class QSpinBox;
 class QWidget;
@@ -14,6 +15,9 @@ class PlainLabel;
 
 /// A field for a whole number.
 QSpinBox* numberField(int minimum, int maximum, int value, const QString& accessibleName);
+
+/// The most that a whole-numbered setting of the table takes.
+int mostOf(std::string_view setting);
 
 /// Fields side by side, as one row of a form; the first one takes the focus of the row's label.
 QWidget* rowOfFields(std::initializer_list<QWidget*> fields);

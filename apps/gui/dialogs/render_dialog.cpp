@@ -90,21 +90,19 @@ void RenderDialog::makeFields(const RenderContext& context) {
     settings_ = new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set)") + all);
     settings_->edit()->setPlaceholderText(tr("from scene"));
 
-    constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096,
-                  kMostPaths = 1 << 20;
     constexpr QSize kUsual(1920, 1080);
     const QSize size = context.size.isEmpty() ? kUsual : context.size;
     size_ = new QComboBox;
     size_->addItems({tr("from scene"), tr("fixed")});
     size_->setAccessibleName(tr("Resolution"));
     size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
-    width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
-    height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
+    width_ = numberField(1, mostOf("width"), size.width(), tr("Width"));
+    height_ = numberField(1, mostOf("height"), size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     integrator_ = new QComboBox;
     integrator_->addItems({tr("from scene"), tr("Whitted ray tracing"), tr("path tracing")});
     integrator_->setAccessibleName(tr("Integrator"));
-    samples_ = numberField(0, kMostPaths, 0, tr("Samples of path tracing"));
+    samples_ = numberField(0, mostOf("path.samples"), 0, tr("Samples of path tracing"));
     samples_->setSpecialValueText(tr("from scene"));
     samples_->setSuffix(tr(" samples per pixel"));
     integratorRow_ = rowOfFields({integrator_, samples_});
@@ -112,16 +110,17 @@ void RenderDialog::makeFields(const RenderContext& context) {
     newNoise_->setChecked(true);
     newNoise_->setToolTip(tr("Noise that stands still in a film looks like dirt on the glass.") +
                           QStringLiteral("\npath.seedPerFrame"));
-    antialiasing_ = numberField(0, kMostSamples, context.antialiasing, tr("Anti-aliasing"));
+    antialiasing_ = numberField(0, mostOf("antialiasing"), context.antialiasing, tr("Anti-aliasing"));
     antialiasing_->setSpecialValueText(tr("from scene"));
     occlusion_ = new QComboBox;
     occlusion_->addItems({tr("from scene"), tr("on"), tr("off")});
     occlusion_->setAccessibleName(tr("Ambient occlusion"));
-    occlusionRays_ = numberField(0, kMostRays, 0, tr("Rays of the ambient occlusion"));
+    occlusionRays_ =
+        numberField(0, mostOf("ambientOcclusion.samples"), 0, tr("Rays of the ambient occlusion"));
     occlusionRays_->setSpecialValueText(tr("from scene"));
     occlusionRays_->setSuffix(tr(" rays per point"));
     occlusionRow_ = rowOfFields({occlusion_, occlusionRays_});
-    bloom_ = numberField(-1, kMostBloom, -1, tr("Bloom"));
+    bloom_ = numberField(-1, mostOf("bloom.radius"), -1, tr("Bloom"));
     bloom_->setSpecialValueText(tr("from scene"));
     bloom_->setSuffix(tr(" pixels"));
 }

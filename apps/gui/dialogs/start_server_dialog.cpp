@@ -6,6 +6,8 @@
 #include "gui/session/server_list.h"
 #include "gui/view/plain_widgets.h"
 
+#include "ipc/layout/limits.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -33,7 +35,7 @@ StartServerDialog::StartServerDialog(Preferences& preferences, const QString& in
       camera_(new FileField(FileField::Kind::Open, tr("Camera"), tr("Cameras (*.cam);;All files (*)"))),
       settings_(new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set);;All files (*)"))),
       instance_(new QLineEdit), further_(new QLineEdit), size_(new QComboBox) {
-    constexpr int kMostPixels = 16384, kMostThreads = 1024;
+    constexpr int kMostPixels = ipc::kMaxFrameSide, kMostThreads = 1024;
     width_ = numberField(1, kMostPixels, window.width(), tr("Width"));
     height_ = numberField(1, kMostPixels, window.height(), tr("Height"));
     threads_ = numberField(0, kMostThreads, 0, tr("Threads"));

@@ -12,25 +12,6 @@ namespace {
 using rtcore::Setting;
 using rtcore::SettingType;
 
-/// Labels of settings whose name alone says too little.
-struct Label {
-    std::string_view setting, text;
-};
-constexpr Label kLabels[] = {{"antialiasing", "Anti-aliasing"},
-                             {"maxDepth", "Max. bounces"},
-                             {"minContribution", "Min. contribution"},
-                             {"ambientOcclusion.light", "Ambient light"},
-                             {"path", "Path tracing"},
-                             {"whitted", "Whitted ray tracing"},
-                             {"path.samples", "Samples per pixel"},
-                             {"path.bounces", "Max. bounces"},
-                             {"path.rouletteFrom", "Roulette from bounce"},
-                             {"path.clampIndirect", "Clamp indirect light"},
-                             {"path.emitters", "Light from emission"},
-                             {"path.seed", "Seed of the noise"},
-                             {"exposure.recorded", "Recorded exposures"},
-                             {"agx", "AgX"}};
-
 QString translatedSetting(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());
 }
@@ -39,26 +20,8 @@ QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-// "brighterSeconds": "Brighter seconds".
-QString words(const QString& name) {
-    QString text;
-    for (const QChar letter : name) {
-        if (letter.isUpper() && !text.isEmpty()) text += QLatin1Char(' ');
-        text += text.isEmpty() ? letter.toUpper() : letter.toLower();
-    }
-    return text;
-}
-
-// The texts as they are looked up.
-QString labelText(std::string_view name) {
-    for (const Label& label : kLabels)
-        if (label.setting == name) return fromView(label.text);
-    const std::size_t dot = name.rfind('.');
-    return words(fromView(dot == std::string_view::npos ? name : name.substr(dot + 1)));
-}
-QString groupText(std::string_view group) {
-    return group.empty() ? QStringLiteral("Image") : labelText(group);
-}
+// The text as it is looked up.
+QString labelText(std::string_view name) { return QString::fromStdString(rtcore::settingLabel(name)); }
 
 QString number(double value) {
     QLocale locale;
@@ -76,7 +39,7 @@ QString rangeText(const Setting& setting) {
 
 } // namespace
 
-QString settingGroup(std::string_view group) { return translatedSetting(groupText(group)); }
+QString settingGroup(std::string_view group) { return translatedSetting(labelText(group)); }
 QString settingLabel(std::string_view name) { return translatedSetting(labelText(name)); }
 QString settingUnit(std::string_view unit) {
     return unit.empty() ? QString() : translatedSetting(fromView(unit));
@@ -114,7 +77,7 @@ QString settingValueText(const Setting& setting, const QString& value) {
 QStringList settingTexts() {
     QStringList texts;
     for (const Setting& setting : rtcore::settingsTable()) {
-        texts << groupText(setting.group) << labelText(setting.name) << fromView(setting.help);
+        texts << labelText(setting.group) << labelText(setting.name) << fromView(setting.help);
         if (!setting.unit.empty()) texts << fromView(setting.unit);
         if (!setting.zero.empty()) texts << labelText(setting.zero);
         for (const std::string_view choice : setting.choices) texts << labelText(choice);

@@ -6,18 +6,31 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
+#include "rtcore/look/look_name.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
 
 namespace gui {
 
+namespace {
+
+std::string nameOf(rtcore::Look look) {
+    return std::string(rtcore::kLookNames[static_cast<std::size_t>(look)]);
+}
+
+} // namespace
+
 SurroundingsOperations::SurroundingsOperations(const GuiContext& context, QObject* parent)
     : QObject(parent), context_(context) {
     Actions& actions = context_.actions;
-    actions.on(ActionId::LookSky, [this] { edit(command::look("sky"), tr("Lit by a sky")); });
-    actions.on(ActionId::LookStudio, [this] { edit(command::look("studio"), tr("Lit as in a studio")); });
-    actions.on(ActionId::LookHeadlight,
-               [this] { edit(command::look("headlight"), tr("Lit by a light beside you")); });
+    actions.on(ActionId::LookSky,
+               [this] { edit(command::look(nameOf(rtcore::Look::Sky)), tr("Lit by a sky")); });
+    actions.on(ActionId::LookStudio,
+               [this] { edit(command::look(nameOf(rtcore::Look::Studio)), tr("Lit as in a studio")); });
+    actions.on(ActionId::LookHeadlight, [this] {
+        edit(command::look(nameOf(rtcore::Look::Headlight)), tr("Lit by a light beside you"));
+    });
     actions.on(ActionId::OpenEnvironment, [this] { askForFile(); });
     actions.on(ActionId::NoEnvironment,
                [this] { edit(command::environmentNone(), tr("Neither sky nor environment map")); });

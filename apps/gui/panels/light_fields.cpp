@@ -10,10 +10,12 @@
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/math/blackbody.h"
 #include "rtcore/scene/light_power.h"
+#include "rtcore/settings/settings_table.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -46,22 +48,21 @@ void set(ValueBox& box, double value) {
     if (static_cast<float>(box.value()) != static_cast<float>(value)) box.setValue(value);
 }
 
+QString lightKindEnglish(rtcore::LightKind kind) {
+    return QString::fromStdString(rtcore::settingLabel(traitsOf(kind).name));
+}
+
 } // namespace
 
 QString lightKindText(rtcore::LightKind kind) {
-    switch (kind) {
-    case rtcore::LightKind::Point:
-        return LightFields::tr("Point");
-    case rtcore::LightKind::Directional:
-        return LightFields::tr("Directional");
-    case rtcore::LightKind::Spot:
-        return LightFields::tr("Spot");
-    case rtcore::LightKind::Sphere:
-        return LightFields::tr("Sphere");
-    case rtcore::LightKind::Rectangle:
-        return LightFields::tr("Rectangle");
-    }
-    return {};
+    return QCoreApplication::translate("LightKinds", lightKindEnglish(kind).toUtf8().constData());
+}
+
+QStringList lightKindTexts() {
+    QStringList texts;
+    for (std::size_t i = 0; i < rtcore::kLightKinds; ++i)
+        texts << lightKindEnglish(static_cast<rtcore::LightKind>(i));
+    return texts;
 }
 
 QString lightText(const ShownLight& light) {

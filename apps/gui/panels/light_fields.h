@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include <array>
@@ -23,6 +24,8 @@ class ValueBox;
 
 /// The name of a kind of light, for users.
 QString lightKindText(rtcore::LightKind kind);
+/// All of them in English; the context is "LightKinds".
+QStringList lightKindTexts();
 /// The name of a light, or what stands for it.
 QString lightText(const ShownLight& light);
 

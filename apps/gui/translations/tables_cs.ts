@@ -280,20 +280,24 @@
         <translation>jiné číslo dá jiný šum</translation>
     </message>
     <message>
-        <source>Seed per frame</source>
-        <translation>Semínko podle snímku</translation>
-    </message>
-    <message>
-        <source>the number of a list's frame is added to the seed, so that noise does not stand still in a film</source>
-        <translation>k semínku se přičte číslo snímku seznamu, aby šum ve filmu nestál</translation>
-    </message>
-    <message>
         <source>Filter</source>
         <translation>Filtr</translation>
     </message>
     <message>
         <source>of the filter that smooths noise of images by paths</source>
         <translation>průchody filtru, který vyhlazuje šum obrazů z cest</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>průchodů</translation>
+    </message>
+    <message>
+        <source>Seed per frame</source>
+        <translation>Semínko podle snímku</translation>
+    </message>
+    <message>
+        <source>the number of a list's frame is added to the seed, so that noise does not stand still in a film</source>
+        <translation>k semínku se přičte číslo snímku seznamu, aby šum ve filmu nestál</translation>
     </message>
     <message>
         <source>Depth of field</source>
@@ -366,10 +370,6 @@
     <message>
         <source>smooths noise, but not edges</source>
         <translation>vyhladí šum, ale ne hrany</translation>
-    </message>
-    <message>
-        <source>passes</source>
-        <translation>průchodů</translation>
     </message>
     <message>
         <source>Bloom</source>
@@ -500,6 +500,10 @@
         <translation>Podle jasu</translation>
     </message>
     <message>
+        <source>Channels</source>
+        <translation>Po složkách</translation>
+    </message>
+    <message>
         <source>AgX</source>
         <translation>AgX</translation>
     </message>
@@ -514,10 +518,6 @@
     <message>
         <source>contrast and colour of agx: 0 as soft as film, 1 punchy, and beyond</source>
         <translation>kontrast a barevnost AgX: 0 měkký jako film, 1 výrazný, i více</translation>
-    </message>
-    <message>
-        <source>Channels</source>
-        <translation>Po složkách</translation>
     </message>
     <message>
         <source>Dithering</source>
@@ -542,6 +542,160 @@
     <message>
         <source>Nearest</source>
         <translation>Nejbližší</translation>
+    </message>
+</context>
+<context>
+    <name>Edits</name>
+    <message>
+        <source>setting</source>
+        <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>defaults</source>
+        <translation>výchozí hodnoty</translation>
+    </message>
+    <message>
+        <source>look there</source>
+        <translation>pohled na místo</translation>
+    </message>
+    <message>
+        <source>reset camera</source>
+        <translation>výchozí kamera</translation>
+    </message>
+    <message>
+        <source>paste camera</source>
+        <translation>vložit kameru</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>úhel záběru</translation>
+    </message>
+    <message>
+        <source>up axis</source>
+        <translation>směr vzhůru</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>jednotka</translation>
+    </message>
+    <message>
+        <source>focus there</source>
+        <translation>zaostřit na místo</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>kamera</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>bloom</source>
+        <translation>záře</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>světlo</translation>
+    </message>
+    <message>
+        <source>add light</source>
+        <translation>přidat světlo</translation>
+    </message>
+    <message>
+        <source>copy light</source>
+        <translation>kopírovat světlo</translation>
+    </message>
+    <message>
+        <source>remove light</source>
+        <translation>odebrat světlo</translation>
+    </message>
+    <message>
+        <source>move light</source>
+        <translation>přesunout světlo</translation>
+    </message>
+    <message>
+        <source>turn light</source>
+        <translation>natočit světlo</translation>
+    </message>
+    <message>
+        <source>colour of light</source>
+        <translation>barva světla</translation>
+    </message>
+    <message>
+        <source>temperature of light</source>
+        <translation>teplota světla</translation>
+    </message>
+    <message>
+        <source>power of light</source>
+        <translation>výkon světla</translation>
+    </message>
+    <message>
+        <source>kind of light</source>
+        <translation>druh světla</translation>
+    </message>
+    <message>
+        <source>size of light</source>
+        <translation>velikost světla</translation>
+    </message>
+    <message>
+        <source>angles of light</source>
+        <translation>úhly světla</translation>
+    </message>
+    <message>
+        <source>light in mirrors</source>
+        <translation>světlo v zrcadlech</translation>
+    </message>
+    <message>
+        <source>name of light</source>
+        <translation>název světla</translation>
+    </message>
+    <message>
+        <source>environment</source>
+        <translation>prostředí</translation>
+    </message>
+    <message>
+        <source>sky</source>
+        <translation>obloha</translation>
+    </message>
+    <message>
+        <source>light of the scene</source>
+        <translation>osvětlení scény</translation>
+    </message>
+    <message>
+        <source>bookmark</source>
+        <translation>záložka</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>materiál</translation>
+    </message>
+    <message>
+        <source>visible parts</source>
+        <translation>viditelné části</translation>
+    </message>
+</context>
+<context>
+    <name>LightKinds</name>
+    <message>
+        <source>Point</source>
+        <translation>Bodové</translation>
+    </message>
+    <message>
+        <source>Directional</source>
+        <translation>Směrové</translation>
+    </message>
+    <message>
+        <source>Spot</source>
+        <translation>Kuželové</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Koule</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Obdélník</translation>
     </message>
 </context>
 <context>

@@ -94,23 +94,6 @@ void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, L
 
 } // namespace
 
-bool sameLight(const RenderSettings& a, const RenderSettings& b) {
-    RenderSettings alike = a;
-    alike.width = b.width;
-    alike.height = b.height;
-    alike.antialiasing = b.antialiasing;
-    alike.sampling = b.sampling;
-    alike.adaptive = b.adaptive;
-    alike.depthOfField = b.depthOfField;
-    alike.denoise = b.denoise;
-    alike.bloom = b.bloom;
-    alike.exposure = b.exposure;
-    alike.toneMapping = b.toneMapping;
-    alike.toneContrast = b.toneContrast;
-    alike.dithering = b.dithering;
-    return alike == b;
-}
-
 bool LiveRenderer::draws(const View& view) {
     const RenderSettings& settings = view.settings;
     const bool fits = static_cast<double>(settings.width) * settings.height < Reprojection::kMostPixels;

@@ -20,10 +20,6 @@
 
 namespace rtcore {
 
-/// Whether the light of points is the same by both settings: they differ in what is done to images, or in
-/// where their samples are.
-bool sameLight(const RenderSettings& a, const RenderSettings& b);
-
 /// Keeps the memory of a sequence of frames. Not for several threads at once: it uses all of them itself.
 /// Throws std::bad_alloc; what is kept is undefined then.
 class LiveRenderer {

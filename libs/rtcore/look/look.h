@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/look/look_name.h"
 #include "rtcore/render/survey.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
@@ -16,14 +17,7 @@
 
 namespace rtcore {
 
-/// Sky: a sky with its sun, lights under the ceilings of rooms, and a ground below an object. Studio: white
-/// walls with three soft lights around an object, which mirrors show; in a room, its lights before an even
-/// background that lights. Headlight: a point light beside the viewer and ambient light, both without regard
-/// to what the model is.
-enum class Look : std::uint8_t { Sky, Studio, Headlight };
-
-/// By Look.
-inline constexpr std::array<std::string_view, 3> kLookNames{"sky", "studio", "headlight"};
+/// Nothing where no look has that name.
 std::optional<Look> lookNamed(std::string_view name);
 
 /// Of the light of Look::Headlight.

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace rtcore {
 
@@ -26,9 +27,9 @@ constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "j
 constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
 constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
 
-/// What paths do not use: settings, and groups of them.
-constexpr std::array<std::string_view, 6> kOfWhitted{"antialiasing",    "sampling",         "adaptive",
-                                                     "minContribution", "ambientOcclusion", "skyLight"};
+/// Groups and choices whose names say too little.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLabels{
+    {{"path", "Path tracing"}, {"whitted", "Whitted ray tracing"}, {"agx", "AgX"}}};
 
 constexpr std::array<FormerName, 5> kFormerNames{{{"lampSamples", "areaLights.samples"},
                                                   {"denoise", "denoise.passes"},
@@ -96,42 +97,66 @@ struct Range {
     double minimum = 0, maximum = 0;
 };
 
+/// A row while it is written: what few rows have is said behind them.
+struct Row : Setting {
+    /// 0 is no amount.
+    Row&& zeroIs(std::string_view word) && {
+        zero = word;
+        return std::move(*this);
+    }
+    /// The group of one without a dot.
+    Row&& in(std::string_view shownWith) && {
+        group = shownWith;
+        return std::move(*this);
+    }
+    /// A choice that the live view does not draw with.
+    Row&& forStills(std::string_view choice) && {
+        stillChoice = choice;
+        return std::move(*this);
+    }
+    /// Its label where its name says too little.
+    Row&& called(std::string_view text) && {
+        label = text;
+        return std::move(*this);
+    }
+    Row&& changing(SettingChange what) && {
+        changes = what;
+        return std::move(*this);
+    }
+    Row&& usedBy(Integrator only) && {
+        integrator = only;
+        return std::move(*this);
+    }
+    Row&& inBrowsers(BrowserRange narrower) && {
+        browser = narrower;
+        return std::move(*this);
+    }
+    Row&& notInBrowsers() && {
+        browser.offered = false;
+        return std::move(*this);
+    }
+};
+
 template <auto... Path>
-Setting row(std::string_view name, Range range, std::string_view unit, std::string_view help) {
+Row row(std::string_view name, Range range, std::string_view unit, std::string_view help) {
     using Type = MemberType<Path...>;
     const std::size_t dot = name.find('.');
-    return {name,
-            dot == std::string_view::npos ? std::string_view() : name.substr(0, dot),
-            settingType<Type>(),
-            getMember<Path...>(RenderSettings{}),
-            range.minimum,
-            range.maximum,
-            unit,
-            help,
-            choicesOf<Type>(),
-            {},
-            &getMember<Path...>,
-            &setMember<Path...>};
+    return {{name,
+             dot == std::string_view::npos ? std::string_view() : name.substr(0, dot),
+             settingType<Type>(),
+             getMember<Path...>(RenderSettings{}),
+             range.minimum,
+             range.maximum,
+             unit,
+             help,
+             choicesOf<Type>(),
+             {},
+             &getMember<Path...>,
+             &setMember<Path...>}};
 }
 template <auto... Path>
-Setting row(std::string_view name, std::string_view help) {
+Row row(std::string_view name, std::string_view help) {
     return row<Path...>(name, Range{}, "", help);
-}
-/// One of which 0 is no amount.
-Setting zeroIs(std::string_view word, Setting setting) {
-    setting.zero = word;
-    return setting;
-}
-/// A setting without a dot that belongs to others.
-Setting with(std::string_view group, Setting setting) {
-    setting.group = group;
-    return setting;
-}
-
-/// A choice that the live view does not draw with.
-Setting forStills(std::string_view choice, Setting setting) {
-    setting.stillChoice = choice;
-    return setting;
 }
 
 std::vector<Setting> makeTable() {
@@ -142,129 +167,225 @@ std::vector<Setting> makeTable() {
     using Exposure = ExposureSettings;
     using Lens = DepthOfFieldSettings;
     return {
-        row<&S::width>("width", {1, 32768}, "pixels", "width of the image"),
-        row<&S::height>("height", {1, 32768}, "pixels", "height of the image"),
-        row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples per pixel, averaged"),
+        row<&S::width>("width", {1, 32768}, "pixels", "width of the image")
+            .changing(SettingChange::Samples)
+            .notInBrowsers(),
+        row<&S::height>("height", {1, 32768}, "pixels", "height of the image")
+            .changing(SettingChange::Samples)
+            .notInBrowsers(),
+        row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples per pixel, averaged")
+            .called("Anti-aliasing")
+            .changing(SettingChange::Samples)
+            .usedBy(Integrator::Whitted)
+            .inBrowsers({.maximum = 4}),
         row<&S::sampling>("sampling",
-                          "positions of the samples in a pixel: rotated is best at edges, grid is fastest"),
-        zeroIs("off", row<&S::adaptive>("adaptive", {0, 1}, "",
-                                        "pixels that differ less from their neighbours get a quarter of the "
-                                        "samples; off: all get all, 0.05: hard to see")),
-        with("rays", row<&S::shadows>("shadows", "lights cast shadows")),
-        with("rays", row<&S::reflections>("reflections", "mirrors reflect")),
-        with("rays", row<&S::refractions>("refractions", "transparent surfaces let light through")),
-        with("rays", row<&S::textures>("textures", "textures are shown")),
-        with("rays",
-             row<&S::maxDepth>("maxDepth", {0, 1000}, "bounces", "most bounces by mirrors and glass")),
-        with("rays",
-             row<&S::minContribution>("minContribution", {0, 1}, "",
-                                      "a ray that adds less than this fraction to its pixel is not traced")),
+                          "positions of the samples in a pixel: rotated is best at edges, grid is fastest")
+            .changing(SettingChange::Samples)
+            .usedBy(Integrator::Whitted),
+        row<&S::adaptive>("adaptive", {0, 1}, "",
+                          "pixels that differ less from their neighbours get a quarter of the "
+                          "samples; off: all get all, 0.05: hard to see")
+            .zeroIs("off")
+            .changing(SettingChange::Samples)
+            .usedBy(Integrator::Whitted),
+        row<&S::shadows>("shadows", "lights cast shadows").in("rays"),
+        row<&S::reflections>("reflections", "mirrors reflect").in("rays"),
+        row<&S::refractions>("refractions", "transparent surfaces let light through").in("rays"),
+        row<&S::textures>("textures", "textures are shown").in("rays"),
+        row<&S::maxDepth>("maxDepth", {0, 1000}, "bounces", "most bounces by mirrors and glass")
+            .in("rays")
+            .called("Max. bounces")
+            .inBrowsers({.maximum = 64}),
+        row<&S::minContribution>("minContribution", {0, 1}, "",
+                                 "a ray that adds less than this fraction to its pixel is not traced")
+            .in("rays")
+            .called("Min. contribution")
+            .usedBy(Integrator::Whitted)
+            .inBrowsers({.minimum = 0.001}),
         row<&S::ambientOcclusion, &Occlusion::on>("ambientOcclusion.on",
-                                                  "corners are darker than open surfaces"),
+                                                  "corners are darker than open surfaces")
+            .usedBy(Integrator::Whitted),
         row<&S::ambientOcclusion, &Occlusion::samples>("ambientOcclusion.samples", {1, 4096}, "rays",
-                                                       "rays per point for ambient occlusion"),
-        zeroIs("automatic", row<&S::ambientOcclusion, &Occlusion::distance>(
-                                "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
-                                "how far off a surface occludes; automatic: 15 % of the scene's diagonal")),
+                                                       "rays per point for ambient occlusion")
+            .usedBy(Integrator::Whitted)
+            .inBrowsers({.maximum = 256}),
+        row<&S::ambientOcclusion, &Occlusion::distance>(
+            "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
+            "how far off a surface occludes; automatic: 15 % of the scene's diagonal")
+            .zeroIs("automatic")
+            .usedBy(Integrator::Whitted),
         row<&S::ambientOcclusion, &Occlusion::pattern>("ambientOcclusion.pattern",
                                                        "directions of the rays, turned for each point, the "
-                                                       "same for all, or any"),
-        zeroIs("automatic",
-               row<&S::ambientOcclusion, &Occlusion::light>(
-                   "ambientOcclusion.light", {0, kUnlimited}, "radiance",
-                   "ambient light; automatic: the scene's, or one that suits it when it has none")),
+                                                       "same for all, or any")
+            .usedBy(Integrator::Whitted),
+        row<&S::ambientOcclusion, &Occlusion::light>(
+            "ambientOcclusion.light", {0, kUnlimited}, "radiance",
+            "ambient light; automatic: the scene's, or one that suits it when it has none")
+            .zeroIs("automatic")
+            .called("Ambient light")
+            .usedBy(Integrator::Whitted),
         row<&S::skyLight, &SkyLightSettings::on>(
             "skyLight.on",
-            "the environment lights what it is seen from; ambient light only with ambientOcclusion.on"),
+            "the environment lights what it is seen from; ambient light only with ambientOcclusion.on")
+            .usedBy(Integrator::Whitted),
         row<&S::skyLight, &SkyLightSettings::samples>("skyLight.samples", {1, 4096}, "rays",
-                                                      "rays per point for the light of the sky"),
-        with("path", forStills("path", row<&S::integrator>(
-                                           "integrator",
-                                           "whitted: mirrors, glass and light that comes straight; path: all "
-                                           "light, also from surface to surface; only for stills"))),
+                                                      "rays per point for the light of the sky")
+            .usedBy(Integrator::Whitted)
+            .inBrowsers({.maximum = 256}),
+        row<&S::integrator>("integrator", "whitted: mirrors, glass and light that comes straight; path: all "
+                                          "light, also from surface to surface; only for stills")
+            .forStills("path")
+            .in("path")
+            .notInBrowsers(),
         row<&S::path, &Path::samples>("path.samples", {1, 1 << 20}, "samples",
-                                      "paths per pixel; 4 times as many halve the noise"),
+                                      "paths per pixel; 4 times as many halve the noise")
+            .called("Samples per pixel")
+            .changing(SettingChange::Pace)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::path, &Path::bounces>("path.bounces", {0, 128}, "bounces",
-                                      "most bounces of a path; 0: only light that comes straight"),
+                                      "most bounces of a path; 0: only light that comes straight")
+            .called("Max. bounces")
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::path, &Path::rouletteFrom>(
             "path.rouletteFrom", {0, 128}, "",
-            "bounce from which weak paths may end by chance: less work, more noise, the same mean"),
-        zeroIs("off", row<&S::path, &Path::clampIndirect>(
-                          "path.clampIndirect", {0, kUnlimited}, "radiance",
-                          "most that a bounce after the first adds to a sample: fewer bright dots, "
-                          "but some light is lost")),
+            "bounce from which weak paths may end by chance: less work, more noise, the same mean")
+            .called("Roulette from bounce")
+            .changing(SettingChange::Samples)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
+        row<&S::path, &Path::clampIndirect>(
+            "path.clampIndirect", {0, kUnlimited}, "radiance",
+            "most that a bounce after the first adds to a sample: fewer bright dots, "
+            "but some light is lost")
+            .zeroIs("off")
+            .called("Clamp indirect light")
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::path, &Path::caustics>(
-            "path.caustics", "light reaches surfaces by way of mirrors and glass, too: much more noise"),
+            "path.caustics", "light reaches surfaces by way of mirrors and glass, too: much more noise")
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::path, &Path::emitters>(
-            "path.emitters", "surfaces that emit light others; automatic: unless lights stand in them"),
-        row<&S::path, &Path::seed>("path.seed", {0, (1 << 24) - 1}, "", "another number gives other noise"),
-        zeroIs("off", row<&S::path, &Path::filter>("path.filter", {0, 8}, "passes",
-                                                   "of the filter that smooths noise of images by paths")),
+            "path.emitters", "surfaces that emit light others; automatic: unless lights stand in them")
+            .called("Light from emission")
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
+        row<&S::path, &Path::seed>("path.seed", {0, (1 << 24) - 1}, "", "another number gives other noise")
+            .called("Seed of the noise")
+            .changing(SettingChange::Samples)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
+        row<&S::path, &Path::filter>("path.filter", {0, 8}, "passes",
+                                     "of the filter that smooths noise of images by paths")
+            .zeroIs("off")
+            .changing(SettingChange::Display)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::path, &Path::seedPerFrame>("path.seedPerFrame",
                                            "the number of a list's frame is added to the seed, so that noise "
-                                           "does not stand still in a film"),
-        row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
+                                           "does not stand still in a film")
+            .changing(SettingChange::Samples)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
+        row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp")
+            .changing(SettingChange::Samples),
         row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
                                               "focal length over the lens's diameter, of a film 36 mm wide: "
-                                              "smaller is more blurred"),
-        zeroIs("automatic", row<&S::depthOfField, &Lens::focus>(
-                                "depthOfField.focus", {0, kUnlimited}, "scene units",
-                                "distance of what is sharp; automatic: of what is in the middle")),
-        zeroIs("round", row<&S::depthOfField, &Lens::blades>("depthOfField.blades", {0, 32}, "",
-                                                             "corners of the aperture; fewer than 3: round")),
+                                              "smaller is more blurred")
+            .changing(SettingChange::Samples),
+        row<&S::depthOfField, &Lens::focus>("depthOfField.focus", {0, kUnlimited}, "scene units",
+                                            "distance of what is sharp; automatic: of what is in the middle")
+            .zeroIs("automatic")
+            .changing(SettingChange::Samples),
+        row<&S::depthOfField, &Lens::blades>("depthOfField.blades", {0, 32}, "",
+                                             "corners of the aperture; fewer than 3: round")
+            .zeroIs("round")
+            .changing(SettingChange::Samples),
         row<&S::fog, &FogSettings::on>("fog.on", "the scene's fog is shown"),
-        zeroIs("off", row<&S::fog, &FogSettings::shafts>(
-                          "fog.shafts", {0, 1024}, "rays",
-                          "shadow rays to each light along a ray through fog: shafts of light")),
-        zeroIs("off", row<&S::areaLights, &AreaLightSettings::samples>(
-                          "areaLights.samples", {0, 4096}, "rays",
-                          "shadow rays to each area light: soft shadows; off: area lights are points")),
-        zeroIs("off", row<&S::denoise, &DenoiseSettings::passes>("denoise.passes", {0, 8}, "passes",
-                                                                 "smooths noise, but not edges")),
-        zeroIs("off", row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
-                                                     "size of the bloom around bright spots")),
+        row<&S::fog, &FogSettings::shafts>(
+            "fog.shafts", {0, 1024}, "rays",
+            "shadow rays to each light along a ray through fog: shafts of light")
+            .zeroIs("off")
+            .inBrowsers({.maximum = 64}),
+        row<&S::areaLights, &AreaLightSettings::samples>(
+            "areaLights.samples", {0, 4096}, "rays",
+            "shadow rays to each area light: soft shadows; off: area lights are points")
+            .zeroIs("off")
+            .inBrowsers({.maximum = 64}),
+        row<&S::denoise, &DenoiseSettings::passes>("denoise.passes", {0, 8}, "passes",
+                                                   "smooths noise, but not edges")
+            .zeroIs("off")
+            .changing(SettingChange::Display),
+        row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
+                                       "size of the bloom around bright spots")
+            .zeroIs("off")
+            .changing(SettingChange::Display)
+            .inBrowsers({.maximum = 256}),
         row<&S::bloom, &Bloom::kernel>("bloom.kernel",
-                                       "blur of a plain lens, or the coloured rings of a perfect one"),
-        row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "fraction of all light that bloom spreads"),
+                                       "blur of a plain lens, or the coloured rings of a perfect one")
+            .changing(SettingChange::Display),
+        row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "fraction of all light that bloom spreads")
+            .changing(SettingChange::Display),
         row<&S::exposure, &Exposure::mode>("exposure.mode",
                                            "automatic follows the image's brightness, incident "
                                            "the light on what is seen: a white room stays "
-                                           "white, a black car black"),
+                                           "white, a black car black")
+            .changing(SettingChange::Display),
         row<&S::exposure, &Exposure::value>("exposure.value", {1e-30, 1e30}, "radiance",
-                                            "fixed exposure: radiance that is shown as half of white"),
+                                            "fixed exposure: radiance that is shown as half of white")
+            .changing(SettingChange::Display),
         row<&S::exposure, &Exposure::key>("exposure.key", {1e-4, 100}, "",
-                                          "exposure that is not fixed: larger is brighter"),
+                                          "exposure that is not fixed: larger is brighter")
+            .changing(SettingChange::Display),
         row<&S::exposure, &Exposure::brighterSeconds>("exposure.brighterSeconds", {0, 1000}, "seconds",
-                                                      "time to get used to more light, in real time"),
+                                                      "time to get used to more light, in real time")
+            .changing(SettingChange::Pace),
         row<&S::exposure, &Exposure::darkerSeconds>("exposure.darkerSeconds", {0, 1000}, "seconds",
-                                                    "time to get used to less light, in real time"),
+                                                    "time to get used to less light, in real time")
+            .changing(SettingChange::Pace),
         row<&S::exposure, &Exposure::local>("exposure.local", {0, 1}, "",
-                                            "how much the exposure of a region follows its own brightness"),
+                                            "how much the exposure of a region follows its own brightness")
+            .changing(SettingChange::Display),
         row<&S::exposure, &Exposure::recorded>("exposure.recorded",
                                                "exposures of .cam files in stills; scaled: brighter light of "
                                                "paths looks as bright as recorded, by "
-                                               "the list's first frame; automatic: measured anew"),
-        with("exposure", row<&S::toneMapping>(
-                             "toneMapping",
+                                               "the list's first frame; automatic: measured anew")
+            .called("Recorded exposures")
+            .changing(SettingChange::Display),
+        row<&S::toneMapping>("toneMapping",
                              "luminance keeps hues, channels lets bright colours fade to white, agx is like "
-                             "film, neutral keeps all but the brightest colours")),
-        with("exposure",
-             row<&S::toneContrast>("toneContrast", {0, 3}, "",
-                                   "contrast and colour of agx: 0 as soft as film, 1 punchy, and beyond")),
-        row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients"),
-        with("rays", row<&S::environmentFilter>("environmentFilter", "lookup in environment maps")),
+                             "film, neutral keeps all but the brightest colours")
+            .in("exposure")
+            .changing(SettingChange::Display),
+        row<&S::toneContrast>("toneContrast", {0, 3}, "",
+                              "contrast and colour of agx: 0 as soft as film, 1 punchy, and beyond")
+            .in("exposure")
+            .changing(SettingChange::Display),
+        row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients")
+            .changing(SettingChange::Display),
+        row<&S::environmentFilter>("environmentFilter", "lookup in environment maps").in("rays"),
     };
-}
-
-bool isUsed(const Setting& setting, Integrator integrator) {
-    if (integrator == Integrator::Whitted) return !setting.name.starts_with("path.");
-    return std::none_of(kOfWhitted.begin(), kOfWhitted.end(),
-                        [&](std::string_view each) { return setting.name == each || setting.group == each; });
 }
 
 const std::vector<Setting>& table() {
     static const std::vector<Setting> rows = makeTable();
     return rows;
+}
+
+/// "brighterSeconds": "Brighter seconds".
+std::string spacedWords(std::string_view name) {
+    const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    std::string text;
+    for (const char c : name) {
+        if (isCapital(c) && !text.empty()) text += ' ';
+        const bool first = text.empty();
+        text += first && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A')
+                : !first && isCapital(c)      ? static_cast<char>(c - 'A' + 'a')
+                                              : c;
+    }
+    return text;
 }
 
 std::string textOf(double limit) { return settingText(static_cast<float>(limit)); }
@@ -433,7 +554,7 @@ std::vector<std::string_view> unusedSettings(const RenderSettings& settings,
                                              std::span<const SettingAssignment> asked) {
     std::vector<std::string_view> names;
     for (const Setting& setting : table()) {
-        if (isUsed(setting, settings.integrator)) continue;
+        if (!setting.integrator || *setting.integrator == settings.integrator) continue;
         const bool given = std::any_of(asked.begin(), asked.end(), [&](const SettingAssignment& each) {
             return findSetting(each.name) == &setting && each.value != setting.defaultValue;
         });
@@ -442,11 +563,26 @@ std::vector<std::string_view> unusedSettings(const RenderSettings& settings,
     return names;
 }
 
+bool sameLight(const RenderSettings& a, const RenderSettings& b) {
+    return std::ranges::all_of(table(), [&](const Setting& setting) {
+        return setting.changes != SettingChange::Light || setting.get(a) == setting.get(b);
+    });
+}
+
 std::string settingText(const SettingValue& value) {
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const int* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
     if (const std::string* name = std::get_if<std::string>(&value)) return *name;
     return shortestText(std::get<float>(value));
+}
+
+std::string settingLabel(std::string_view name) {
+    if (name.empty()) return "Image";
+    if (const Setting* const setting = findSetting(name); setting != nullptr && !setting->label.empty())
+        return std::string(setting->label);
+    const auto* const known = std::ranges::find(kLabels, name, [](const auto& each) { return each.first; });
+    if (known != kLabels.end()) return std::string(known->second);
+    return spacedWords(name.substr(name.rfind('.') + 1));
 }
 
 std::string settingRange(const Setting& setting) {

@@ -4,6 +4,7 @@
 
 #include "rtcore/settings/render_settings.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +16,23 @@ namespace rtcore {
 /// The value of one setting. An enumerator goes by its name ("automatic").
 using SettingValue = std::variant<bool, int, float, std::string>;
 
+inline constexpr double kUnlimited = 3.4028234663852886e38; ///< the largest float
+
 enum class SettingType { Boolean, Integer, Number, Choice };
+
+/// What a change of a setting makes invalid, each with all that follow but Pace.
+enum class SettingChange {
+    Light,   ///< the radiance of surfaces, which live frames keep
+    Samples, ///< which of it an image has: its size, its rays
+    Display, ///< how radiance is shown
+    Pace,    ///< nothing: only how fast, or with how much noise, the same image comes about
+};
+
+/// What a page in a browser may ask for.
+struct BrowserRange {
+    double minimum = -kUnlimited, maximum = kUnlimited; ///< beside those of the setting
+    bool offered = true;                                ///< false: pages have no such row
+};
 
 /// One row. The views are valid for the whole run of the program.
 struct Setting {
@@ -37,9 +54,14 @@ struct Setting {
     void (*set)(RenderSettings&, const SettingValue&); ///< takes only what checkSetting() returns
 
     std::string_view stillChoice = {}; ///< Choice: the one that is for stills only, not for the live view
-};
+    std::string_view label = {};       ///< what it is called where its name says too little (settingLabel())
+    SettingChange changes = SettingChange::Light;
+    std::optional<Integrator> integrator = {}; ///< the only one that uses it
+    BrowserRange browser = {};
 
-inline constexpr double kUnlimited = 3.4028234663852886e38; ///< the largest float
+    /// Images that differ in it are different images; else one may go on where the other ended.
+    bool isOfImage() const { return changes == SettingChange::Light || changes == SettingChange::Samples; }
+};
 
 /// All rows, in the order in which they are shown. Safe from many threads.
 std::span<const Setting> settingsTable();
@@ -90,6 +112,13 @@ std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings
 /// `settings` does not use; in the order of the table.
 std::vector<std::string_view> unusedSettings(const RenderSettings& settings,
                                              std::span<const SettingAssignment> asked);
+
+/// Whether light of surfaces that is known by `a` holds by `b`: all settings that change it are the same.
+bool sameLight(const RenderSettings& a, const RenderSettings& b);
+
+/// What a setting, a group of them, a choice or the word for 0 is called, in English: "Brighter seconds" of
+/// "exposure.brighterSeconds", "Image" of "".
+std::string settingLabel(std::string_view name);
 
 /// The value as parseSetting reads it; numbers in the fewest digits that keep every bit.
 std::string settingText(const SettingValue& value);

@@ -127,8 +127,8 @@ TEST_F(Door, TakesTheRightTokenOfTheRightVersion) {
     } rows[] = {{"", {}, 4003},
                 {"wrong", {}, 4003},
                 {std::string(kDriver) + "x", {}, 4003},
-                {kDriver, {{"v", 2}}, 4010},
-                {kDriver, {{"v", "1"}}, 4010},
+                {kDriver, {{"v", 1}}, 4010},
+                {kDriver, {{"v", "2"}}, 4010},
                 {kDriver, {{"instance", "no"}}, 4004}};
     for (const auto& row : rows) {
         WebClient client(port);
@@ -196,7 +196,7 @@ class OnceDoor : public BridgeTest {
 TEST_F(OnceDoor, LetsOnePageInByEachDriversLink) {
     const std::string link = last("Driver: ");
     EXPECT_EQ(codeFor(link, {{"instance", "no"}}), 4004);
-    EXPECT_EQ(codeFor(link, {{"v", 2}}), 4010);
+    EXPECT_EQ(codeFor(link, {{"v", 1}}), 4010);
     WebClient first(port);
     first.hello(link);
     const nlohmann::json welcome = first.event("welcome");

@@ -26,8 +26,8 @@ bool mayUndo(WebClient& client) {
 TEST_F(Requests, ReachTheServerAsCommands) {
     const auto client = join();
     EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true);
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
-    EXPECT_EQ(client->request({{"do", "light"}, {"light", 3}, {"on", false}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", 3}}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "light"}, {"args", {3, "off"}}})["ok"], true);
     EXPECT_EQ(server->commands(), (std::vector<std::string>{"walk", "set maxDepth 3", "light 3 off"}));
 }
 
@@ -48,9 +48,9 @@ TEST_F(Requests, AreFourAtOnceAtMost) {
 
 TEST_F(Requests, ThatAreNotOnTheListNeverDo) {
     const auto client = join();
-    for (const char* name :
-         {"exit", "quit", "load scene", "loadScene", "save", "screenshot", "export scene", "key press",
-          "bind", "parent", "idle", "scene", "environmentOpen", "play", "hello", "", "walk\nexit"}) {
+    for (const char* name : {"exit", "quit", "load scene", "loadScene", "save", "screenshot", "export scene",
+                             "key press", "bind", "parent", "idle", "scene", "environment open", "play",
+                             "light name", "bookmark add", "hello", "", "walk\nexit"}) {
         const json answer = client->request({{"do", name}, {"file", "/etc/passwd"}});
         EXPECT_EQ(answer["ok"], false) << name;
     }
@@ -78,7 +78,7 @@ TEST_F(Requests, UndoOnlyTheSessionsOwnEdit) {
     const auto client = join();
     EXPECT_EQ(client->event("state")["mayUndo"], false);
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", 3}}})["ok"], true);
     ASSERT_TRUE(mayUndo(*client));
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], true);
     EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo 2"}));
@@ -88,7 +88,7 @@ TEST_F(Requests, UndoOnceHoweverOftenTheyAskAtOnce) {
     server->edit("set bloom.radius"); // of the window
     const auto client = join();
     EXPECT_FALSE(client->event("state").is_null());
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", 3}}})["ok"], true);
     ASSERT_TRUE(mayUndo(*client));
     for (int id = 100; id < 103; ++id) client->sendText(fmt::format(R"({{"id":{},"do":"undo"}})", id));
     int done = 0;
@@ -102,7 +102,7 @@ TEST_F(Requests, ThatChangeNothingMakeNobodysEditOnesOwn) {
     server->edit("set bloom.radius"); // of the window
     const auto client = join();
     EXPECT_FALSE(client->event("state").is_null());
-    EXPECT_EQ(client->request({{"do", "light"}, {"light", 3}, {"on", true}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "light"}, {"args", {3, "on"}}})["ok"], true);
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
     std::this_thread::sleep_for(100ms); // the state is told
     server->edit("set maxDepth");
@@ -119,7 +119,7 @@ TEST_F(Requests, ThatChangeNothingMakeNobodysEditOnesOwn) {
 TEST_F(Requests, UndoNoEditThatAnotherClientMadeInItsPlace) {
     const auto client = join();
     EXPECT_FALSE(client->event("state").is_null());
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", 3}}})["ok"], true);
     ASSERT_TRUE(mayUndo(*client));
     server->undo();
     server->edit("set maxDepth");
@@ -152,10 +152,10 @@ class LockedEdits : public BridgeTest {
 
 TEST_F(LockedEdits, ChangeNothingButTheView) {
     const auto client = join();
-    for (const json& request : {json{{"do", "set"}, {"name", "maxDepth"}, {"value", 3}},
-                                json{{"do", "light"}, {"light", 3}, {"on", false}}, json{{"do", "undo"}},
-                                json{{"do", "pause"}}, json{{"do", "partHide"}, {"parts", {1}}},
-                                json{{"do", "resolution"}, {"width", 64}, {"height", 64}}})
+    for (const json& request :
+         {json{{"do", "set"}, {"args", {"maxDepth", 3}}}, json{{"do", "light"}, {"args", {3, "off"}}},
+          json{{"do", "undo"}}, json{{"do", "pause"}}, json{{"do", "part hide"}, {"args", {1}}},
+          json{{"do", "resolution"}, {"args", {64, 64}}}})
         EXPECT_EQ(client->request(request)["ok"], false) << request;
     EXPECT_EQ(client->request({{"do", "fly"}})["ok"], true);
     EXPECT_EQ(server->commands(), std::vector<std::string>{"fly"});
@@ -183,7 +183,7 @@ TEST_F(Requests, ThatMendHeavyFramesAreNotSetBack) {
         status = client->event("status");
         ASSERT_FALSE(status.is_null());
     }
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "antialiasing"}, {"value", 1}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"antialiasing", 1}}})["ok"], true);
     std::this_thread::sleep_for(500ms);
     EXPECT_EQ(server->commands(), std::vector<std::string>{"set antialiasing 1"});
 }
@@ -196,12 +196,13 @@ TEST_F(Requests, WhatMakesFramesLastForSecondsIsSetBack) {
     server->hang();
     std::this_thread::sleep_for(200ms);
     for (const int value : {7, 8})
-        EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", value}})["ok"], true);
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "antialiasing"}, {"value", 4}})["ok"], true);
-    EXPECT_EQ(client->request({{"do", "resolution"}, {"width", 1600}, {"height", 900}})["ok"], true);
+        EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", value}}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"antialiasing", 4}}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "resolution"}, {"args", {1600, 900}}})["ok"], true);
     json notice = client->event("notice", 8s);
     while (!notice.is_null() && notice["code"] != "heavy") notice = client->event("notice", 8s);
     ASSERT_FALSE(notice.is_null());
+    EXPECT_EQ(notice["back"], (json{"antialiasing", "maxDepth", "size"}));
     ASSERT_TRUE(eventually([&] { return server->commands().size() == 7; })) << "four of the page, three back";
     const std::vector<std::string> commands = server->commands();
     const rtcore::RenderSettings before;
@@ -217,7 +218,7 @@ TEST_F(Requests, WhatMakesWholeFramesLastForSecondsIsSetBack) {
     EXPECT_FALSE(client->event("state").is_null());
     server->move(20);
     server->tellFrameSeconds(0.1);
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 60}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", 60}}})["ok"], true);
     std::this_thread::sleep_for(1s);
     EXPECT_EQ(server->commands().size(), 1U);
     server->tellWholeSeconds(5.5);
@@ -232,7 +233,7 @@ TEST_F(Requests, WhatMakesWholeFramesLastForSecondsIsSetBack) {
 TEST_F(Requests, WhatWasQuickAtRestStays) {
     const auto client = join();
     EXPECT_FALSE(client->event("state").is_null());
-    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"args", {"maxDepth", 3}}})["ok"], true);
     std::this_thread::sleep_for(1500ms);
     server->tellWholeSeconds(9);
     server->move(20);
@@ -307,14 +308,14 @@ class DamagedMessages {
 
     std::mt19937 random_{11};
     const std::vector<json> samples_{
-        {{"id", 1}, {"do", "camera"}, {"eye", {0, 1, 2}}, {"forward", {0, 0, -1}}, {"fov", 60}},
-        {{"id", 2}, {"do", "set"}, {"name", "maxDepth"}, {"value", 3}},
-        {{"id", 3}, {"do", "materialSet"}, {"number", 1}, {"key", "diffuse"}, {"value", {1, 1, 1}}},
+        {{"id", 1}, {"do", "camera set"}, {"args", {0, 1, 2, 0, 0, -1, 60}}},
+        {{"id", 2}, {"do", "set"}, {"args", {"maxDepth", 3}}},
+        {{"id", 3}, {"do", "material set"}, {"args", {1, "diffuse", 1, 1, 1}}},
         {{"id", 4}, {"do", "ask"}},
-        {{"id", 5}, {"do", "partHide"}, {"parts", {1, 2, 3}}},
-        {{"id", 6}, {"do", "light"}, {"light", 3}, {"on", false}},
-        {{"id", 7}, {"do", "resolution"}, {"width", 64}, {"height", 64}},
-        {{"do", "hello"}, {"v", 1}, {"token", "x"}, {"name", "n"}, {"view", {{"w", 64}, {"h", 48}}}}};
+        {{"id", 5}, {"do", "part hide"}, {"args", {1, 2, 3}}},
+        {{"id", 6}, {"do", "light"}, {"args", {3, "off"}}},
+        {{"id", 7}, {"do", "resolution"}, {"args", {64, 64}}},
+        {{"do", "hello"}, {"v", 2}, {"token", "x"}, {"name", "n"}, {"view", {{"w", 64}, {"h", 48}}}}};
     const json odd_ = json::parse(
         R"([null, true, 0, -1, 3, 0.5, 1e300, -1e300, 5e-324, 2147483647, -2147483648, 4294967295,
             18446744073709551615, -9223372036854775808, "", "maxDepth", "diffuse", "a b", "a\nb",

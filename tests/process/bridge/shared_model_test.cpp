@@ -37,7 +37,7 @@ class SharedModel : public LiveServer {
 
 TEST_F(SharedModel, APageTakesBackNoEditOfAShell) {
     const auto client = page();
-    const json edit{{"do", "set"}, {"name", "shadows"}, {"value", false}};
+    const json edit{{"do", "set"}, {"args", {"shadows", false}}};
     EXPECT_EQ(client->request(edit)["ok"], true);
     ASSERT_TRUE(tells(*client, "mayUndo", true));
     ask({"undo"});
@@ -48,7 +48,7 @@ TEST_F(SharedModel, APageTakesBackNoEditOfAShell) {
     // Nor does a drag of the page become part of the shell's edit.
     json drag = edit;
     drag["also"] = true;
-    drag["value"] = true;
+    drag["args"] = {"shadows", true};
     EXPECT_EQ(client->request(drag)["ok"], true);
     ASSERT_TRUE(tells(*client, "mayUndo", true));
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], true);

@@ -170,7 +170,7 @@ void WebClient::shakeHands(const std::string& host, const std::string& origin, c
 
 bool WebClient::hello(const std::string& token, const std::string& name, nlohmann::json more) {
     more["do"] = "hello";
-    if (!more.contains("v")) more["v"] = 1;
+    if (!more.contains("v")) more["v"] = 2;
     more["token"] = token;
     more["name"] = name;
     return sendText(more.dump());

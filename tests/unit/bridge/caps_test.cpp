@@ -32,7 +32,7 @@ const std::set<std::string_view> kCheap{
 
 bool takes(std::string_view name, const json& value, const Limits& limits = {}) {
     try {
-        bridge::planRequest({{"do", "set"}, {"name", name}, {"value", value}}, {limits, {}});
+        bridge::planRequest({{"do", "set"}, {"args", {name, value}}}, {limits, {}});
         return true;
     } catch (const bridge::Refused&) {
         return false;
@@ -44,12 +44,12 @@ bool isNumber(const rtcore::Setting& setting) {
 }
 
 bool isCapped(const rtcore::Setting& setting) {
-    return std::ranges::find(bridge::kCaps, setting.name, &bridge::SettingCap::name) != bridge::kCaps.end();
+    return setting.browser.maximum < rtcore::kUnlimited || setting.browser.minimum > -rtcore::kUnlimited;
 }
 
 TEST(Caps, DecideEachNumberOfTheTable) {
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {
-        if (!bridge::isOffered(setting) || !isNumber(setting)) continue;
+        if (!setting.browser.offered || !isNumber(setting)) continue;
         EXPECT_NE(isCapped(setting), kCheap.contains(setting.name)) << setting.name;
     }
     for (const std::string_view name : kCheap) EXPECT_NE(rtcore::findSetting(name), nullptr) << name;
@@ -57,7 +57,7 @@ TEST(Caps, DecideEachNumberOfTheTable) {
 
 TEST(Caps, HoldForEachSettingOfTheTable) {
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {
-        if (!bridge::isOffered(setting) || !isNumber(setting)) continue;
+        if (!setting.browser.offered || !isNumber(setting)) continue;
         const double most = bridge::mostOf(setting), least = bridge::leastOf(setting);
         EXPECT_LE(most, setting.maximum) << setting.name;
         EXPECT_GE(least, setting.minimum) << setting.name;
@@ -76,7 +76,7 @@ TEST(Caps, HoldForEachSettingOfTheTable) {
 
 TEST(Caps, LeaveDefaultsWithinThem) {
     for (const rtcore::Setting& setting : rtcore::settingsTable())
-        EXPECT_TRUE(!bridge::isOffered(setting) ||
+        EXPECT_TRUE(!setting.browser.offered ||
                     takes(setting.name,
                           std::visit([](const auto& each) { return json(each); }, setting.defaultValue)))
             << setting.name;
@@ -102,7 +102,7 @@ TEST(Caps, OfPixelsHoldForAnyTwoSides) {
     const auto taken = [](std::int64_t width, std::int64_t height) {
         const Limits limits;
         try {
-            bridge::planRequest({{"do", "resolution"}, {"width", width}, {"height", height}}, {limits, {}});
+            bridge::planRequest({{"do", "resolution"}, {"args", {width, height}}}, {limits, {}});
             return true;
         } catch (const bridge::Refused&) {
             return false;
@@ -119,7 +119,7 @@ TEST(Caps, OfPixelsHoldForAnyTwoSides) {
 
 TEST(Caps, OfLightsHoldForNewOnesAndCopies) {
     const Limits limits;
-    const json add{{"do", "lightAdd"}, {"kind", "sphere"}}, copy{{"do", "lightCopy"}, {"light", 1}};
+    const json add{{"do", "light add"}, {"args", {"sphere"}}}, copy{{"do", "light copy"}, {"args", {1}}};
     for (const json& request : {add, copy}) {
         EXPECT_NO_THROW(bridge::planRequest(request, {limits, {}, bridge::kMostLights - 1})) << request;
         EXPECT_THROW(bridge::planRequest(request, {limits, {}, bridge::kMostLights}), bridge::Refused)

@@ -5,10 +5,12 @@
 #include "bridge/report/metrics.h"
 #include "bridge/report/status.h"
 #include "bridge/stream/rung.h"
+#include "bridge/stream/wire.h"
 
 #include "common/cli/command_names.h"
 #include "support/document_section.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <sstream>
@@ -36,19 +38,54 @@ TEST(BridgeDocument, HasTheOptions) {
     }
 }
 
-TEST(BridgeDocument, HasEveryRequest) {
-    const std::string page = pageText();
-    for (const bridge::RequestName& row : bridge::requestNames())
-        EXPECT_NE(page.find("`" + std::string(row.name) + "`"), std::string::npos) << row.name;
+/// Arguments as the manual shows them, with ranges.
+std::string argumentText(const app::CommandSpec& command) {
+    std::string text;
+    for (const auto& [name, row] : bridge::commandTableJson()[std::string(command.name)].items()) {
+        if (!row.contains("min") && !row.contains("max")) continue;
+        const auto limit = [&](const char* key) { return fmt::format("{:g}", row[key].get<double>()); };
+        text += fmt::format("{}{}: {}{}", text.empty() ? "" : ", ", row["name"].get<std::string>(),
+                            row.contains("min") ? limit("min") : "",
+                            row.contains("max") ? (row.contains("min") ? " to " : "up to ") + limit("max")
+                                                : " or more");
+    }
+    return text;
 }
 
-TEST(BridgeDocument, HasTheCapsThatItNames) {
-    const auto most = [](std::string_view name) {
-        return std::ranges::find(bridge::kCaps, name, &bridge::SettingCap::name)->most;
-    };
-    EXPECT_EQ(most("antialiasing"), 4);
-    EXPECT_EQ(most("areaLights.samples"), 64);
-    EXPECT_EQ(bridge::kMostLights, 64U);
+TEST(BridgeDocument, HasTheCommands) {
+    const std::pair<app::BrowserUse, const char*> kinds[] = {{app::BrowserUse::Look, "looking"},
+                                                             {app::BrowserUse::Move, "moving"},
+                                                             {app::BrowserUse::Edit, "editing"}};
+    for (const auto& [use, title] : kinds) {
+        std::string rows = test::tableRow({"`do`", "`args`", "ranges"}) + "|---|---|---|\n";
+        for (const app::CommandSpec& command : app::commandTable()) {
+            if (command.browser != use) continue;
+            const std::string arguments = app::argumentsLabel(command);
+            rows += test::tableRow({fmt::format("`{}`", command.name),
+                                    arguments.empty() ? "" : fmt::format("`{}`", arguments),
+                                    argumentText(command)});
+        }
+        test::expectSection(kPage, std::string("Commands for ") + title, rows);
+    }
+}
+
+TEST(BridgeDocument, HasTheCaps) {
+    std::string rows = test::tableRow({"setting", "from", "to"}) + "|---|---|---|\n";
+    for (const rtcore::Setting& setting : rtcore::settingsTable()) {
+        const bool above = setting.browser.minimum > -rtcore::kUnlimited;
+        const bool below = setting.browser.maximum < rtcore::kUnlimited;
+        if (above || below)
+            rows += test::tableRow({fmt::format("`{}`", setting.name),
+                                    above ? fmt::format("{:g}", setting.browser.minimum) : "",
+                                    below ? fmt::format("{:g}", setting.browser.maximum) : ""});
+    }
+    test::expectSection(kPage, "Caps of settings", rows);
+    EXPECT_NE(pageText().find(fmt::format("{} lights", bridge::kMostLights)), std::string::npos);
+}
+
+TEST(BridgeDocument, HasTheVersion) {
+    EXPECT_NE(pageText().find(fmt::format("This is protocol version {}.", bridge::kPageVersion)),
+              std::string::npos);
 }
 
 TEST(BridgeDocument, HasEveryMetric) {

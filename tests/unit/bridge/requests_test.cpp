@@ -1,4 +1,3 @@
-#include "bridge/control/command_use.h"
 #include "bridge/control/requests.h"
 #include "bridge/control/setting_value.h"
 
@@ -34,194 +33,248 @@ std::string refusalOf(const json& request, const Limits& limits = {}) {
 
 #define EXPECT_REFUSED(...) EXPECT_THROW(lineOf(__VA_ARGS__), Refused)
 
-TEST(CommandUse, DecidesEachCommandOfTheServer) {
-    std::set<app::CommandId> asked;
-    for (const bridge::RequestName& row : bridge::requestNames()) asked.insert(row.command);
-    for (const app::CommandSpec& command : app::commandTable()) {
-        const bool request = bridge::commandUse(command.id) == bridge::CommandUse::Request;
-        const bool byPrefix = command.id == app::CommandId::Also;
-        EXPECT_EQ(request && !byPrefix, asked.contains(command.id)) << command.name;
-        if (command.runner == app::Runner::Shell) {
-            EXPECT_EQ(bridge::commandUse(command.id), bridge::CommandUse::Forbidden) << command.name;
-        }
-    }
+json request(const char* command, const json& arguments = json::array()) {
+    return {{"do", command}, {"args", arguments}};
 }
 
-TEST(CommandUse, LetsNothingWithAPathThrough) {
+std::set<std::string_view> commandsFor(app::BrowserUse use) {
+    std::set<std::string_view> names;
+    for (const app::CommandSpec& command : app::commandTable())
+        if (command.browser == use) names.insert(command.name);
+    return names;
+}
+
+/// What pages may bring about. A row of the table that says more than this list is a mistake there, or is put
+/// here on purpose.
+TEST(BrowserUse, IsPermittedToTheseAlone) {
+    using Names = std::set<std::string_view>;
+    EXPECT_EQ(commandsFor(app::BrowserUse::Own),
+              (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
+    EXPECT_EQ(commandsFor(app::BrowserUse::Look), (Names{"material get", "materials", "parts", "seen"}));
+    EXPECT_EQ(
+        commandsFor(app::BrowserUse::Move),
+        (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
+               "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",
+               "camera reset", "camera set", "camera view", "camera zoom", "fly", "focus", "speed", "walk"}));
+    EXPECT_EQ(commandsFor(app::BrowserUse::Edit), (Names{"bloom",
+                                                         "defaults",
+                                                         "environment",
+                                                         "environment none",
+                                                         "environment rotation",
+                                                         "environment strength",
+                                                         "light",
+                                                         "light add",
+                                                         "light aim",
+                                                         "light angles",
+                                                         "light colour",
+                                                         "light copy",
+                                                         "light kind",
+                                                         "light mirrored",
+                                                         "light move",
+                                                         "light power",
+                                                         "light remove",
+                                                         "light size",
+                                                         "light temperature",
+                                                         "look",
+                                                         "material reset",
+                                                         "material set",
+                                                         "part hide",
+                                                         "part isolate",
+                                                         "part show",
+                                                         "part show-all",
+                                                         "pause",
+                                                         "redo",
+                                                         "resolution",
+                                                         "resume",
+                                                         "set",
+                                                         "sky",
+                                                         "sky date",
+                                                         "sky direction",
+                                                         "sky ground",
+                                                         "sky haze",
+                                                         "sky hour",
+                                                         "sky north",
+                                                         "sky place",
+                                                         "sky strength",
+                                                         "sky turbidity",
+                                                         "undo"}));
+    for (const app::CommandSpec& command : app::commandTable())
+        EXPECT_TRUE(command.runner != app::Runner::Shell || command.browser == app::BrowserUse::Forbidden)
+            << command.name;
+}
+
+TEST(BrowserUse, LetsNoTextAndNoPathThrough) {
+    using enum app::ArgumentType;
     for (const app::CommandSpec& command : app::commandTable()) {
-        for (const app::CommandArgument& argument : command.arguments) {
-            if (argument.type != app::ArgumentType::Path) continue;
-            EXPECT_EQ(bridge::commandUse(command.id), bridge::CommandUse::Forbidden) << command.name;
-        }
+        if (!bridge::isRequest(command)) continue;
+        for (const app::CommandArgument& argument : command.arguments)
+            for (const app::ArgumentType type : {Path, Text, Key, Action})
+                EXPECT_NE(argument.type, type) << command.name << " " << argument.name;
     }
-    for (const auto id : {app::CommandId::Exit, app::CommandId::Quit, app::CommandId::Parent,
-                          app::CommandId::Bind, app::CommandId::KeyPress, app::CommandId::Scene,
-                          app::CommandId::ExportVideoStart, app::CommandId::Save})
-        EXPECT_EQ(bridge::commandUse(id), bridge::CommandUse::Forbidden) << app::commandOf(id).name;
 }
 
 TEST(Requests, BecomeLinesOfTheServersCommands) {
-    EXPECT_EQ(lineOf({{"do", "camera"}, {"eye", {0, 1.5, 2}}, {"forward", {0, 0, -1}}}),
-              "camera set 0 1.5 2 0 0 -1");
-    EXPECT_EQ(
-        lineOf(
-            {{"do", "camera"}, {"eye", {0, 1, 2}}, {"forward", {0, 0, -1}}, {"fov", 70}, {"up", {0, 1, 0}}}),
-        "camera set 0 1 2 0 0 -1 70 0 1 0");
-    EXPECT_EQ(lineOf({{"do", "set"}, {"name", "bloom.radius"}, {"value", 8}, {"also", true}}),
-              "also set bloom.radius 8");
-    EXPECT_EQ(lineOf({{"do", "set"}, {"name", "exposure.mode"}, {"value", "fixed"}}),
-              "set exposure.mode fixed");
-    EXPECT_EQ(lineOf({{"do", "light"}, {"light", 3}, {"on", false}}), "light 3 off");
-    EXPECT_EQ(lineOf({{"do", "lightMove"}, {"light", 3}, {"to", "seen"}, {"x", 0.25}, {"y", 0.5}}),
-              "light move 3 seen 0.25 0.5");
-    EXPECT_EQ(lineOf({{"do", "lightAim"}, {"light", 3}, {"along", {0, -1, 0}}}), "light aim 3 along 0 -1 0");
-    EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"lumens", 800}}), "light power 3 800 lm");
-    EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"lux", 5000}}), "light power 3 5000 lx");
-    EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"watts", 5}}), "light power 3 5");
-    EXPECT_EQ(lineOf({{"do", "lightSize"}, {"light", 3}, {"angle", 0.53}}), "light size 3 0.53");
-    EXPECT_EQ(lineOf({{"do", "lightMirrored"}, {"light", 3}, {"on", true}}), "light mirrored 3 on");
-    EXPECT_EQ(lineOf({{"do", "lightTemperature"}, {"light", 3}, {"kelvin", nullptr}}),
-              "light temperature 3 none");
-    EXPECT_EQ(lineOf({{"do", "environment"}, {"number", nullptr}}), "environment none");
-    EXPECT_EQ(lineOf({{"do", "skyDate"}, {"year", 2026}, {"month", 6}, {"day", 1}}), "sky date 2026-06-01");
-    EXPECT_EQ(lineOf({{"do", "partHide"}, {"parts", {1, 5}}}), "part hide 1 5");
-    EXPECT_EQ(lineOf({{"do", "materialSet"}, {"number", 2}, {"key", "diffuse"}, {"value", {1, 0.5, 0}}}),
-              "material set 2 diffuse 1 0.5 0");
+    EXPECT_EQ(lineOf(request("camera set", {0, 1.5, 2, 0, 0, -1})), "camera set 0 1.5 2 0 0 -1");
+    EXPECT_EQ(lineOf(request("camera set", {0, 1, 2, 0, 0, -1, 70, 0, 1, 0})),
+              "camera set 0 1 2 0 0 -1 70 0 1 0");
+    json also = request("set", {"bloom.radius", 8});
+    also["also"] = true;
+    EXPECT_EQ(lineOf(also), "also set bloom.radius 8");
+    EXPECT_EQ(lineOf(request("set", {"exposure.mode", "fixed"})), "set exposure.mode fixed");
+    EXPECT_EQ(lineOf(request("light", {3, "off"})), "light 3 off");
+    EXPECT_EQ(lineOf(request("light move", {3, "seen", 0.25, 0.5})), "light move 3 seen 0.25 0.5");
+    EXPECT_EQ(lineOf(request("light aim", {3, "along", 0, -1, 0})), "light aim 3 along 0 -1 0");
+    EXPECT_EQ(lineOf(request("light power", {3, 800, "lm"})), "light power 3 800 lm");
+    EXPECT_EQ(lineOf(request("light power", {3, 5})), "light power 3 5");
+    EXPECT_EQ(lineOf(request("light temperature", {3, "none"})), "light temperature 3 none");
+    EXPECT_EQ(lineOf(request("environment none")), "environment none");
+    EXPECT_EQ(lineOf(request("sky date", {"2026-06-01"})), "sky date 2026-06-01");
+    EXPECT_EQ(lineOf(request("part hide", {1, 5})), "part hide 1 5");
+    EXPECT_EQ(lineOf(request("camera fit")), "camera fit");
+    EXPECT_EQ(lineOf(request("material set", {2, "diffuse", 1, 0.5, 0})), "material set 2 diffuse 1 0.5 0");
+    EXPECT_EQ(lineOf(request("material set", {2, "textures", false})), "material set 2 textures false");
     EXPECT_EQ(lineOf({{"do", "undo"}}), "undo");
 }
 
 TEST(Requests, NameBookmarksByNumber) {
-    EXPECT_EQ(lineOf({{"do", "bookmark"}, {"number", 1}}), "bookmark go altar");
-    const std::vector<std::string> words = app::splitWords(lineOf({{"do", "bookmark"}, {"number", 2}}));
+    EXPECT_EQ(lineOf(request("bookmark go", {1})), "bookmark go altar");
+    const std::vector<std::string> words = app::splitWords(lineOf(request("bookmark go", {2})));
     ASSERT_EQ(words.size(), 3U);
     EXPECT_EQ(words[2], kBookmarks[1]);
-    EXPECT_REFUSED({{"do", "bookmark"}, {"number", 3}});
-    EXPECT_REFUSED({{"do", "bookmark"}, {"number", 0}});
+    for (const json& wrong : {json(3), json(0), json(1.5), json("altar"), json(1e300)})
+        EXPECT_REFUSED(request("bookmark go", {wrong})) << wrong;
+}
+
+TEST(Requests, TakeEachWordOfTheTables) {
+    for (const app::CommandSpec& command : app::commandTable()) {
+        if (!bridge::isRequest(command) || command.arguments.empty()) continue;
+        const app::CommandArgument& last = command.arguments.back();
+        if (command.arguments.size() > 2 || last.words.empty()) continue;
+        for (const std::string_view word : app::wordsOf(last)) {
+            json arguments = json::array({1});
+            if (command.arguments.size() == 1) arguments.clear();
+            arguments.push_back(word);
+            EXPECT_TRUE(lineOf({{"do", command.name}, {"args", arguments}}).ends_with(word)) << word;
+        }
+    }
 }
 
 TEST(Requests, OutOfRangeOrOfAnotherTypeAreRefused) {
-    const std::vector<json> wrong{
-        json::array(),
-        {{"do", 1}},
-        {{"do", "exit"}},
-        {{"do", "load scene"}},
-        {{"do", "screenshot"}, {"file", "/etc/passwd"}},
-        {{"do", "camera"}},
-        {{"do", "camera"}, {"eye", {0, 1}}, {"forward", {0, 0, -1}}},
-        {{"do", "camera"}, {"eye", {0, 1, "x"}}, {"forward", {0, 0, -1}}},
-        {{"do", "camera"}, {"eye", {0, 1, 1e31}}, {"forward", {0, 0, -1}}},
-        {{"do", "camera"}, {"eye", {0, 1, 0}}, {"forward", {0, 0, -1}}, {"fov", 180}},
-        {{"do", "set"}, {"name", "nothing"}, {"value", 1}},
-        {{"do", "set"}, {"name", "maxDepth"}, {"value", 2.5}},
-        {{"do", "set"}, {"name", "maxDepth"}, {"value", true}},
-        {{"do", "set"}, {"name", "maxDepth"}, {"value", {1}}},
-        {{"do", "set"}, {"name", "width"}, {"value", 30000}},
-        {{"do", "set"}, {"name", "path.samples"}, {"value", 4}},
-        {{"do", "set"}, {"name", "integrator"}, {"value", "path"}},
-        {{"do", "set"}, {"name", "exposure.mode"}, {"value", "fixed; exit"}},
-        {{"do", "light"}, {"light", 0}, {"on", true}},
-        {{"do", "light"}, {"light", 1.5}, {"on", true}},
-        {{"do", "light"}, {"light", 1}, {"on", "toggle"}},
-        {{"do", "lightAdd"}, {"kind", "torch"}},
-        {{"do", "lightMove"}, {"light", 1}, {"to", "here exit"}},
-        {{"do", "look"}, {"name", "night"}},
-        {{"do", "skyDate"}, {"year", 2026}, {"month", 13}, {"day", 1}},
-        {{"do", "partHide"}, {"parts", json::array()}},
-        {{"do", "partHide"}, {"parts", {"*"}}},
-        {{"do", "partHide"}, {"parts", std::vector<int>(65, 1)}},
-        {{"do", "materialSet"}, {"number", 1}, {"key", "diffuseTexture"}, {"value", 1}},
-        {{"do", "materialSet"}, {"number", 1}, {"key", "diffuse"}, {"value", "1 1 1"}},
-        {{"do", "focus"}, {"x", 2}, {"y", 0}},
-        {{"do", "speed"}, {"factor", 0}}};
-    for (const json& request : wrong) EXPECT_REFUSED(request) << request;
+    const std::vector<json> wrong{json::array(),
+                                  {{"do", 1}},
+                                  {{"do", "exit"}},
+                                  {{"do", "load scene"}},
+                                  {{"do", "walk"}, {"args", 1}},
+                                  {{"do", "walk"}, {"args", {1}}},
+                                  {{"do", "set"}, {"args", {"maxDepth", 1}}, {"also", 1}},
+                                  request("screenshot", {"/etc/passwd"}),
+                                  request("light name", {1, "x"}),
+                                  request("undo", {1}),
+                                  request("camera set"),
+                                  request("camera set", {0, 1, 0, 0, -1}),
+                                  request("camera set", {0, 1, "x", 0, 0, -1}),
+                                  request("camera set", {0, 1, 1e31, 0, 0, -1}),
+                                  request("camera set", {0, 1, 0, 0, 0, -1, 180}),
+                                  request("camera fit", {"roof*"}),
+                                  request("set", {"nothing", 1}),
+                                  request("set", {"maxDepth"}),
+                                  request("set", {"maxDepth", 2.5}),
+                                  request("set", {"maxDepth", true}),
+                                  request("set", {"maxDepth", json::array({1})}),
+                                  request("set", {"width", 30000}),
+                                  request("set", {"path.samples", 4}),
+                                  request("set", {"integrator", "path"}),
+                                  request("set", {"exposure.mode", "fixed; exit"}),
+                                  request("light", {0, "on"}),
+                                  request("light", {1.5, "on"}),
+                                  request("light", {1, true}),
+                                  request("light", {1, "maybe"}),
+                                  request("light add", {"torch"}),
+                                  request("light move", {1, "here exit"}),
+                                  request("look", {"night"}),
+                                  request("sky date", {"2026-13-01"}),
+                                  request("sky date", {"2026-06-01; exit"}),
+                                  request("sky date", {20260601}),
+                                  request("part hide"),
+                                  request("part hide", {"*"}),
+                                  request("part hide", {0}),
+                                  request("part hide", std::vector<int>(65, 1)),
+                                  request("material set", {"*", "opacity", 1}),
+                                  request("material set", {1, "diffuseTexture", 1}),
+                                  request("material set", {1, "diffuse", "1 1 1"}),
+                                  request("focus", {2, 0}),
+                                  request("speed", {0})};
+    for (const json& each : wrong) EXPECT_REFUSED(each) << each;
 }
 
 TEST(Requests, StayWithinTheCaps) {
-    EXPECT_EQ(lineOf({{"do", "set"}, {"name", "antialiasing"}, {"value", 4}}), "set antialiasing 4");
-    EXPECT_REFUSED({{"do", "set"}, {"name", "antialiasing"}, {"value", 5}});
-    EXPECT_EQ(lineOf({{"do", "resolution"}, {"width", 1920}, {"height", 1080}}), "resolution 1920 1080");
-    EXPECT_REFUSED({{"do", "resolution"}, {"width", 1921}, {"height", 1080}});
-    EXPECT_REFUSED({{"do", "resolution"}, {"width", 0}, {"height", 1080}});
-    for (const bridge::SettingCap& cap : bridge::kCaps) {
-        const rtcore::Setting* const setting = rtcore::findSetting(cap.name);
-        ASSERT_NE(setting, nullptr) << cap.name;
-        const int* const whole = std::get_if<int>(&setting->defaultValue);
-        EXPECT_LE(whole != nullptr ? *whole : 0, cap.most) << "the default fits: " << cap.name;
-    }
+    EXPECT_EQ(lineOf(request("set", {"antialiasing", 4})), "set antialiasing 4");
+    EXPECT_REFUSED(request("set", {"antialiasing", 5}));
+    EXPECT_EQ(lineOf(request("resolution", {1920, 1080})), "resolution 1920 1080");
+    EXPECT_REFUSED(request("resolution", {1921, 1080}));
+    EXPECT_REFUSED(request("resolution", {0, 1080}));
 }
 
 TEST(Requests, OfWhatIsLockedAreRefused) {
     Limits some;
     some.locked = {"maxDepth", "width"};
-    EXPECT_REFUSED({{"do", "set"}, {"name", "maxDepth"}, {"value", 1}}, some);
-    EXPECT_REFUSED({{"do", "resolution"}, {"width", 64}, {"height", 64}}, some);
-    EXPECT_REFUSED({{"do", "defaults"}}, some);
-    EXPECT_EQ(lineOf({{"do", "light"}, {"light", 1}, {"on", true}}, some), "light 1 on");
+    EXPECT_REFUSED(request("set", {"maxDepth", 1}), some);
+    EXPECT_REFUSED(request("resolution", {64, 64}), some);
+    EXPECT_REFUSED(request("defaults"), some);
+    EXPECT_EQ(lineOf(request("light", {1, "on"}), some), "light 1 on");
     some.locked = {"depthOfField.focus"};
-    EXPECT_REFUSED({{"do", "focus"}, {"x", 0.5}, {"y", 0.5}}, some);
-    EXPECT_EQ(lineOf({{"do", "seen"}, {"x", 0.5}, {"y", 0.5}}, some), "seen 0.5 0.5");
+    EXPECT_REFUSED(request("focus", {0.5, 0.5}), some);
+    EXPECT_EQ(lineOf(request("seen", {0.5, 0.5}), some), "seen 0.5 0.5");
     some.locked = {"exposure.key"};
-    EXPECT_REFUSED({{"do", "look"}, {"name", "sky"}}, some);
+    EXPECT_REFUSED(request("look", {"sky"}), some);
     some.locked = {"skyLight.on"};
-    EXPECT_REFUSED({{"do", "look"}, {"name", "studio"}}, some);
-    EXPECT_REFUSED({{"do", "skyHour"}, {"hour", 12}}, some); // makes a sky, which lights
-    EXPECT_REFUSED({{"do", "sky"}, {"on", true}}, some);
-    EXPECT_EQ(bridge::planRequest(json{{"do", "skyHour"}, {"hour", 12}}, {some, {}, 0, true}).line,
-              "sky hour 12");
+    EXPECT_REFUSED(request("look", {"studio"}), some);
+    EXPECT_REFUSED(request("sky hour", {12}), some); // makes a sky, which lights
+    EXPECT_REFUSED(request("sky", {"on"}), some);
+    EXPECT_EQ(bridge::planRequest(request("sky hour", {12}), {some, {}, 0, true}).line, "sky hour 12");
+}
+
+/// Arguments that each command takes.
+json usual(const app::CommandSpec& command) {
+    json arguments = json::array();
+    for (const app::CommandArgument& argument : command.arguments) {
+        if (argument.optional) break;
+        switch (argument.type) {
+        case app::ArgumentType::Setting:
+            arguments.push_back("maxDepth");
+            break;
+        case app::ArgumentType::MaterialKey:
+            arguments.push_back("opacity");
+            break;
+        case app::ArgumentType::Date:
+            arguments.push_back("2026-01-01");
+            break;
+        case app::ArgumentType::Choice:
+            arguments.push_back(app::wordsOf(argument).front());
+            break;
+        default:
+            if (!argument.repeats) arguments.push_back(argument.minimum > -1e9 ? argument.minimum + 1 : 1);
+        }
+    }
+    if (command.id == app::CommandId::CameraSet || command.id == app::CommandId::CameraLookAt)
+        return json{0, 0, 0, 0, 0, -1};
+    if (command.name == "seen" || command.id == app::CommandId::Focus) return json{0, 0};
+    if (command.id == app::CommandId::CameraOrthographic) return json{0, 0, 0, 0, 0, -1, 2};
+    return arguments;
 }
 
 TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
     Limits edits;
     edits.locked = {"edits"};
-    const json any{{"eye", {0, 0, 0}},
-                   {"forward", {0, 0, -1}},
-                   {"target", {0, 0, 1}},
-                   {"width", 2},
-                   {"height", 2},
-                   {"degrees", 20},
-                   {"mm", 20},
-                   {"factor", 2},
-                   {"x", 0},
-                   {"y", 0},
-                   {"number", 1},
-                   {"on", true},
-                   {"light", 1},
-                   {"kind", "point"},
-                   {"name", "maxDepth"},
-                   {"value", 1},
-                   {"to", {0, 0, 0}},
-                   {"colour", {1, 1, 1}},
-                   {"kelvin", 2700},
-                   {"watts", 1},
-                   {"radius", 1},
-                   {"inner", 1},
-                   {"outer", 2},
-                   {"hour", 2},
-                   {"year", 2026},
-                   {"month", 1},
-                   {"day", 1},
-                   {"latitude", 1},
-                   {"longitude", 1},
-                   {"direction", {0, 1, 0}},
-                   {"turbidity", 3},
-                   {"parts", {1}},
-                   {"key", "opacity"}};
-    const std::set<std::string_view> stay{
-        "parts", "materials", "material", "seen",     "camera", "orthographic", "lookAt", "reset",
-        "pivot", "orbit",     "pan",      "approach", "fit",    "side",         "angle",  "lens",
-        "zoom",  "focus",     "speed",    "walk",     "fly",    "bookmark"};
-    for (const bridge::RequestName& row : bridge::requestNames()) {
-        json request = any;
-        request["do"] = row.name;
-        if (row.name == "look") request["name"] = "sky";
-        if (row.name == "orbit" || row.name == "pan") request["right"] = request["up"] = 1;
-        if (row.name == "side") request["side"] = "front";
-        EXPECT_EQ(refusalOf(request, edits) != "edits are locked here", stay.contains(row.name))
-            << row.name << ": " << refusalOf(request, edits);
-        EXPECT_TRUE(refusalOf(request).starts_with("taken as ")) << row.name << ": " << refusalOf(request);
-        const std::set<std::string_view> look{"parts", "materials", "material", "seen"};
-        EXPECT_EQ(bridge::planRequest(request, {Limits(), kBookmarks}).anyone, look.contains(row.name))
-            << row.name;
+    for (const app::CommandSpec& command : app::commandTable()) {
+        if (!bridge::isRequest(command)) continue;
+        const json each{{"do", command.name}, {"args", usual(command)}};
+        EXPECT_EQ(refusalOf(each, edits) == "edits are locked here", command.browser == app::BrowserUse::Edit)
+            << each << ": " << refusalOf(each, edits);
+        ASSERT_TRUE(refusalOf(each).starts_with("taken as ")) << each << ": " << refusalOf(each);
+        EXPECT_EQ(bridge::planRequest(each, {Limits(), kBookmarks}).anyone,
+                  command.browser == app::BrowserUse::Look)
+            << command.name;
     }
 }
 
@@ -242,39 +295,40 @@ TEST(Requests, NeverBecomeOtherCommands) {
                                    "seen",
                                    "here",
                                    "point",
+                                   "on",
                                    "maxDepth",
                                    "sky",
                                    "opacity",
                                    "\n quit",
                                    12,
                                    false,
-                                   json::array({1, "x", 2}),
                                    json::object(),
                                    "set",
-                                   2026,
+                                   "2026-06-01",
                                    json::array({json::array()}),
                                    "bloom.radius",
-                                   6};
-    const std::vector<const char*> keys{"eye",   "forward", "fov",    "up",     "light",  "on",      "number",
-                                        "name",  "value",   "kind",   "to",     "x",      "y",       "key",
-                                        "parts", "also",    "width",  "height", "factor", "degrees", "year",
-                                        "month", "day",     "colour", "kelvin", "watts",  "from"};
-    const std::vector<bridge::RequestName> names = bridge::requestNames();
+                                   6,
+                                   2,
+                                   "also"};
+    std::vector<std::string_view> names;
+    for (const app::CommandSpec& command : app::commandTable()) names.push_back(command.name);
     int taken = 0;
-    for (int i = 0; i < 20'000; ++i) {
-        json request;
-        request["do"] =
-            random() % 20 == 0 ? values[random() % values.size()] : json(names[random() % names.size()].name);
-        for (const char* key : keys)
-            if (random() % 3 != 0) request[key] = values[random() % values.size()];
+    for (int i = 0; i < 100'000; ++i) {
+        json each;
+        each["do"] =
+            random() % 20 == 0 ? values[random() % values.size()] : json(names[random() % names.size()]);
+        each["args"] = json::array();
+        for (auto count = random() % 5; count > 0; --count)
+            each["args"].push_back(values[random() % values.size()]);
+        if (random() % 3 == 0) each["also"] = values[random() % values.size()];
         try {
-            const bridge::PlannedCommand planned = bridge::planRequest(request, {Limits(), kBookmarks});
+            const bridge::PlannedCommand planned = bridge::planRequest(each, {Limits(), kBookmarks});
             ++taken;
             std::vector<std::string> words = app::splitWords(planned.line);
             if (words.front() == "also") words.erase(words.begin());
             const app::FoundCommand found = app::findCommand(words);
             ASSERT_EQ(found.command->id, planned.id);
-            ASSERT_EQ(bridge::commandUse(planned.id), bridge::CommandUse::Request) << planned.line;
+            ASSERT_TRUE(bridge::isRequest(*found.command)) << planned.line;
             app::checkArguments(*found.command, std::span(words).subspan(found.words));
             ASSERT_EQ(planned.line.find('\n'), std::string::npos);
         } catch (const Refused&) {
@@ -285,33 +339,32 @@ TEST(Requests, NeverBecomeOtherCommands) {
 
 TEST(Answers, OfListsBecomeRows) {
     const json parts =
-        bridge::answerContent(bridge::AnswerShape::Parts, "1 shown 480 house/front door\n2 hidden 12 ");
+        bridge::answerContent(app::CommandId::Parts, "1 shown 480 house/front door\n2 hidden 12 ");
     EXPECT_EQ(parts["parts"][0],
               (json{{"number", 1}, {"shown", true}, {"triangles", 480}, {"name", "house/front door"}}));
     EXPECT_EQ(parts["parts"].size(), 2U);
     EXPECT_FALSE(parts.contains("next"));
-    const json materials = bridge::answerContent(bridge::AnswerShape::Materials, "3 edited glass\n4 -");
+    const json materials = bridge::answerContent(app::CommandId::Materials, "3 edited glass\n4 -");
     EXPECT_EQ(materials["materials"][0], (json{{"number", 3}, {"edited", true}, {"name", "glass"}}));
-    const json seen = bridge::answerContent(bridge::AnswerShape::Seen, "part 12 house/door\nmaterial 3 oak");
+    const json seen = bridge::answerContent(app::CommandId::Seen, "part 12 house/door\nmaterial 3 oak");
     EXPECT_EQ(seen["part"]["number"], 12);
     EXPECT_EQ(seen["material"]["name"], "oak");
-    EXPECT_EQ(bridge::answerContent(bridge::AnswerShape::Light, "7")["light"], 7);
+    EXPECT_EQ(bridge::answerContent(app::CommandId::LightAdd, "7")["light"], 7);
     for (const char* rubbish : {"", "x", "\n\n", "[[", "1"})
-        for (const auto shape : {bridge::AnswerShape::Parts, bridge::AnswerShape::Material,
-                                 bridge::AnswerShape::Seen, bridge::AnswerShape::Light})
-            EXPECT_TRUE(bridge::answerContent(shape, rubbish).is_object());
+        for (const auto command : {app::CommandId::Parts, app::CommandId::MaterialGet, app::CommandId::Seen,
+                                   app::CommandId::LightAdd})
+            EXPECT_TRUE(bridge::answerContent(command, rubbish).is_object());
 }
 
 TEST(SettingsTable, HasTheRowsThatRequestsTake) {
     const json rows = bridge::settingsTableJson(Limits());
     EXPECT_GT(rows.size(), 30U);
     for (const json& row : rows) {
-        const std::string line = lineOf({{"do", "set"}, {"name", row["name"]}, {"value", row["default"]}});
+        const std::string line = lineOf(request("set", {row["name"], row["default"]}));
         EXPECT_TRUE(line.starts_with("set " + row["name"].get<std::string>())) << row;
         EXPECT_FALSE(row["help"].get<std::string>().empty());
         if (!row.contains("max")) continue;
-        EXPECT_REFUSED({{"do", "set"}, {"name", row["name"]}, {"value", row["max"].get<double>() * 1.5 + 1}})
-            << row;
+        EXPECT_REFUSED(request("set", {row["name"], row["max"].get<double>() * 1.5 + 1})) << row;
     }
 }
 

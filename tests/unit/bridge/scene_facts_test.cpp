@@ -31,7 +31,8 @@ TEST(SceneFacts, HoldNoFolders) {
     bridge::SceneFacts facts;
     ASSERT_TRUE(readState(facts, sample()));
     EXPECT_EQ(facts.all()["scene"], "nave.scn");
-    EXPECT_EQ(facts.all()["undo"], "load camera altar.cam");
+    EXPECT_EQ(facts.all()["undo"], (json{{"label", "camera"}, {"of", "altar.cam"}}));
+    EXPECT_EQ(facts.all()["redo"], nullptr);
     EXPECT_EQ(facts.all().dump().find("anna"), std::string::npos);
     EXPECT_EQ(facts.all().dump().find("secret"), std::string::npos);
 }

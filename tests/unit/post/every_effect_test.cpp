@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace rtcore {
 namespace {
 
@@ -53,6 +56,41 @@ TEST(EveryEffect, ShowsInThePicture) {
     const LdrImage all = picture(traced, everything(), 0);
     for (const test::WithoutEffect& without : test::withoutEachEffect(everything()))
         EXPECT_NE(all.pixels, picture(traced, without.settings, 0).pixels) << without.setting;
+}
+
+/// Another value that the setting takes.
+SettingValue otherValue(const Setting& setting, const SettingValue& value) {
+    switch (setting.type) {
+    case SettingType::Boolean:
+        return !std::get<bool>(value);
+    case SettingType::Integer:
+        return std::get<int>(value) + (std::get<int>(value) < setting.maximum ? 1 : -1);
+    case SettingType::Number:
+        return std::get<float>(value) == static_cast<float>(setting.minimum)
+                   ? static_cast<float>(std::min(setting.maximum, setting.minimum + 0.5))
+                   : static_cast<float>(setting.minimum);
+    case SettingType::Choice:
+        break;
+    }
+    return std::string(setting.choices[setting.choices.front() == std::get<std::string>(value) ? 1 : 0]);
+}
+
+/// What is said to change only how an image is shown, or only the pace, leaves radiance as it is.
+TEST(SettingChanges, KeepWhatTheySay) {
+    const test::TracedScene traced(sceneOfEverything());
+    RenderSettings before = everything();
+    before.adaptive = 0; // goes by what is shown
+    const Frame frame = test::render(traced, before, 0);
+    int kept = 0;
+    for (const Setting& setting : settingsTable()) {
+        if (setting.isOfImage()) continue;
+        RenderSettings after = before;
+        setSetting(after, setting.name, otherValue(setting, setting.get(before)));
+        EXPECT_EQ(frame.radiance.pixels, test::render(traced, after, 0).radiance.pixels) << setting.name;
+        EXPECT_TRUE(sameLight(before, after)) << setting.name;
+        ++kept;
+    }
+    EXPECT_GT(kept, 10);
 }
 
 } // namespace

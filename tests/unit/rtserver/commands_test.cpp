@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <vector>
@@ -171,6 +172,10 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
     return name;
 }
 
+bool isForPages(const app::CommandSpec& command) {
+    return command.browser == app::BrowserUse::Move || command.browser == app::BrowserUse::Edit;
+}
+
 class ACommand : public test::CommandRoom, public testing::WithParamInterface<Case> {
   protected:
     void SetUp() override {
@@ -192,6 +197,21 @@ TEST_P(ACommand, AnswersAndChangesWhatItSays) {
     EXPECT_EQ(result.answer.empty(), expected.answer.empty()) << result.answer;
     EXPECT_NE(result.answer.find(expected.answer), std::string::npos) << result.answer;
     EXPECT_EQ(changes(), expected.changes);
+}
+
+/// So that whoever may not change a setting cannot change it by another command: a row names what it sets.
+TEST_P(ACommand, ChangesNoSettingButThoseOfItsRow) {
+    const std::vector<std::string> words = app::splitWords(inFolder(GetParam().line));
+    const app::FoundCommand found = app::findCommand(words);
+    if (!isForPages(*found.command) || found.command->id == app::CommandId::Defaults) return;
+    const rtcore::RenderSettings before = state.settings();
+    run(GetParam().line);
+    for (const rtcore::Setting& setting : rtcore::settingsTable()) {
+        if (setting.get(before) == setting.get(state.settings())) continue;
+        const bool named = std::ranges::find(found.command->sets, setting.name) != found.command->sets.end();
+        const bool given = found.words < words.size() && words[found.words] == setting.name;
+        EXPECT_TRUE(named || given) << setting.name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheTable, ACommand, testing::ValuesIn(kCases), nameOf);
@@ -223,7 +243,7 @@ const std::vector<Refusal> kRefusals = {
     {"idle maybe", 2, ""},
     {"frame-time -1", 2, ""},
     {"messages some", 2, ""},
-    {"resolution 0 48", 2, "width"},
+    {"resolution 0 48", 2, "WIDTH"},
     {"resolution 64", 2, ""},
     {"set antialiasing 99", 2, "antialiasing"},
     {"set nothing 1", 2, "nothing"},

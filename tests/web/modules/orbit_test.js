@@ -9,11 +9,11 @@ export async function aModelInTheHandNeverFallsBehind() {
         box: () => ({ width: 360 }),
         at: (x, y) => (x < 0 ? null : { x: x / 360, y: y / 180 }),
     };
-    const ask = (what, keys) => {
-        asked.push([what, ...Object.values(keys)]);
+    const ask = (...command) => {
+        asked.push(command);
         return new Promise((done) => waiting.push(done));
     };
-    const orbit = new Orbit(picture, { changed() {}, ask });
+    const orbit = new Orbit(picture, { changed() {}, ask, range: () => ({ min: -360, max: 360 }) });
     const answer = async (ok = true) => {
         waiting.shift()({ ok });
         await new Promise((done) => setTimeout(done));
@@ -31,6 +31,6 @@ export async function aModelInTheHandNeverFallsBehind() {
     orbit.grasp(-1, 0);
     orbit.turn(2, 0);
     await answer();
-    equal(asked, [["pivot", 0.5, 0.25], ["orbit", 15, -20], ["pan", 0.1, 0.05], ["approach", 4], ["orbit", 0.5, 0],
-        ["orbit", 1, 0]]);
+    equal(asked, [["camera pivot", 0.5, 0.25], ["camera orbit", 15, -20], ["camera pan", 0.1, 0.05], ["camera approach", 4],
+        ["camera orbit", 0.5, 0], ["camera orbit", 1, 0]]);
 }

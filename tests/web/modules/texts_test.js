@@ -1,5 +1,5 @@
 import { equal, isTrue } from "./expect.js";
-import { editLabel, settingLabel } from "./setting_labels.js";
+import { editLabel, nameSettings, settingLabel } from "./setting_labels.js";
 import tables from "./tables_cs.js";
 import { counted } from "./texts.js";
 import czech from "./texts_cs.js";
@@ -21,7 +21,9 @@ export function pluralsAreRight() {
 }
 
 export function settingsAreCalledAsInTheWindow() {
-    equal(settingLabel("path.rouletteFrom"), "Roulette from bounce");
+    nameSettings({ "exposure.brighterSeconds": "Brighter seconds" });
     equal(settingLabel("exposure.brighterSeconds"), "Brighter seconds");
-    equal(editLabel("light power 2"), "power of light 2");
+    equal(editLabel({ setting: "exposure.brighterSeconds" }), "Brighter seconds");
+    equal(editLabel({ label: "power of light", of: "2" }), "power of light 2");
+    equal(editLabel({ label: "sky", of: "" }), "sky");
 }

@@ -29,7 +29,7 @@ export class Around {
     }
 
     showHeader() {
-        const { scene = "", undo = "", redo = "", mayUndo, mayRedo } = this.app.state;
+        const { scene = "", undo, redo, mayUndo, mayRedo } = this.app.state;
         byId("scene").textContent = scene;
         document.title = scene ? t("titleOf", scene) : t("title");
         byId("title").textContent = document.title;

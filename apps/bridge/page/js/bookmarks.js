@@ -30,5 +30,5 @@ export const store = (instance, scene, list) => forGood.set(key(instance, scene)
 
 /** A view as a bookmark has it: eye, direction, up, field of view. */
 export const viewOf = ({ eye, forward, up, fov }) => [...eye, ...forward, ...up, fov];
-/** The keys of the request `camera` that goes there. */
-export const cameraOf = (view) => ({ eye: view.slice(0, 3), forward: view.slice(3, 6), up: view.slice(6, 9), ...(view[9] > 0 ? { fov: view[9] } : {}) });
+/** The arguments of `camera set` that goes there: what is up comes behind the field of view. */
+export const cameraOf = (view) => [...view.slice(0, 6), ...(view[9] > 0 ? [view[9], ...view.slice(6, 9)] : [])];

@@ -48,6 +48,6 @@ export class Driving {
         this.by = by;
         if (by === null) return app.notices.hide("asked");
         app.notices.show("asked", t("asksYou", this.nameOf(by)), { lasting: true,
-            actions: [[t("giveTo"), () => app.ask("give", { to: by })], [t("keep"), () => app.ask("keep")]] });
+            actions: [[t("giveTo"), () => app.request("give", { to: by })], [t("keep"), () => app.request("keep")]] });
     }
 }

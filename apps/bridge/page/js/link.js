@@ -35,7 +35,7 @@ export class Link extends EventTarget {
         this.ended = false;
         const address = new URL("ws", location.href.replace(/[?#].*$/, ""));
         address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-        this.stream.open(++this.serial, address.href, JSON.stringify({ do: "hello", v: 1, ...this.hello() }));
+        this.stream.open(++this.serial, address.href, JSON.stringify({ do: "hello", v: 2, ...this.hello() }));
     }
 
     /** What the stream tells of a connection. */

@@ -18,7 +18,7 @@ import { modelPanel } from "./panel_model.js";
 import { pagePanel } from "./panel_page.js";
 import { peoplePanel } from "./panel_people.js";
 import { settingsPanel } from "./panel_settings.js";
-import { settingLabel } from "./setting_labels.js";
+import { nameSettings, settingLabel } from "./setting_labels.js";
 import { skyPanel } from "./panel_sky.js";
 import { download, viewsPanel } from "./panel_views.js";
 import { Panels } from "./panels.js";
@@ -48,22 +48,28 @@ const app = {
     speed: 1, // factor of flying, as long as this page knows the server
     drives: () => link.greeted && app.roles.driver === app.welcome?.you,
     mayEdit: () => app.drives() && !app.welcome.locked.includes("edits"),
-    /** A request whose failure is told. */
-    async ask(what, keys) {
+    /** A command of the server's table; a failure is told. */
+    ask: (what, ...args) => app.request(what, { args }),
+    /** A request of the bridge's own, about roles. */
+    async request(what, keys) {
         const answer = await link.request(what, keys);
         if (!answer.ok) tellRefusal(answer);
         return answer;
     },
+    /** An argument of a command: `min`, `max`, `words`. */
+    argument: (command, index) => app.welcome?.commands[command]?.[index] ?? {},
+    lightKind: (name) => app.welcome?.lightKinds.find((kind) => kind.name === name) ?? {},
     orbits: () => orbit.is,
-    edit: (thing, what, keys, goesOn) => app.edits.edit(thing, what, keys, goesOn),
-    askToDrive: () => app.ask("ask"), // roles tell the rest
+    edit: (thing, what, args, goesOn) => app.edits.edit(thing, what, { args }, goesOn),
+    askToDrive: () => app.request("ask"), // roles tell the rest
     setSpeed(factor) {
-        app.speed = Math.min(1000, Math.max(0.001, factor));
-        app.edit("speed", "speed", { factor: app.speed });
+        const { min, max } = app.argument("speed", 0);
+        app.speed = Math.min(max, Math.max(min, factor));
+        app.edit("speed", "speed", [app.speed]);
         panels.show();
     },
-    async focus(at) {
-        if ((await app.ask("focus", at)).ok) app.notices.show("focus", t("focusSet"));
+    async focus({ x, y }) {
+        if ((await app.ask("focus", x, y)).ok) app.notices.show("focus", t("focusSet"));
     },
     goTo(instance) {
         forThisTab.set("rt.instance", instance);
@@ -100,8 +106,8 @@ const held = new Held((message) => app.drives() && link.send(message));
 app.pixels = pixels;
 const picture = (app.picture = new Picture(canvas));
 const upright = new Upright({ drives: () => app.drives(), size: () => ({ width: app.status.width, height: app.status.height }), room: pixels,
-    request: (what, keys) => link.request(what, keys) });
-const orbit = new Orbit(picture, { ask: (what, keys) => app.ask(what, keys), changed: () => onOrbit() });
+    resize: (width, height) => link.request("resolution", { args: [width, height] }) });
+const orbit = new Orbit(picture, { ask: app.ask, range: app.argument, changed: () => onOrbit() });
 const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => panels.show();
 const around = new Around(app), driving = new Driving(app);
@@ -124,7 +130,7 @@ const hands = {
     orbit,
     fit() {
         orbit.forget();
-        app.ask("fit");
+        app.ask("camera fit");
     },
     mayCapture: () => app.drives() || (offerDriving(), false),
     mayDrive: () => app.drives() || (offerDriving(), false),
@@ -185,10 +191,10 @@ function offerDriving() {
 function offerView() {
     if (!asked || !app.status.eye) return;
     const go = () => {
-        const [ex, ey, ez, fx, fy, fz, fov] = asked;
+        const view = asked; // eye, direction, field of view
         asked = null;
         app.notices.hide("view");
-        app.ask("camera", { eye: [ex, ey, ez], forward: [fx, fy, fz], ...(fov ? { fov } : {}) });
+        app.ask("camera set", ...view);
     };
     if (app.drives()) return go();
     if (wasOffered) return;
@@ -227,6 +233,7 @@ on("welcome", (welcome) => {
     driving.forget();
     if (app.welcome && app.welcome.instance !== welcome.instance) forgetServer();
     app.welcome = welcome;
+    nameSettings(welcome.labels);
     admission.welcome(welcome.token);
     around.setLive(true);
     if (other) panels.empty();
@@ -299,24 +306,20 @@ on("server", ({ state, text }) => {
     app.notices.show(key, state === "refused" ? t("refused", text) : t(state), { lasting: true, warn: true });
 });
 on("message", ({ kind, text }) => app.notices.show("message", text, { warn: kind === "warning" }));
-on("notice", ({ code, text }) => {
+on("notice", ({ code, text, back }) => {
     const told = {
         asked: () => {}, // the roles that follow tell it, as what `taken` says
         handed: () => app.roles.people.length > 1 && app.notices.show("role", t("handed")), // alone, that is no news
         taken: () => app.notices.hide("asked"),
-        heavy: () => app.notices.show("notice", heavyText(text), { warn: true }),
+        heavy: () => app.notices.show("notice", t("heavy", back.map(heavyName).join(", ")), { warn: true }),
         elsewhere: () => app.notices.show("elsewhere", t("elsewhere")),
         released: () => app.notices.show("released", t("released")),
     }[code];
     if (told) told();
     else app.notices.show("notice", text, { warn: true });
 });
-/** "maxDepth, the size was set back: ..." in the page's language, with the names of panels. */
-function heavyText(text) {
-    const [, names] = /^(.+) was set back: /.exec(text) ?? [];
-    if (!names) return text;
-    return t("heavy", names.split(", ").map((one) => ({ "the size": t("size"), "the last edit": t("lastEdit") })[one] ?? settingLabel(one)).join(", "));
-}
+/** A setting, the size or an edit that was undone. */
+const heavyName = (name) => (name === "size" || name === "lastEdit" ? t(name) : settingLabel(name));
 
 on("lost", ({ code, reason, final }) => {
     letGo();

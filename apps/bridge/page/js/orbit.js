@@ -5,7 +5,7 @@
 const HALF_TURN = 180; // degrees, of a drag over the width of the image
 
 export class Orbit {
-    /** @param {Picture} picture @param {Object} on `ask(what, keys)`, `changed()` */
+    /** @param {Picture} picture @param {Object} on `ask(command, ...args)`, `range(command, index)` of an argument, `changed()` */
     constructor(picture, on) {
         this.picture = picture;
         this.on = on;
@@ -84,22 +84,30 @@ export class Orbit {
 
     /** The request that comes next; null: there is none. */
     next() {
-        const { pivot, pending } = this, most = (x, far) => Math.min(far, Math.max(-far, x));
+        const { pivot, pending } = this;
         if (pivot) {
             this.pivot = null;
-            return ["pivot", { x: most(pivot.x, 1), y: most(pivot.y, 1) }];
+            return this.command("camera pivot", pivot.x, pivot.y);
         }
         const { right, up, x, y, factor } = pending;
         if (right || up) {
             pending.right = pending.up = 0;
-            return ["orbit", { right: most(right, 360), up: most(up, 180) }];
+            return this.command("camera orbit", right, up);
         }
         if (x || y) {
             pending.x = pending.y = 0;
-            return ["pan", { right: most(x, 10), up: most(y, 10) }];
+            return this.command("camera pan", x, y);
         }
         if (factor === 1) return null;
         pending.factor = 1;
-        return ["approach", { factor: Math.min(1000, Math.max(0.001, factor)) }];
+        return this.command("camera approach", factor);
+    }
+
+    /** With arguments as large as it takes. */
+    command(name, ...args) {
+        return [name, ...args.map((value, index) => {
+            const { min, max } = this.on.range(name, index);
+            return Math.min(max, Math.max(min, value));
+        })];
     }
 }

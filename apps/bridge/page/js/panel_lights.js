@@ -3,13 +3,7 @@ import { button, make, refill } from "./dom.js";
 import { choice, colour, measured, numeric, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
 
-const kinds = () => [
-    ["point", of("LightFields", "Point")], ["directional", of("LightFields", "Directional")], ["spot", of("LightFields", "Spot")],
-    ["sphere", of("LightFields", "Sphere")], ["rectangle", of("LightFields", "Rectangle")],
-];
-const hasPlace = (kind) => kind !== "directional";
-const hasRadius = (kind) => hasPlace(kind) && kind !== "rectangle";
-const hasDirection = (kind) => kind === "directional" || kind === "spot" || kind === "rectangle";
+const kindText = (kind) => of("LightKinds", kind.charAt(0).toUpperCase() + kind.slice(1));
 
 const LUMENS_PER_WATT = 683;
 
@@ -19,7 +13,11 @@ export function lightsPanel(app) {
     let chosen = 0, list, fields, rows = [], empty, addKind, plus;
 
     const light = () => app.state.lights?.find(({ id }) => id === chosen);
-    const edit = (what, keys, goesOn) => app.edit(what + " " + chosen, what, { light: chosen, ...keys }, goesOn);
+    const edit = (what, args, goesOn) => app.edit(what + " " + chosen, what, [chosen, ...[args].flat()], goesOn);
+    const kinds = () => (app.welcome?.lightKinds ?? []).map(({ name }) => [name, kindText(name)]);
+    /** Whether lights of a kind have it: a place, a direction, a radius, sides, a cone, a disc, an area. */
+    const has = (trait) => ({ kind }) => app.lightKind(kind)[trait];
+    const not = (when) => (one) => !when(one);
 
     /** Of lengths, which come and go in scene units. */
     const metres = { unit: "m", scale: () => app.state.metresPerUnit ?? 1 };
@@ -42,58 +40,58 @@ export function lightsPanel(app) {
 
     function addFields() {
         const always = () => true;
-        add(choice(of("LightFields", "Kind"), kinds(), (kind) => edit("lightKind", { kind })), always, ({ kind }) => kind);
+        add(choice(of("LightFields", "Kind"), kinds(), (kind) => edit("light kind", kind)), always, ({ kind }) => kind);
         const power = { min: 0, unitName: of("PowerField", "Unit of the power"), unitHelp: of("PowerField", "Lumens, or radiant watts of 683 lumens each") };
-        for (const [key, unit, watts, when] of [["lumens", "lm", "W", ({ kind }) => hasPlace(kind)], ["lux", "lx", "W/m²", ({ kind }) => !hasPlace(kind)]])
-            add(measured(of("LightFields", "Power"), [[unit, 1], [watts, 1 / LUMENS_PER_WATT]], (much) => edit("lightPower", { [key]: much }), power),
+        for (const [unit, watts, when] of [["lm", "W", has("position")], ["lx", "W/m²", not(has("position"))]])
+            add(measured(of("LightFields", "Power"), [[unit, 1], [watts, 1 / LUMENS_PER_WATT]], (much) => edit("light power", [much, unit]), power),
                 when, ({ lumens }) => lumens);
-        add(colour(of("LightFields", "Colour"), (value, goesOn) => edit("lightColour", { colour: value }, goesOn),
+        add(colour(of("LightFields", "Colour"), (value, goesOn) => edit("light colour", value, goesOn),
             { scaled: true, help: of("LightFields", "Choose a colour; the power stays") }), ({ temperature }) => !temperature, (one) => one.colour);
-        add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("lightTemperature", { kelvin: on ? 4000 : null })), always,
+        add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("light temperature", on ? 4000 : "none")), always,
             ({ temperature }) => temperature > 0);
-        add(numeric(of("LightFields", "Temperature"), (kelvin, goesOn) => edit("lightTemperature", { kelvin }, goesOn),
-            { min: 1667, max: 25000, until: 6500, whole: true, unit: "K", help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
+        add(numeric(of("LightFields", "Temperature"), (kelvin, goesOn) => edit("light temperature", kelvin, goesOn),
+            { ...app.argument("light temperature", 1), until: 6500, whole: true, unit: "K", help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
         ({ temperature }) => temperature > 0, ({ temperature }) => temperature);
         addPlaces();
         addShape();
     }
 
     function addPlaces() {
-        add(vector(of("LightFields", "Position"), (to) => edit("lightMove", { to }), metres), ({ kind }) => hasPlace(kind), ({ position }) => position);
-        buttons(({ kind }) => hasPlace(kind),
-            tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"), () => edit("lightMove", { to: "here" })),
+        add(vector(of("LightFields", "Position"), (to) => edit("light move", ["at", ...to]), metres), has("position"), ({ position }) => position);
+        buttons(has("position"),
+            tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"), () => edit("light move", "here")),
             tipped(of("LightFields", "Where I look"), of("LightFields", "Put it before the surface in the middle of the image"),
-                () => edit("lightMove", { to: "seen" })));
-        add(vector(of("LightFields", "Direction"), (along) => along.some((part) => part !== 0) && edit("lightAim", { along })),
-            ({ kind }) => hasDirection(kind), ({ direction }) => direction);
-        buttons(({ kind }) => hasDirection(kind),
-            tipped(of("LightFields", "Ahead"), of("LightFields", "Let it shine as the camera looks"), () => edit("lightAim", { to: "ahead" })),
+                () => edit("light move", "seen")));
+        add(vector(of("LightFields", "Direction"), (along) => along.some((part) => part !== 0) && edit("light aim", ["along", ...along])),
+            has("direction"), ({ direction }) => direction);
+        buttons(has("direction"),
+            tipped(of("LightFields", "Ahead"), of("LightFields", "Let it shine as the camera looks"), () => edit("light aim", "ahead")),
             tipped(of("LightFields", "To where I look"), of("LightFields", "Let it shine to what is in the middle of the image"),
-                () => edit("lightAim", { to: "seen" })));
+                () => edit("light aim", "seen")));
     }
 
     function addShape() {
-        const sizes = { min: 0, slider: false, ...metres }, rectangle = ({ kind }) => kind === "rectangle", spot = ({ kind }) => kind === "spot";
-        add(numeric(of("LightFields", "Radius"), (radius) => edit("lightSize", { radius }), sizes), ({ kind }) => hasRadius(kind), ({ radius }) => radius);
-        add(numeric(of("LightFields", "Angle under which it is seen"), (angle, goesOn) => edit("lightSize", { angle }, goesOn),
-            { min: 0, max: 180, until: 5, unit: "°", help: of("LightFields", "The sun has 0.53°; 0: shadows are sharp") }), ({ kind }) => kind === "directional",
+        const sizes = { min: 0, slider: false, ...metres }, angles = app.argument("light angles", 1);
+        add(numeric(of("LightFields", "Radius"), (radius) => edit("light size", radius), sizes), has("radius"), ({ radius }) => radius);
+        add(numeric(of("LightFields", "Angle under which it is seen"), (angle, goesOn) => edit("light size", angle, goesOn),
+            { min: 0, max: 180, until: 5, unit: "°", help: of("LightFields", "The sun has 0.53°; 0: shadows are sharp") }), has("disc"),
         ({ angle }) => angle);
-        add(numeric(of("LightFields", "Width"), (width) => edit("lightSize", { width, height: light().height }), sizes), rectangle, ({ width }) => width);
-        add(numeric(of("LightFields", "Height"), (height) => edit("lightSize", { width: light().width, height }), sizes), rectangle, ({ height }) => height);
+        add(numeric(of("LightFields", "Width"), (width) => edit("light size", [width, light().height]), sizes), has("sides"), ({ width }) => width);
+        add(numeric(of("LightFields", "Height"), (height) => edit("light size", [light().width, height]), sizes), has("sides"), ({ height }) => height);
         add(numeric(of("LightFields", "Angle of full brightness"),
-            (inner, goesOn) => edit("lightAngles", { inner, outer: Math.max(inner, light().outer) }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ inner }) => inner);
+            (inner, goesOn) => edit("light angles", [inner, Math.max(inner, light().outer)], goesOn), { ...angles, unit: "°" }), has("cone"), ({ inner }) => inner);
         add(numeric(of("LightFields", "Angle where it ends"),
-            (outer, goesOn) => edit("lightAngles", { inner: Math.min(light().inner, outer), outer }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ outer }) => outer);
-        add(toggle(of("LightFields", "Seen in mirrors"), (on) => edit("lightMirrored", { on }),
+            (outer, goesOn) => edit("light angles", [Math.min(light().inner, outer), outer], goesOn), { ...angles, unit: "°" }), has("cone"), ({ outer }) => outer);
+        add(toggle(of("LightFields", "Seen in mirrors"), (on) => edit("light mirrored", on ? "on" : "off"),
             { help: of("LightFields", "Mirrors, lacquer and glass that bends show the light itself; the camera does not") }),
-        ({ kind }) => kind === "sphere" || kind === "rectangle", ({ mirrored }) => mirrored);
+        has("area"), ({ mirrored }) => mirrored);
     }
 
     const item = (one) => {
         const name = lightName(one);
         const box = make("input", { type: "checkbox", checked: one.on, disabled: !app.mayEdit(), "aria-label": name,
             onchange: async () => {
-                const { ok } = await app.ask("light", { light: one.id, on: box.checked });
+                const { ok } = await app.ask("light", one.id, box.checked ? "on" : "off");
                 if (!ok) box.checked = one.on;
             } });
         const choose = make("button", { type: "button", className: "name", "aria-current": String(one.id === chosen),
@@ -102,7 +100,7 @@ export function lightsPanel(app) {
                 panel.show();
                 list.querySelector("[aria-current=true]")?.focus();
             } }, name);
-        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kinds().find(([kind]) => kind === one.kind)?.[1] ?? "")] : []));
+        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kindText(one.kind))] : []));
     };
 
     let last = "";
@@ -116,12 +114,12 @@ export function lightsPanel(app) {
             fields = make("div", { role: "group", "aria-label": t("lights") });
             addKind = make("select", { "aria-label": of("LightFields", "Kind of the light") }, ...kinds().map(([value, text]) => make("option", { value }, text)));
             plus = tipped(of("LightsPanel", "Add"), of("LightsPanel", "Add a light where you look"), async () => {
-                const { ok, light: id } = await app.ask("lightAdd", { kind: addKind.value });
+                const { ok, light: id } = await app.ask("light add", addKind.value);
                 if (ok) chosen = id ?? 0;
                 panel.show();
             });
-            const copy = tipped(of("LightsPanel", "Copy"), of("LightsPanel", "Add a light like the selected one, in its place"), () => app.ask("lightCopy", { light: chosen }));
-            const remove = tipped(of("LightsPanel", "Remove"), of("LightsPanel", "Remove the selected light"), () => app.ask("lightRemove", { light: chosen }));
+            const copy = tipped(of("LightsPanel", "Copy"), of("LightsPanel", "Add a light like the selected one, in its place"), () => app.ask("light copy", chosen));
+            const remove = tipped(of("LightsPanel", "Remove"), of("LightsPanel", "Remove the selected light"), () => app.ask("light remove", chosen));
             place.append(list, empty, make("div", { className: "actions" }, addKind, plus), make("div", { className: "actions" }, copy, remove), fields);
             addFields();
             rows.push({ element: copy.parentElement, when: () => true, show: (_, enabled) => ((copy.disabled = !enabled), (remove.disabled = !enabled)) });

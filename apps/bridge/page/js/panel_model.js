@@ -28,7 +28,7 @@ export function modelPanel(app) {
     async function load(what) {
         const rows = [];
         for (let from = 1; from; ) {
-            const answer = await app.ask(what, { from });
+            const answer = await app.ask(what, from);
             if (!answer.ok) return null;
             rows.push(...answer[what]);
             from = answer.next;
@@ -41,10 +41,10 @@ export function modelPanel(app) {
     const partItem = (row) => {
         const box = make("input", { type: "checkbox", checked: row.shown, disabled: !app.mayEdit(), "aria-label": nameOf(row),
             onchange: async () => {
-                const { ok } = await app.ask(box.checked ? "partShow" : "partHide", { parts: [row.number] });
+                const { ok } = await app.ask(box.checked ? "part show" : "part hide", row.number);
                 if (!ok) box.checked = row.shown;
             } });
-        const alone = button(t("isolate", nameOf(row)), () => app.ask("partIsolate", { parts: [row.number] }), "model");
+        const alone = button(t("isolate", nameOf(row)), () => app.ask("part isolate", row.number), "model");
         alone.disabled = !app.mayEdit();
         return make("li", {}, box, make("span", { className: "name", title: t("triangles", number(row.triangles)) }, nameOf(row)),
             make("span", { className: "dim" }, number(row.triangles)), alone);
@@ -60,7 +60,7 @@ export function modelPanel(app) {
     }
 
     async function showMaterial() {
-        const answer = chosen ? await app.ask("material", { number: chosen }) : { ok: false };
+        const answer = chosen ? await app.ask("material get", chosen) : { ok: false };
         material = answer.ok ? answer.material : null;
         fields.hidden = !material;
         if (!material) return;
@@ -75,7 +75,7 @@ export function modelPanel(app) {
         fields = make("div", { role: "group", "aria-label": t("model"), hidden: true });
         const set = (key) => async (value, goesOn) => {
             const which = chosen;
-            const ok = await app.edit("materialSet " + which + key, "materialSet", { number: which, key, value }, goesOn === true);
+            const ok = await app.edit("material set " + which + key, "material set", [which, key, ...[value].flat()], goesOn === true);
             if (!ok) showMaterial();
         };
         fields.made = fieldsOf().map(([key, label, kind]) => {
@@ -84,7 +84,7 @@ export function modelPanel(app) {
             fields.append(made.element);
             return { key, made };
         });
-        fields.back = button(of("MaterialFields", "As in the file"), () => app.ask("materialReset", { number: chosen }));
+        fields.back = button(of("MaterialFields", "As in the file"), () => app.ask("material reset", chosen));
         fields.back.title = of("MaterialFields", "Take all changes of this material back");
         fields.append(make("div", { className: "actions" }, fields.back));
         place.append(fields);
@@ -102,7 +102,7 @@ export function modelPanel(app) {
 
     /** The part and the material in the middle of the image. */
     async function pick() {
-        const answer = await app.ask("seen", { x: 0.5, y: 0.5 });
+        const answer = await app.ask("seen", 0.5, 0.5);
         if (!answer.ok) return;
         find.value = "";
         picked = true;
@@ -128,7 +128,7 @@ export function modelPanel(app) {
                 list();
             } });
             places = { parts: make("ul", { className: "list" }), materials: make("ul", { className: "list" }) };
-            showAll = button(of("ModelPanel", "Show all"), () => app.ask("partShowAll"));
+            showAll = button(of("ModelPanel", "Show all"), () => app.ask("part show-all"));
             const parts = group(of("ModelPanel", "Parts"), make("div", { className: "actions" }, showAll), places.parts);
             const materials = group(of("ModelPanel", "Materials"), places.materials);
             parts.open = true;
@@ -139,7 +139,7 @@ export function modelPanel(app) {
         },
         show() {
             showAll.disabled = !app.mayEdit();
-            const now = [app.state.scene, app.state.edits, app.state.redo, app.mayEdit(), app.welcome?.you].join("|");
+            const now = [app.state.scene, app.state.edits, JSON.stringify(app.state.redo), app.mayEdit(), app.welcome?.you].join("|");
             if (now === scene) return;
             scene = now;
             refresh();

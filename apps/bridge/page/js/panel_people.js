@@ -12,7 +12,7 @@ export function peoplePanel(app) {
     const item = (one) => {
         const { driver, asking } = app.roles, mine = one.id === app.welcome.you;
         const facts = [mine && t("you"), one.id === driver && t("drives"), asking.includes(one.id) && t("asks"), !one.mayDrive && t("viewOnly")].filter(Boolean);
-        const give = app.drives() && !mine && one.mayDrive ? [button(t("giveTo"), () => app.ask("give", { to: one.id }))] : [];
+        const give = app.drives() && !mine && one.mayDrive ? [button(t("giveTo"), () => app.request("give", { to: one.id }))] : [];
         return make("li", {}, make("span", { className: "name" }, personName(one)), make("span", { className: "dim" }, facts.join(", ")), ...give);
     };
 
@@ -23,7 +23,7 @@ export function peoplePanel(app) {
             list = make("ul", { className: "list" });
             name = text(t("yourName"), (value) => {
                 setPreference("name", value.trim());
-                app.ask("name", { name: value.trim() });
+                app.request("name", { name: value.trim() });
             });
             actions = make("div", { className: "actions" });
             place.append(name.element, list, actions);
@@ -34,7 +34,7 @@ export function peoplePanel(app) {
             if (now === last) return;
             last = now;
             refill(list, app.roles.people.map(item));
-            refill(actions, [app.drives() ? button(t("stop"), () => app.ask("release"))
+            refill(actions, [app.drives() ? button(t("stop"), () => app.request("release"))
                 : app.welcome?.mayDrive ? button(t("ask"), () => app.askToDrive()) : make("p", {}, t("viewOnly"))]);
         },
     };

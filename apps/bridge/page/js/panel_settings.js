@@ -5,12 +5,10 @@ import { settingGroup, settingHelp, settingLabel, settingUnit, settingValue } fr
 import { forThisTab } from "./storage.js";
 import { t } from "./texts.js";
 
-const MOST_SIDE = 16384; // pixels
-
 export function settingsPanel(app) {
     let rows = [], groups = new Map(), size = null, defaults;
 
-    const set = (row) => (value, goesOn = false) => app.edit("set " + row.name, "set", { name: row.name, value }, goesOn);
+    const set = (row) => (value, goesOn = false) => app.edit("set " + row.name, "set", [row.name, value], goesOn);
 
     function field(row, onChange) {
         const label = settingLabel(row.name), grouped = row.name.includes(".");
@@ -49,17 +47,20 @@ export function settingsPanel(app) {
     /** The pixels of this screen's part for the frame, or as many as the bridge allows. */
     function fitted() {
         const { w, h } = app.pixels(), scale = Math.min(1, Math.sqrt((app.welcome.limits.maxPixels ?? w * h) / (w * h)));
-        return { width: Math.max(1, Math.floor(w * scale)), height: Math.max(1, Math.floor(h * scale)) };
+        return [Math.max(1, Math.floor(w * scale)), Math.max(1, Math.floor(h * scale))];
     }
 
     function addSize(place) {
-        const width = make("input", { type: "number", min: 1, max: MOST_SIDE, id: freshId(), "aria-label": settingLabel("width") });
-        const height = make("input", { type: "number", min: 1, max: MOST_SIDE, "aria-label": settingLabel("height") });
+        const side = (name, index) => {
+            const { min, max } = app.argument("resolution", index);
+            return make("input", { type: "number", min, max, id: freshId(), "aria-label": settingLabel(name) });
+        };
+        const width = side("width", 0), height = side("height", 1);
         const apply = button(t("apply"), () => {
             if (width.checkValidity() && height.checkValidity())
-                app.ask("resolution", { width: Number(width.value), height: Number(height.value) });
+                app.ask("resolution", Number(width.value), Number(height.value));
         });
-        const fit = button(t("fit"), () => app.ask("resolution", fitted()));
+        const fit = button(t("fit"), () => app.ask("resolution", ...fitted()));
         place.append(make("div", { className: "actions", role: "group", "aria-label": t("size") }, make("label", { for: width.id }, t("size")),
             width, "×", height, apply, fit));
         size = { width, height, apply, fit };

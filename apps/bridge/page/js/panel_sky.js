@@ -3,6 +3,7 @@ import { button, make } from "./dom.js";
 import { choice, numeric, text, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
 
+const lookText = (name) => t("look" + name.charAt(0).toUpperCase() + name.slice(1));
 const two = (value) => String(value).padStart(2, "0");
 
 export function skyPanel(app) {
@@ -12,56 +13,60 @@ export function skyPanel(app) {
         place.append(made.element);
         rows.push({ made, when, value });
     };
-    const edit = (what) => (keys, goesOn) => app.edit(what, what, keys, goesOn);
+    /** What follows a hand: `edit(command)(value, goesOn)`. */
+    const edit = (command) => (value, goesOn) => app.edit(command, command, [value].flat(), goesOn);
+    const ask = (command) => (value) => app.ask(command, value);
+    const onOff = (command) => (on) => app.ask(command, on ? "on" : "off");
+    const range = (command) => app.argument(command, 0);
 
     function addMap(place) {
         const has = () => Boolean(app.state.map);
-        environments = choice(t("environment"), [], (number) => app.ask("environment", { number: number === "" ? null : Number(number) }));
+        environments = choice(t("environment"), [], (number) => (number === "" ? app.ask("environment none") : app.ask("environment", Number(number))));
         place.append(environments.element);
-        add(place, numeric(of("SkyFields", "Turned by"), (degrees, goesOn) => edit("environmentRotation")({ degrees }, goesOn),
-            { min: -360, max: 360, unit: "°", help: of("SkyFields", "Turns the environment map, to the right about the up axis") }), has, () => app.state.map.rotation);
-        add(place, numeric(of("SkyFields", "Brightness"), (factor) => edit("environmentStrength")({ factor }),
-            { min: 0, slider: false, help: of("SkyFields", "How bright the environment map is; 1 is as its file says") }), has, () => app.state.map.strength);
+        add(place, numeric(of("SkyFields", "Turned by"), edit("environment rotation"),
+            { ...range("environment rotation"), unit: "°", help: of("SkyFields", "Turns the environment map, to the right about the up axis") }), has, () => app.state.map.rotation);
+        add(place, numeric(of("SkyFields", "Brightness"), edit("environment strength"),
+            { ...range("environment strength"), slider: false, help: of("SkyFields", "How bright the environment map is; 1 is as its file says") }), has, () => app.state.map.strength);
     }
 
     function addDate(place) {
         const dated = () => Boolean(app.state.sky?.on && !app.state.sky.studio && app.state.sky.date), sky = () => app.state.sky;
-        add(place, numeric(of("SkyFields", "Time of day"), (hour, goesOn) => edit("skyHour")({ hour }, goesOn), { min: 0, max: 24, unit: "h" }), dated, () => sky().hour);
-        const date = text(of("SkyFields", "Date"), (value) => {
-            const [year, month, day] = value.split("-").map(Number);
-            if (day) edit("skyDate")({ year, month, day });
-        });
+        add(place, numeric(of("SkyFields", "Time of day"), edit("sky hour"), { ...range("sky hour"), unit: "h" }), dated, () => sky().hour);
+        const date = text(of("SkyFields", "Date"), (value) => value && edit("sky date")(value));
         date.element.querySelector("input").type = "date";
         add(place, date, dated, () => sky().date.year.toString().padStart(4, "0") + "-" + two(sky().date.month) + "-" + two(sky().date.day));
-        const put = (change) => (value) => edit("skyPlace")({ latitude: sky().latitude, longitude: sky().longitude, zone: sky().zone, [change]: value });
-        const degrees = { slider: false, unit: "°" };
-        add(place, numeric(of("SkyFields", "Latitude"), put("latitude"), { ...degrees, min: -90, max: 90, help: of("SkyFields", "Degrees north; negative in the south") }), dated, () => sky().latitude);
-        add(place, numeric(of("SkyFields", "Longitude"), put("longitude"), { ...degrees, min: -180, max: 180, help: of("SkyFields", "Degrees east; negative in the west") }), dated, () => sky().longitude);
-        add(place, numeric(of("SkyFields", "Time zone"), put("zone"), { slider: false, unit: "h", min: -15, max: 15, help: of("SkyFields", "What the clock is ahead of universal time") }), dated, () => sky().zone);
-        add(place, numeric(of("SkyFields", "North"), (value, goesOn) => edit("skyNorth")({ degrees: value }, goesOn),
-            { min: -360, max: 360, unit: "°", help: of("SkyFields", "Where north is in the scene: from straight ahead to the right") }), dated, () => sky().north);
+        const put = (change) => (value) => {
+            const { latitude, longitude, zone } = { ...sky(), [change]: value };
+            edit("sky place")([latitude, longitude, zone]);
+        };
+        const place_ = (index) => ({ ...app.argument("sky place", index), slider: false });
+        add(place, numeric(of("SkyFields", "Latitude"), put("latitude"), { ...place_(0), unit: "°", help: of("SkyFields", "Degrees north; negative in the south") }), dated, () => sky().latitude);
+        add(place, numeric(of("SkyFields", "Longitude"), put("longitude"), { ...place_(1), unit: "°", help: of("SkyFields", "Degrees east; negative in the west") }), dated, () => sky().longitude);
+        add(place, numeric(of("SkyFields", "Time zone"), put("zone"), { ...place_(2), unit: "h", help: of("SkyFields", "What the clock is ahead of universal time") }), dated, () => sky().zone);
+        add(place, numeric(of("SkyFields", "North"), edit("sky north"),
+            { ...range("sky north"), unit: "°", help: of("SkyFields", "Where north is in the scene: from straight ahead to the right") }), dated, () => sky().north);
     }
 
     function addSun(place) {
         const any = () => Boolean(app.state.sky?.on), on = () => any() && !app.state.sky.studio, byDirection = () => on() && !app.state.sky.date;
         place.append(make("h3", {}, of("SkyFields", "Sun")));
-        add(place, toggle(of("SkyFields", "Computed sky with a sun"), (value) => app.ask("sky", { on: value })), () => true, on);
+        add(place, toggle(of("SkyFields", "Computed sky with a sun"), onOff("sky")), () => true, on);
         add(place, choice(of("SkyFields", "Sun"), [["date", of("SkyFields", "By date and place")], ["direction", of("SkyFields", "By direction")]],
-            (by) => (by === "date" ? app.ask("skyHour", { hour: app.state.sky.hour ?? 12 }) : app.ask("skyDirection", { direction: app.state.sky.direction }))),
+            (by) => (by === "date" ? app.ask("sky hour", app.state.sky.hour ?? 12) : app.ask("sky direction", ...app.state.sky.direction))),
         on, () => (app.state.sky.date ? "date" : "direction"));
         addDate(place);
-        add(place, vector(of("SkyFields", "To the sun"), (direction) => direction.some((part) => part !== 0) && edit("skyDirection")({ direction })),
+        add(place, vector(of("SkyFields", "To the sun"), (direction) => direction.some((part) => part !== 0) && edit("sky direction")(direction)),
             byDirection, () => app.state.sky.direction);
-        const ahead = button(of("SkyFields", "Where I look"), () => app.status.forward && app.ask("skyDirection", { direction: app.status.forward }));
+        const ahead = button(of("SkyFields", "Where I look"), () => app.status.forward && app.ask("sky direction", ...app.status.forward));
         ahead.title = of("SkyFields", "Put the sun where the camera looks");
         add(place, { element: make("div", { className: "actions" }, ahead), show: (_, enabled) => (ahead.disabled = !enabled) }, byDirection, () => null);
-        add(place, numeric(of("SkyFields", "Haze"), (turbidity, goesOn) => edit("skyTurbidity")({ turbidity }, goesOn),
-            { min: 2, max: 10, help: of("SkyFields", "2 very clear, 3 clear, 6 hazy, 10 thick") }), on, () => app.state.sky.turbidity);
-        add(place, numeric(of("SkyFields", "Strength"), (factor) => edit("skyStrength")({ factor }),
-            { min: 0, slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), any, () => app.state.sky.strength);
-        add(place, toggle(of("SkyFields", "Ground that takes the shadow"), (value) => app.ask("skyGround", { on: value }),
+        add(place, numeric(of("SkyFields", "Haze"), edit("sky turbidity"),
+            { ...range("sky turbidity"), help: of("SkyFields", "2 very clear, 3 clear, 6 hazy, 10 thick") }), on, () => app.state.sky.turbidity);
+        add(place, numeric(of("SkyFields", "Strength"), edit("sky strength"),
+            { ...range("sky strength"), slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), any, () => app.state.sky.strength);
+        add(place, toggle(of("SkyFields", "Ground that takes the shadow"), onOff("sky ground"),
             { help: of("SkyFields", "A wide ground below the model") }), any, () => app.state.sky.ground);
-        add(place, toggle(of("SkyFields", "White horizon"), (value) => app.ask("skyHaze", { on: value }),
+        add(place, toggle(of("SkyFields", "White horizon"), onOff("sky haze"),
             { help: of("SkyFields", "Haze at the horizon, into which a light ground fades") }), on, () => app.state.sky.haze);
     }
 
@@ -72,7 +77,7 @@ export function skyPanel(app) {
             map = "";
             addMap(place);
             addSun(place);
-            looks = ["Sky", "Studio", "Headlight"].map((name) => button(t("look" + name), () => app.ask("look", { name: name.toLowerCase() })));
+            looks = (range("look").words ?? []).map((name) => button(lookText(name), () => app.ask("look", name)));
             place.append(make("h3", {}, t("look")), make("div", { className: "actions", role: "group", "aria-label": t("lookNow") }, ...looks));
         },
         show() {

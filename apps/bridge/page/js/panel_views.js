@@ -6,9 +6,8 @@ import { viewText } from "./fragment.js";
 import { counted, t } from "./texts.js";
 
 const SPEED_STEP = 1.5;
-/** What the server calls them, and their texts. */
-const SIDES = [["front", "sideFront"], ["back", "sideBack"], ["left", "sideLeft"], ["right", "sideRight"], ["top", "sideTop"],
-    ["bottom", "sideBottom"], ["three-quarter", "sideThreeQuarter"]];
+/** Of "three-quarter": sideThreeQuarter. */
+const sideText = (side) => t(("side-" + side).replace(/-(\w)/g, (_, letter) => letter.toUpperCase()));
 
 /** Offers bytes as a file. */
 export function download(name, blob) {
@@ -75,21 +74,21 @@ export function viewsPanel(app) {
 
     const item = (one, index, list) => make("li", {}, ...(one.image ? [make("img", { src: one.image, alt: "" })] : []),
         make("button", { type: "button", className: "name", title: t("bookmarkGo", one.name), disabled: !app.drives(),
-            onclick: () => app.ask("camera", cameraOf(one.view)) }, one.name),
+            onclick: () => app.ask("camera set", ...cameraOf(one.view)) }, one.name),
         button(t("bookmarkRemove", one.name), () => keep(list.filter((_, at) => at !== index)), "close"));
     const ownItem = (text, index) => make("li", {}, make("button", { type: "button", className: "name", title: t("bookmarkGo", text), disabled: !app.drives(),
-        onclick: () => app.ask("bookmark", { number: index + 1 }) }, text));
+        onclick: () => app.ask("bookmark go", index + 1) }, text));
 
     function addMotion(place) {
         motion = choice(t("motion"), [["walk", t("walk")], ["fly", t("fly")]], (what) => app.ask(what));
-        angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "angle", { degrees }, goesOn), { min: 10, max: 150, unit: "°" });
-        speed = numeric(t("flightSpeed"), app.setSpeed, { min: 0.001, max: 1000, slider: false, unit: "×" });
+        angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "camera angle", [degrees], goesOn), { min: 10, max: 150, unit: "°" });
+        speed = numeric(t("flightSpeed"), app.setSpeed, { ...app.argument("speed", 0), slider: false, unit: "×" });
         const step = (text, factor) => button(t(text), () => app.setSpeed(app.speed * factor));
         speed.steps = [step("slower", 1 / SPEED_STEP), step("faster", SPEED_STEP)];
         middle = button(t("focusMiddle"), () => app.focus({ x: 0.5, y: 0.5 }));
         copy = button(t("copyLink"), copyLink);
-        reset = button(t("resetView"), () => app.ask("reset"));
-        sides = SIDES.map(([side, text]) => button(t(text), () => app.ask("side", { side })));
+        reset = button(t("resetView"), () => app.ask("camera reset"));
+        sides = (app.argument("camera view", 0).words ?? []).map((side) => button(sideText(side), () => app.ask("camera view", side)));
         place.append(motion.element, angle.element, speed.element, make("div", { className: "actions" }, ...speed.steps, middle),
             make("div", { className: "actions" }, copy, reset),
             make("h3", {}, t("seenFrom")), make("div", { className: "actions" }, ...sides));

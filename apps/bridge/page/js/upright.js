@@ -8,7 +8,7 @@ export function reshaped({ width, height }, aspect) {
 }
 
 export class Upright {
-    /** @param {Object} on `drives()`, `size()` of the images, `room()` for them, `request(what, keys)` */
+    /** @param {Object} on `drives()`, `size()` of the images, `room()` for them, `resize(width, height)` */
     constructor(on) {
         this.on = on;
         this.before = null; // the size of the others
@@ -22,7 +22,7 @@ export class Upright {
         const { w, h } = this.on.room(), wanted = upright.matches ? reshaped(size, w / h) : this.before;
         this.before = upright.matches ? size : null;
         this.asking = true;
-        await this.on.request("resolution", wanted); // where sizes are locked, the image is cut
+        await this.on.resize(wanted.width, wanted.height); // where sizes are locked, the image is cut
         this.asking = false;
     }
 

@@ -1,0 +1,123 @@
+#include "bridge/control/request_words.h"
+
+#include "rtcore/io/text/scn.h"
+#include "rtcore/io/text/sun_date.h"
+#include "rtcore/settings/number_text.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace bridge {
+
+namespace {
+
+using app::ArgumentType;
+using app::CommandArgument;
+using nlohmann::json;
+
+std::string nameOf(const CommandArgument& argument) {
+    return argument.name.empty() ? "a word" : std::string(argument.name);
+}
+
+double numberOf(const CommandArgument& argument, const json& value) {
+    if (!value.is_number()) throw Refused(fmt::format("{} is a number", nameOf(argument)));
+    const auto number = value.get<double>();
+    if (!std::isfinite(number) || std::abs(number) > app::kMostNumber)
+        throw Refused(fmt::format("{} is out of range", nameOf(argument)));
+    return number;
+}
+
+std::string wholeWord(const CommandArgument& argument, const json& value, double least, double most) {
+    const double number = numberOf(argument, value);
+    if (number != std::floor(number) || number < least || number > most)
+        throw Refused(fmt::format("{} is a whole number, at least {}", nameOf(argument), least));
+    return fmt::format("{}", static_cast<std::int64_t>(number));
+}
+
+std::string materialValueWord(const CommandArgument& argument, const json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+    return rtcore::shortestText(numberOf(argument, value));
+}
+
+std::string materialKeyWord(const json& value) {
+    if (value.is_string())
+        for (const std::string_view key : rtcore::materialKeys())
+            if (key == value.get_ref<const std::string&>()) return std::string(key);
+    throw Refused("there is no such key of a material");
+}
+
+std::string dateWord(const json& value) {
+    const auto day =
+        value.is_string() ? rtcore::calendarDateOf(value.get_ref<const std::string&>()) : std::nullopt;
+    if (!day) throw Refused("DATE is a day from 1800 to 2200, such as 2026-06-21");
+    return rtcore::calendarDateText(*day);
+}
+
+std::string bookmarkWord(const json& value, std::span<const std::string> bookmarks) {
+    const double number = value.is_number() ? value.get<double>() : 0;
+    if (!(number >= 1 && number <= static_cast<double>(bookmarks.size()) && number == std::floor(number)))
+        throw Refused("there is no such bookmark");
+    return bookmarks[static_cast<std::size_t>(number) - 1];
+}
+
+std::string settingWord(const json& value) {
+    const rtcore::Setting* const setting =
+        value.is_string() ? rtcore::findSetting(value.get_ref<const std::string&>()) : nullptr;
+    if (setting == nullptr || setting->name != value.get_ref<const std::string&>() ||
+        !setting->browser.offered)
+        throw Refused("there is no such setting");
+    return std::string(setting->name);
+}
+
+/// One of the words that may stand in an argument's place.
+std::optional<std::string> tableWord(const CommandArgument& argument, const json& value) {
+    if (!value.is_string()) return std::nullopt;
+    const std::vector<std::string_view> words = app::wordsOf(argument);
+    const auto found = std::ranges::find(words, value.get_ref<const std::string&>());
+    return found == words.end() ? std::nullopt : std::optional(std::string(*found));
+}
+
+} // namespace
+
+std::string wordOf(const CommandArgument& argument, const json& value,
+                   const RequestSurroundings& surroundings) {
+    constexpr double kLeast = std::numeric_limits<std::int32_t>::min();
+    if (const auto word = tableWord(argument, value)) return *word;
+    switch (argument.type) {
+    case ArgumentType::Integer:
+        return wholeWord(argument, value, std::max(argument.minimum, kLeast), app::kMostWhole);
+    case ArgumentType::Number:
+        return rtcore::shortestText(numberOf(argument, value));
+    case ArgumentType::Choice:
+        throw Refused(fmt::format("a word is one of {}", argument.words));
+    case ArgumentType::Setting:
+        return settingWord(value);
+    case ArgumentType::Date:
+        return dateWord(value);
+    case ArgumentType::Part:
+    case ArgumentType::Material:
+        return wholeWord(argument, value, 1, app::kMostWhole);
+    case ArgumentType::MaterialKey:
+        return materialKeyWord(value);
+    case ArgumentType::MaterialValue:
+        return materialValueWord(argument, value);
+    case ArgumentType::Bookmark:
+        return bookmarkWord(value, surroundings.bookmarks);
+    case ArgumentType::Text:
+    case ArgumentType::Path:
+    case ArgumentType::SettingValue: // of `set`, which knows the setting
+    case ArgumentType::Key:
+    case ArgumentType::Action:
+        break;
+    }
+    throw Refused(fmt::format("pages give no {}", nameOf(argument)));
+}
+
+} // namespace bridge

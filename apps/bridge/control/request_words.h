@@ -1,0 +1,17 @@
+/// An argument of a request, as the word of a command that stands for it.
+#pragma once
+
+#include "bridge/control/requests.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace bridge {
+
+/// Numbers are written anew, other words are those of tables. Throws Refused: of another type, unknown, or of
+/// an argument that is text or a path, which no page gives.
+std::string wordOf(const app::CommandArgument& argument, const nlohmann::json& value,
+                   const RequestSurroundings& surroundings);
+
+} // namespace bridge
