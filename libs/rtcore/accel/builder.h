@@ -22,7 +22,7 @@ KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* ti
                    BuildProgress* progress = nullptr);
 
 /// K_I / K_T that `intersectionCost` = 0 stands for. Small, since a vector of rays passes most triangles of a
-/// leaf by (docs/performance.md), and smaller for larger models, whose trees have to stay in the caches.
+/// leaf by (docs/lab/kernels.md), and smaller for larger models, whose trees have to stay in the caches.
 float automaticIntersectionCost(std::size_t triangles);
 
 } // namespace rtcore

@@ -27,7 +27,7 @@ struct GroupShape {
     Range origin[3]; ///< by addOrigins()
 
     /// Whether they take much the same way: no component of their directions spans more than three tenths of
-    /// the longest (docs/performance.md).
+    /// the longest (docs/lab/kernels.md).
     bool coherent() const {
         constexpr float kSpread = 0.3F;
         float spread = 0;

@@ -1,5 +1,5 @@
 // A stream: thousands of rays of any directions walk the tree at once. One depth-first walk carries lists of
-// rays, split at each node; short lists go on as packets (docs/performance.md). Included once for each
+// rays, split at each node; short lists go on as packets (docs/lab/kernels.md). Included once for each
 // target.
 #if defined(RTCORE_KERNELS_STREAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_KERNELS_STREAM_INL_H_
