@@ -1,6 +1,7 @@
 #!/bin/sh
-# The layout of the code by clang-format 14, the words of docs/style.md, the rooms that may call the system, what the window
-# shows as plain text, the files that the bridge opens and the syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
+# The layout of the code by clang-format 14, the words of docs/style.md, the pages' columns and links, the rooms that may
+# call the system, what the window shows as plain text, the files that the bridge opens and the syntax of the scripts; with
+# --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -12,6 +13,8 @@ else
 fi
 scripts/check_words.py
 echo "check-style: the words are those of docs/style.md"
+scripts/check_documents.py
+echo "check-style: the pages are wrapped, their links lead somewhere and their images are shown"
 scripts/check_system_headers.py
 echo "check-style: system headers are included in their rooms only"
 scripts/check_plain_text.py
