@@ -190,6 +190,7 @@ void ServerLoop::publishStatus() {
                        {.progress = upkeep_.progress(),
                         .framesPerSecond = drawing_.framesPerSecond(),
                         .wholeSeconds = drawing_.wholeSeconds(),
+                        .stateRevision = revision_.of(state_, drawing_.idle()),
                         .messages = messages_.count(),
                         .idle = drawing_.idle()});
     server_.setStatus(status_);

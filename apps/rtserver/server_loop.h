@@ -10,6 +10,7 @@
 #include "rtserver/scene_upkeep.h"
 #include "rtserver/server_options.h"
 #include "rtserver/server_state.h"
+#include "rtserver/state_revision.h"
 
 #include "common/process/exit_codes.h"
 #include "common/process/process_watch.h"
@@ -74,6 +75,7 @@ class ServerLoop : private Host, private Replies {
     const Options& options_;
     std::function<void()> onReady_; ///< called once
     ipc::Status status_;            ///< that was told last
+    StateRevision revision_;
     ipc::Server server_;
     Messages messages_;
     ServerState state_;

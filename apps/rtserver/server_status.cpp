@@ -10,6 +10,7 @@ ipc::Status statusOf(const ServerState& state, const FrameMaker& frames, const A
     status.paused = state.paused ? 1 : 0;
     status.recording = state.recording() ? 1 : 0;
     status.messages = activity.messages;
+    status.stateRevision = activity.stateRevision;
     status.framesPerSecond = activity.framesPerSecond;
     status.wholeSeconds = activity.wholeSeconds;
     if (!state.ready()) return status;

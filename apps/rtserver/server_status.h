@@ -15,6 +15,7 @@ struct Activity {
     float progress = 1; ///< of a scene that is being loaded, 0..1; 1 when there is none
     double framesPerSecond = 0;
     double wholeSeconds = 0;    ///< see FrameDrawing::wholeSeconds()
+    std::uint64_t stateRevision = 0; ///< see StateRevision
     std::uint32_t messages = 0; ///< so far
     bool idle = false;          ///< see FrameDrawing::idle()
 };

@@ -2,6 +2,7 @@
 
 #include "common/cli/command_line.h"
 #include "common/commands/command_lines.h"
+#include "common/mirror/state_follower.h"
 #include "common/process/seconds_since.h"
 #include "common/process/thread_seconds.h"
 
@@ -11,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace bridge {
@@ -20,7 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 using LinkClock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kStateLook = 1s, kSearch = 200ms,
+constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kSearch = 200ms,
                                     kIdleLook = 500ms;
 constexpr auto kPatience = 60s;
 
@@ -67,10 +69,6 @@ struct CommandLink::State {
     void collectAnswers();
     void lookAtStatus();
     void askForState();
-    void wantState(bool again) {
-        const std::lock_guard lock(mutex);
-        wantsState = wantsState || again;
-    }
     void askForMessages(std::uint32_t count);
     void fail(const std::string& why);
     void ask(std::string command, std::function<void(ipc::Reply)> done);
@@ -103,13 +101,15 @@ struct CommandLink::State {
     std::optional<ServerState> told;
     KeySet pressed;
     std::list<Request> requests; ///< sent, or to be sent
-    bool turning = false, stateUnderWay = false, messagesUnderWay = false;
-    LinkClock::time_point lastStatus, lastState;
+    app::StateFollower follower;
+    bool turning = false, messagesUnderWay = false;
+    LinkClock::time_point lastStatus;
     std::optional<ipc::Status> status; ///< that was told last
     std::uint32_t knownMessages = 0;
     bool knowsMessages = false;
     std::uint64_t epoch = 0;
     std::string lastReport;
+    bool tellsAgain = false; ///< a report that is the same as the last one, too
 
     std::thread thread; // last: it uses all of the above
 };
@@ -198,6 +198,7 @@ void CommandLink::State::tellServer(ServerState now, const std::string& why) {
     if (now == ServerState::Gone || now == ServerState::Refused) {
         lastReport.clear();
         status.reset();
+        follower.forget();
         knowsMessages = false;
     }
     events.server(now, why.empty() && now == ServerState::Gone ? "no server '" + instance + "' runs" : why);
@@ -274,6 +275,7 @@ void CommandLink::State::lookAtStatus() {
     lastStatus = LinkClock::now();
     if (told == ServerState::Gone) return;
     const ipc::Status now = client->status();
+    follower.revision(now.stateRevision);
     if (knowsMessages && now.messages != knownMessages) askForMessages(now.messages);
     if (!knowsMessages) knownMessages = now.messages;
     knowsMessages = true;
@@ -294,23 +296,18 @@ void CommandLink::State::askForMessages(std::uint32_t count) {
 }
 
 void CommandLink::State::askForState() {
-    bool soon = false;
+    bool again = false;
     {
         const std::lock_guard lock(mutex);
-        soon = wantsState;
+        again = std::exchange(wantsState, false);
     }
-    if (stateUnderWay || told != ServerState::There) return;
-    if (!soon && LinkClock::now() - lastState < kStateLook) return;
-    lastState = LinkClock::now();
-    stateUnderWay = true;
-    {
-        const std::lock_guard lock(mutex);
-        wantsState = false;
-    }
-    ask(app::command::state(), [this, soon](ipc::Reply reply) {
-        stateUnderWay = false;
-        if (reply.status != ipc::ReplyStatus::Done) return wantState(soon);
-        if (reply.text == lastReport && !soon) return;
+    if (again) follower.want();
+    tellsAgain = tellsAgain || again;
+    if (told != ServerState::There || !follower.asks()) return;
+    ask(app::command::state(), [this](ipc::Reply reply) {
+        if (!follower.answered(reply.status == ipc::ReplyStatus::Done)) return;
+        const bool same = reply.text == lastReport;
+        if (!std::exchange(tellsAgain, false) && same) return;
         lastReport = reply.text;
         events.state(std::move(reply.text));
     });

@@ -5,11 +5,11 @@
 #include "gui/models/scene_state.h"
 #include "gui/session/session.h"
 
-#include <QElapsedTimer>
-#include <QHash>
+#include "common/mirror/edit_queue.h"
+#include "common/mirror/state_follower.h"
+
 #include <QList>
 #include <QObject>
-#include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
@@ -22,7 +22,7 @@ class SceneEditor : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr qint64 kOneGesture = 1000; ///< milliseconds: changes within are one step of undo
+    static constexpr qint64 kOneGesture = app::EditQueue::kOneGesture.count(); ///< milliseconds
 
     /// `session` must outlive it.
     explicit SceneEditor(Session& session, QObject* parent = nullptr);
@@ -66,42 +66,25 @@ class SceneEditor : public QObject {
 
   private:
     void onSession();
-    void look();
+    void onStatus();
     void ask();
     void take(const SceneState& state, QString scene);
     void beginChange();
-    void sendSetting(const QString& name);
-    void onSetting(const QString& name, const QString& value, const Answer& answer);
-    void sendFollowing(const QString& step);
+    void send(const std::string& thing, const std::string& line);
+    void onAnswer(const std::string& thing, const Answer& answer);
     void onRefusal(const Answer& answer);
     bool ownIsLast() const;
     bool ownIsNext() const;
     void forgetOwn();
-
-    struct Sending {
-        bool underWay = false;
-        std::optional<QString> next; ///< the newest wish
-    };
-
-    struct Following {
-        bool underWay = false;
-        std::optional<std::string> next; ///< the newest line
-        bool goesOn = false;
-    };
 
     Session& session_;
     SceneState state_;
     QString scene_;
     QUndoStack own_;
     QList<int> ownAt_; ///< after so many of the server's edits
-    QTimer timer_;
-    QElapsedTimer sinceAsked_, sinceSet_;
-    QString lastSet_;                     ///< the setting whose gesture may go on
-    QHash<QString, Sending> sending_;     ///< by name of the setting
-    QHash<QString, Following> following_; ///< by step
-    quint64 changes_ = 0;                 ///< sent by us: an answer to an older question is out of date
-    quint64 askedAt_ = 0;                 ///< number of the frame
-    bool live_ = false, loading_ = false, asking_ = false, askAgain_ = false;
+    app::StateFollower follower_;
+    app::EditQueue edits_;
+    bool live_ = false;
 };
 
 } // namespace gui

@@ -32,6 +32,7 @@ struct ServerStatus {
     bool idle = false;   ///< the next frame would equal the last
     bool paused = false; ///< no frame comes until the server is told to resume
     bool recording = false;
+    quint64 stateRevision = 0; ///< grows when `state` would answer something else
     quint64 messages = 0; ///< number of messages so far; grows
     friend bool operator==(const ServerStatus&, const ServerStatus&) = default;
 };

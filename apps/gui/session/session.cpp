@@ -30,6 +30,7 @@ ServerStatus statusOf(const ipc::Status& from) {
     to.paused = from.paused != 0;
     to.recording = from.recording != 0;
     to.messages = from.messages;
+    to.stateRevision = from.stateRevision;
     return to;
 }
 

@@ -80,6 +80,7 @@ TEST_F(Handshakes, ASegmentWithoutItsServersLockIsNoServer) {
 TEST_F(Handshakes, OtherVersionsAreNamed) {
     const std::function<void(ControlHeader&)> changes[] = {
         [](ControlHeader& h) { h.handshake.protocolVersion++; },
+        [](ControlHeader& h) { h.handshake.protocolVersion--; },
         [](ControlHeader& h) { h.handshake.controlBytes--; },
         [](ControlHeader& h) { h.handshake.boostVersion += 100; },
         [](ControlHeader& h) { h.handshake.pointerBytes = 4; },
