@@ -120,7 +120,7 @@ TEST_F(JobDialogsTest, WhatPathsDoNotUseIsGrey) {
     context.output = file("out.png");
     RenderDialog dialog(context);
     const auto has = [&](const char* word) { return dialog.arguments().contains(QLatin1String(word)); };
-    auto* integrator = field<QComboBox>(dialog, "Integrator");
+    auto* integrator = field<QComboBox>(dialog, "Quality");
     auto* samples = field<QSpinBox>(dialog, "Samples of path tracing");
     auto* occlusion = field<QComboBox>(dialog, "Ambient occlusion");
     auto* rays = field<QSpinBox>(dialog, "Rays of the ambient occlusion");

@@ -119,7 +119,7 @@ std::vector<CommandSpec> cameraCommands() {
          .arguments = {number("FACTOR", 0.001, 1000)},
          .step = "field of view",
          .browser = BrowserUse::Move,
-         .help = "show what is in the middle so many times as large, from the same place",
+         .help = "zoom by a factor; the camera stays where it is",
          .more = "The field of view stays between 0.5 and 170 degrees, or where it is. Prints it then, in "
                  "degrees; without perspective, the width"},
         {.id = CommandId::Up,
@@ -134,7 +134,7 @@ std::vector<CommandSpec> cameraCommands() {
          .name = "units",
          .arguments = {maybe(orElse(number("METRES", 1e-9, 1e9), "auto|mm|cm|m|in|ft"))},
          .step = "unit",
-         .help = "so long is a unit of the model; print what holds now, and why",
+         .help = "set the length of one model unit; print what holds now, and why",
          .more = "Walking, flying and depth of field go by it"},
         {.id = CommandId::Focus,
          .name = "focus",
@@ -153,11 +153,11 @@ std::vector<CommandSpec> cameraCommands() {
         {.id = CommandId::Walk,
          .name = "walk",
          .browser = BrowserUse::Move,
-         .help = "with a body, on the ground",
+         .help = "walk with gravity and collisions",
          .more = "From a view from outside one begins before the door or the front of the model. Fails where "
                  "there "
                  "is no room to stand and no floor below, and where the model is too small"},
-        {.id = CommandId::Fly, .name = "fly", .browser = BrowserUse::Move, .help = "freely"},
+        {.id = CommandId::Fly, .name = "fly", .browser = BrowserUse::Move, .help = "fly freely, through walls"},
     };
 }
 

@@ -120,7 +120,7 @@ std::vector<CommandSpec> surroundingCommands() {
          .browser = BrowserUse::Edit,
          .sets = {"skyLight.on", "ambientOcclusion.on", "ambientOcclusion.distance", "path.filter",
                   "exposure.mode", "exposure.key", "toneMapping", "toneContrast"},
-         .help = "light the scene so, in place of its lights, its sky and its environment map",
+         .help = "replace the scene's lighting by a preset: lights, sky and environment map",
          .more = "As the option `--look` does, for what is seen now"},
         {.id = CommandId::Lights,
          .name = "lights",

@@ -60,9 +60,9 @@ QWidget* ConfigureDialog::generalPage() {
     addTheme(*form);
     addLanguage(*form);
     addShortcuts(*form);
-    auto* folder = new FileField(FileField::Kind::Folder, tr("Folder for images"), QString());
+    auto* folder = new FileField(FileField::Kind::Folder, tr("Image folder"), QString());
     folder->setPath(preferences_.picturesFolder());
-    form->addRow(tr("&Folder for images:"), folder);
+    form->addRow(tr("&Image folder:"), folder);
     stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
     constexpr int kMostMegabytes = 1000000;
     addNumber(*form, tr("Mo&del cache:"), pref::modelCacheMegabytes, 0, kMostMegabytes, tr(" MB"),
@@ -140,7 +140,7 @@ void ConfigureDialog::addLanguage(QFormLayout& form) {
 void ConfigureDialog::addShortcuts(QFormLayout& form) {
     auto* box = new QComboBox;
     box->addItem(tr("usual on desktops"), QStringLiteral("desktop"));
-    box->addItem(tr("as in the thesis"), QStringLiteral("thesis"));
+    box->addItem(tr("Classic shortcuts"), QStringLiteral("thesis"));
     box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::shortcuts))));
     box->setToolTip(
         tr("Of the menus: Ctrl+S saves and Ctrl+C copies the camera, or they start a server and connect "

@@ -202,7 +202,7 @@ void JobsPanel::showDetails() {
     const Job job = at < 0 ? Job() : queue_.job(at);
     message_->setText(job.message);
     message_->setVisible(!job.message.isEmpty());
-    log_->setPlaceholderText(at < 0 ? tr("No job is selected.") : tr("Nothing printed."));
+    log_->setPlaceholderText(at < 0 ? tr("No job is selected.") : QString());
     if (log_->toPlainText() != job.log) {
         log_->setPlainText(job.log);
         log_->verticalScrollBar()->setValue(log_->verticalScrollBar()->maximum());

@@ -93,20 +93,20 @@ void RenderDialog::makeFields(const RenderContext& context) {
     constexpr QSize kUsual(1920, 1080);
     const QSize size = context.size.isEmpty() ? kUsual : context.size;
     size_ = new QComboBox;
-    size_->addItems({tr("from scene"), tr("fixed")});
+    size_->addItems({tr("from scene"), tr("custom")});
     size_->setAccessibleName(tr("Resolution"));
     size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
     width_ = numberField(1, mostOf("width"), size.width(), tr("Width"));
     height_ = numberField(1, mostOf("height"), size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     integrator_ = new QComboBox;
-    integrator_->addItems({tr("from scene"), tr("Whitted ray tracing"), tr("path tracing")});
-    integrator_->setAccessibleName(tr("Integrator"));
+    integrator_->addItems({tr("as in scene"), tr("fast"), tr("full light")});
+    integrator_->setAccessibleName(tr("Quality"));
     samples_ = numberField(0, mostOf("path.samples"), 0, tr("Samples of path tracing"));
     samples_->setSpecialValueText(tr("from scene"));
     samples_->setSuffix(tr(" samples per pixel"));
     integratorRow_ = rowOfFields({integrator_, samples_});
-    newNoise_ = new QCheckBox(tr("&New noise in each frame"));
+    newNoise_ = new QCheckBox(tr("&Vary noise per frame"));
     newNoise_->setChecked(true);
     newNoise_->setToolTip(tr("Noise that stands still in a film looks like dirt on the glass.") +
                           QStringLiteral("\npath.seedPerFrame"));
@@ -134,7 +134,7 @@ void RenderDialog::layOut() {
     form().addRow(tr("F&ilm:"), film_);
     form().addRow(tr("&Output:"), output_);
     form().addRow(tr("&Resolution:"), sizeRow_);
-    form().addRow(tr("Inte&grator:"), integratorRow_);
+    form().addRow(tr("&Quality:"), integratorRow_);
     form().addRow(QString(), newNoise_);
     form().addRow(tr("&Anti-aliasing:"), antialiasing_);
     form().addRow(tr("Ambient occl&usion:"), occlusionRow_);
@@ -204,7 +204,7 @@ void RenderDialog::onSource() {
         form().setRowVisible(field, now == Source::List);
     size_->setItemText(AsTheScene, now == Source::View    ? tr("same as viewport")
                                    : now == Source::Scene ? tr("from scene")
-                                                          : tr("as the cameras say"));
+                                                          : tr("from recording"));
     size_->setMinimumWidth(size_->sizeHint().width()); // its least width is that of the words before
     output_->edit()->setPlaceholderText(now == Source::List ? tr("no images; or such as frame_####.png")
                                                             : QString());

@@ -43,7 +43,7 @@ QString wayText(const BridgeRequest& request, const BridgeLinks& links) {
         return ShareLinksPage::tr("Browsers ask once whether to go on. This certificate is known by %1")
             .arg(links.certificate);
     if (!request.address.isEmpty() && !request.encrypted())
-        return ShareLinksPage::tr("Not encrypted: everybody in between can read images and links.");
+        return ShareLinksPage::tr("Not encrypted: anyone on the network can see the images and the links.");
     if (!request.address.isEmpty()) return {};
     return ShareLinksPage::tr("From another machine: ssh -L %1:127.0.0.1:%1 %2, and then the same links.")
         .arg(QUrl(links.viewer).port())

@@ -62,7 +62,7 @@ void StartServerDialog::build(const QString& name) {
     instance_->setText(freeInstanceName(name));
     smooth_->setChecked(preferences_.get(pref::frameTime) > 0);
     further_->setPlaceholderText(QStringLiteral("--setting shadows=off --flip-textures"));
-    size_->addItems({tr("as large as the window"), tr("from scene"), tr("fixed")});
+    size_->addItems({tr("as large as the window"), tr("from scene"), tr("custom")});
     QWidget* sizes = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     auto* form = new QFormLayout;
     form->addRow(tr("&Scene or model:"), scene_);
@@ -72,7 +72,7 @@ void StartServerDialog::build(const QString& name) {
     form->addRow(tr("S&ettings:"), settings_);
     form->addRow(tr("&Threads:"), threads_);
     form->addRow(tr("Frame &limit:"), limit_);
-    form->addRow(tr("&Further options:"), further_);
+    form->addRow(tr("&More options:"), further_);
     form->addRow(QString(), smooth_);
     form->addRow(QString(), keep_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);

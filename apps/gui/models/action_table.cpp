@@ -109,7 +109,7 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::OpenEnvironment, MenuId::Light, TEXT("&Environment map…"),
               TEXT("Let an image of all directions surround and light the scene"), "",
               NeedsServer | SeparatorBefore | SkiesAfter},
-    ActionRow{ActionId::NoEnvironment, MenuId::Light, TEXT("&No surroundings"),
+    ActionRow{ActionId::NoEnvironment, MenuId::Light, TEXT("&No background"),
               TEXT("Neither sky nor environment map"), "", NeedsServer},
 
     ActionRow{ActionId::StopServer, MenuId::Commands, TEXT("&Stop server"), TEXT("End the server"), "Ctrl+K",

@@ -82,7 +82,7 @@ QString eventText(const QString& event) {
     if (event == QLatin1String("walking")) return tr("Walking");
     if (event == QLatin1String("flying")) return tr("Flying");
     if (event.startsWith(QLatin1String("nothing is below")))
-        return tr("Walking on a floor that is not seen, at the model's lowest point");
+        return tr("No floor here: walking on an invisible ground");
     if (event.startsWith(QLatin1String("there is no room to stand")))
         return tr("There is no room to stand here, or no floor below; move elsewhere first.");
     if (event == QLatin1String("bloom on")) return tr("Bloom: on");
@@ -103,7 +103,7 @@ std::optional<UpOffer> readUpOffer(const QString& offer) {
         QStringLiteral("^([+-][xyz]) is taken for up \\((.*)\\); 'up ([+-][xyz])' turns the model$"));
     const QRegularExpressionMatch found = form.match(offer);
     if (!found.hasMatch()) return std::nullopt;
-    return UpOffer{tr("The axis %1 is taken for up (%2).")
+    return UpOffer{tr("%1 is up (guessed %2).")
                        .arg(found.captured(1).toUpper(), reasonText(found.captured(2))),
                    found.captured(3)};
 }
@@ -113,7 +113,7 @@ std::optional<QString> readUnitOffer(const QString& offer) {
         QStringLiteral("^([0-9.e+-]+) m are taken for a unit \\((.*)\\); 'units' sets another$"));
     const QRegularExpressionMatch found = form.match(offer);
     if (!found.hasMatch()) return std::nullopt;
-    return tr("A unit is taken for %1 m (%2).")
+    return tr("1 unit = %1 m (guessed %2).")
         .arg(QLocale().toString(found.captured(1).toDouble(), 'g', 4), reasonText(found.captured(2)));
 }
 

@@ -78,7 +78,7 @@ void Actions::addExamples(QMenu& menu) {
 void Actions::addSkies(QMenu& menu) {
     const QList<InstalledSky> skies = installedSkies();
     if (skies.isEmpty()) return;
-    skies_ = menu.addMenu(tr("Environment of the &programs"));
+    skies_ = menu.addMenu(tr("&Built-in environments"));
     for (const InstalledSky& each : skies) {
         QAction* entry = skies_->addAction(plainEntry(each.name));
         entry->setStatusTip(each.path);

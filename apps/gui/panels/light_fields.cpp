@@ -176,14 +176,14 @@ void LightFields::addPlace() {
     onVector(position_, "light move", command::lightMove, &rtcore::Light::position);
     positionButtons_ =
         row({}, {button(tr("Here"), tr("Put the light at the camera"), "light move", command::lightMoveHere),
-                 button(tr("Where I look"), tr("Put it before the surface in the middle of the image"),
+                 button(tr("At view centre"), tr("Put it before the surface in the middle of the image"),
                         "light move", command::lightMoveSeen)});
     direction_ = vectorFields(tr("Direction"), 1);
     directionRow_ = rowBelow(tr("Direction"), direction_);
     onVector(direction_, "light aim", command::lightAim, &rtcore::Light::direction);
     directionButtons_ = row(
-        {}, {button(tr("Ahead"), tr("Let it shine as the camera looks"), "light aim", command::lightAimAhead),
-             button(tr("To where I look"), tr("Let it shine to what is in the middle of the image"),
+        {}, {button(tr("Along view"), tr("Let it shine as the camera looks"), "light aim", command::lightAimAhead),
+             button(tr("Aim at view centre"), tr("Let it shine to what is in the middle of the image"),
                     "light aim", command::lightAimSeen)});
 }
 

@@ -85,7 +85,7 @@ void LightsPanel::makeLights(QVBoxLayout& column, QAction* marks) {
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {add, copy_, remove_}) row->addWidget(button);
     static_cast<QVBoxLayout*>(box->layout())->addLayout(row);
-    auto* shown = new QCheckBox(tr("Marks in the image"));
+    auto* shown = new QCheckBox(tr("Show lights"));
     shown->setToolTip(plainTip(marks->toolTip()));
     shown->setChecked(marks->isChecked());
     connect(shown, &QCheckBox::clicked, marks, &QAction::trigger);

@@ -58,7 +58,7 @@ MaterialFields::MaterialFields(QWidget* parent)
     form->addRow(textures_);
     form->addRow(flip_);
     form->addRow(reset_);
-    reset_->setToolTip(tr("Take all changes of this material back"));
+    reset_->setToolTip(tr("Reset this material"));
     connect(textures_, &QCheckBox::clicked, this,
             [this](bool on) { emit switched(QStringLiteral("textures"), on); });
     connect(flip_, &QCheckBox::clicked, this,

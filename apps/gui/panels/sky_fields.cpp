@@ -154,8 +154,8 @@ void SkyFields::addDirection() {
         row->addWidget(direction_.at(i), 1);
         connect(direction_.at(i), &QDoubleSpinBox::valueChanged, this, &SkyFields::sendDirection);
     }
-    form_->addRow(tr("To the sun"), directionRow_);
-    auto* ahead = new QPushButton(tr("Where I look"));
+    form_->addRow(tr("Sun direction"), directionRow_);
+    auto* ahead = new QPushButton(tr("Along view"));
     ahead->setToolTip(tr("Put the sun where the camera looks"));
     connect(ahead, &QPushButton::clicked, this, &SkyFields::sunAheadWanted);
     aheadRow_ = ahead;
@@ -168,7 +168,7 @@ void SkyFields::addAir() {
     sends(turbidity_, "sky turbidity", command::skyTurbidity);
     strength_ = number(tr("Strength"), 0, kMostStrength);
     sends(strength_, "sky strength", command::skyStrength);
-    ground_ = new QCheckBox(tr("Ground that takes the shadow"));
+    ground_ = new QCheckBox(tr("Ground plane"));
     ground_->setToolTip(tr("A wide ground below the model"));
     form_->addRow(ground_);
     connect(ground_, &QCheckBox::clicked, this,

@@ -636,16 +636,16 @@
         <translation>Další varování: %1</translation>
     </message>
     <message>
-        <source>refining</source>
-        <translation>zpřesňuje se</translation>
+        <source>sharpening</source>
+        <translation>zaostřuje se</translation>
     </message>
     <message>
         <source>%1 textures are missing, so their materials are plain: %2</source>
         <translation>Chybějící textury: %1; jejich materiály jsou jednobarevné: %2</translation>
     </message>
     <message>
-        <source>Walking on a floor that is not seen, at the model&apos;s lowest point</source>
-        <translation>Chůze po neviditelné podlaze v nejnižším bodě modelu</translation>
+        <source>No floor here: walking on an invisible ground</source>
+        <translation>Není tu podlaha: chodíte po neviditelné zemi</translation>
     </message>
     <message>
         <source>There is no room to stand here, or no floor below; move elsewhere first.</source>
@@ -660,10 +660,6 @@
         <translation>Zaostřit na místo</translation>
     </message>
     <message>
-        <source>%1 % new</source>
-        <translation>%1 % nových</translation>
-    </message>
-    <message>
         <source>How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too</source>
         <translation>Kolik kamera vidí, jako úhel nebo objektiv; mění to i Ctrl s kolečkem</translation>
     </message>
@@ -676,7 +672,7 @@
         <translation>podle tvaru</translation>
     </message>
     <message>
-        <source>The axis %1 is taken for up (%2).</source>
+        <source>%1 is up (guessed %2).</source>
         <translation>Za směr vzhůru se bere osa %1 (%2).</translation>
     </message>
     <message>
@@ -692,7 +688,7 @@
         <translation>podle velikosti</translation>
     </message>
     <message>
-        <source>A unit is taken for %1 m (%2).</source>
+        <source>1 unit = %1 m (guessed %2).</source>
         <translation>Za jednotku se bere %1 m (%2).</translation>
     </message>
     <message>
@@ -745,11 +741,11 @@
     </message>
     <message>
         <source>&amp;Sky and sun</source>
-        <translation>&amp;Nebe a slunce</translation>
+        <translation>&amp;Obloha a slunce</translation>
     </message>
     <message>
         <source>Light the scene by a sky with a sun, in place of its lights</source>
-        <translation>Osvětlí scénu nebem se sluncem místo jejích světel</translation>
+        <translation>Osvětlí scénu oblohou se sluncem místo jejích světel</translation>
     </message>
     <message>
         <source>S&amp;tudio</source>
@@ -769,23 +765,23 @@
     </message>
     <message>
         <source>&amp;Environment map…</source>
-        <translation>&amp;Mapa okolí…</translation>
+        <translation>&amp;Mapa prostředí…</translation>
     </message>
     <message>
         <source>Let an image of all directions surround and light the scene</source>
         <translation>Obklopí a osvětlí scénu obrázkem všech směrů</translation>
     </message>
     <message>
-        <source>&amp;No surroundings</source>
-        <translation>&amp;Bez okolí</translation>
+        <source>&amp;No background</source>
+        <translation>&amp;Žádné pozadí</translation>
     </message>
     <message>
         <source>Neither sky nor environment map</source>
-        <translation>Ani nebe, ani mapa okolí</translation>
+        <translation>Ani obloha, ani mapa prostředí</translation>
     </message>
     <message>
         <source>Lights, the sky and environment maps</source>
-        <translation>Světla, nebe a mapy okolí</translation>
+        <translation>Světla, obloha a mapy prostředí</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -1084,8 +1080,8 @@ Qt %1</translation>
         <translation>&amp;Příklady</translation>
     </message>
     <message>
-        <source>Environment of the &amp;programs</source>
-        <translation>Okolí od &amp;programů</translation>
+        <source>&amp;Built-in environments</source>
+        <translation>Dodaná &amp;prostředí</translation>
     </message>
 </context>
 <context>
@@ -1327,12 +1323,12 @@ Alt+%2</translation>
         <translation>&amp;Myš</translation>
     </message>
     <message>
-        <source>Folder for images</source>
+        <source>Image folder</source>
         <translation>Složka pro obrázky</translation>
     </message>
     <message>
-        <source>&amp;Folder for images:</source>
-        <translation>&amp;Složka pro obrázky:</translation>
+        <source>&amp;Image folder:</source>
+        <translation>Složka pro &amp;obrázky:</translation>
     </message>
     <message>
         <source>&amp;Keep servers running when the window closes</source>
@@ -1463,8 +1459,8 @@ Alt+%2</translation>
         <translation>obvyklé na ploše</translation>
     </message>
     <message>
-        <source>as in the thesis</source>
-        <translation>jako v diplomové práci</translation>
+        <source>Classic shortcuts</source>
+        <translation>Klasické zkratky</translation>
     </message>
     <message>
         <source>Of the menus: Ctrl+S saves and Ctrl+C copies the camera, or they start a server and connect to one</source>
@@ -1957,10 +1953,6 @@ Alt+%2</translation>
         <source>No job is selected.</source>
         <translation>Není vybrána žádná úloha.</translation>
     </message>
-    <message>
-        <source>Nothing printed.</source>
-        <translation>Nic nevypsáno.</translation>
-    </message>
 </context>
 <context>
     <name>gui::KeyBindingsPage</name>
@@ -2051,8 +2043,8 @@ Alt+%2</translation>
         <translation>Umístit světlo ke kameře</translation>
     </message>
     <message>
-        <source>Where I look</source>
-        <translation>Kam se dívám</translation>
+        <source>At view centre</source>
+        <translation>Do středu pohledu</translation>
     </message>
     <message>
         <source>Put it before the surface in the middle of the image</source>
@@ -2063,16 +2055,16 @@ Alt+%2</translation>
         <translation>Směr</translation>
     </message>
     <message>
-        <source>Ahead</source>
-        <translation>Dopředu</translation>
+        <source>Along view</source>
+        <translation>Ve směru pohledu</translation>
     </message>
     <message>
         <source>Let it shine as the camera looks</source>
         <translation>Ať svítí, kam se dívá kamera</translation>
     </message>
     <message>
-        <source>To where I look</source>
-        <translation>Kam se dívám</translation>
+        <source>Aim at view centre</source>
+        <translation>Zamířit na střed pohledu</translation>
     </message>
     <message>
         <source>Let it shine to what is in the middle of the image</source>
@@ -2201,8 +2193,8 @@ Alt+%2</translation>
         <translation>Odebrat vybrané světlo</translation>
     </message>
     <message>
-        <source>Marks in the image</source>
-        <translation>Značky v obrazu</translation>
+        <source>Show lights</source>
+        <translation>Zobrazit světla</translation>
     </message>
     <message>
         <source>Surroundings</source>
@@ -2210,7 +2202,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Environment map…</source>
-        <translation>Mapa okolí…</translation>
+        <translation>Mapa prostředí…</translation>
     </message>
 </context>
 <context>
@@ -2274,7 +2266,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation>Krytí</translation>
+        <translation>Neprůhlednost</translation>
     </message>
     <message>
         <source>Glass colour</source>
@@ -2285,8 +2277,8 @@ Alt+%2</translation>
         <translation>Index lomu</translation>
     </message>
     <message>
-        <source>Take all changes of this material back</source>
-        <translation>Vrátit všechny změny tohoto materiálu</translation>
+        <source>Reset this material</source>
+        <translation>Vrátit tento materiál</translation>
     </message>
     <message>
         <source>Textures</source>
@@ -2663,6 +2655,10 @@ Alt+%2</translation>
         <translation>ze scény</translation>
     </message>
     <message>
+        <source>as in scene</source>
+        <translation>jako ve scéně</translation>
+    </message>
+    <message>
         <source>List of cameras</source>
         <translation>Seznam kamer</translation>
     </message>
@@ -2699,8 +2695,8 @@ Alt+%2</translation>
         <translation>Nastavení (*.set)</translation>
     </message>
     <message>
-        <source>fixed</source>
-        <translation>pevné</translation>
+        <source>custom</source>
+        <translation>vlastní</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -2799,8 +2795,8 @@ Alt+%2</translation>
         <translation>jako živý obraz</translation>
     </message>
     <message>
-        <source>as the cameras say</source>
-        <translation>podle kamer</translation>
+        <source>from recording</source>
+        <translation>podle záznamu</translation>
     </message>
     <message>
         <source>no images; or such as frame_####.png</source>
@@ -2831,16 +2827,16 @@ Alt+%2</translation>
         <translation>Zadejte výstupní soubor.</translation>
     </message>
     <message>
-        <source>Whitted ray tracing</source>
-        <translation>sledování paprsků (Whitted)</translation>
+        <source>fast</source>
+        <translation>rychlá</translation>
     </message>
     <message>
-        <source>path tracing</source>
-        <translation>sledování cest</translation>
+        <source>full light</source>
+        <translation>úplné světlo</translation>
     </message>
     <message>
-        <source>Integrator</source>
-        <translation>Integrátor</translation>
+        <source>Quality</source>
+        <translation>Kvalita</translation>
     </message>
     <message>
         <source>Samples of path tracing</source>
@@ -2851,16 +2847,16 @@ Alt+%2</translation>
         <translation> vzorků na pixel</translation>
     </message>
     <message>
-        <source>&amp;New noise in each frame</source>
-        <translation>Nový š&amp;um v každém snímku</translation>
+        <source>&amp;Vary noise per frame</source>
+        <translation>&amp;Jiný šum v každém snímku</translation>
     </message>
     <message>
         <source>Noise that stands still in a film looks like dirt on the glass.</source>
         <translation>Šum, který ve filmu stojí, vypadá jako špína na skle.</translation>
     </message>
     <message>
-        <source>Inte&amp;grator:</source>
-        <translation>Inte&amp;grátor:</translation>
+        <source>&amp;Quality:</source>
+        <translation>&amp;Kvalita:</translation>
     </message>
 </context>
 <context>
@@ -3123,8 +3119,8 @@ Alt+%2</translation>
         <translation>Právě se dívají: %1 – %2</translation>
     </message>
     <message>
-        <source>Not encrypted: everybody in between can read images and links.</source>
-        <translation>Bez šifrování: kdokoli po cestě může číst obraz i odkazy.</translation>
+        <source>Not encrypted: anyone on the network can see the images and the links.</source>
+        <translation>Nešifrováno: kdokoli v síti může vidět obrázky i odkazy.</translation>
     </message>
     <message>
         <source>For any number of visitors who only look.</source>
@@ -3273,7 +3269,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Turns the environment map, to the right about the up axis</source>
-        <translation>Otočí mapu okolí doprava kolem svislé osy</translation>
+        <translation>Otočí mapu prostředí doprava kolem svislé osy</translation>
     </message>
     <message>
         <source>Brightness</source>
@@ -3281,11 +3277,11 @@ Alt+%2</translation>
     </message>
     <message>
         <source>How bright the environment map is; 1 is as its file says</source>
-        <translation>Jak je mapa okolí jasná; 1 je jako v souboru</translation>
+        <translation>Jak je mapa prostředí jasná; 1 je jako v souboru</translation>
     </message>
     <message>
         <source>Computed sky with a sun</source>
-        <translation>Počítané nebe se sluncem</translation>
+        <translation>Počítaná obloha se sluncem</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -3348,12 +3344,12 @@ Alt+%2</translation>
         <translation>Směr ke slunci</translation>
     </message>
     <message>
-        <source>To the sun</source>
-        <translation>Ke slunci</translation>
+        <source>Sun direction</source>
+        <translation>Směr ke slunci</translation>
     </message>
     <message>
-        <source>Where I look</source>
-        <translation>Kam se dívám</translation>
+        <source>Along view</source>
+        <translation>Ve směru pohledu</translation>
     </message>
     <message>
         <source>Put the sun where the camera looks</source>
@@ -3373,11 +3369,11 @@ Alt+%2</translation>
     </message>
     <message>
         <source>How bright sun and sky are; 1 is as in nature</source>
-        <translation>Jak jasné jsou slunce a nebe; 1 je jako v přírodě</translation>
+        <translation>Jak jasné jsou slunce a obloha; 1 je jako v přírodě</translation>
     </message>
     <message>
-        <source>Ground that takes the shadow</source>
-        <translation>Zem, na kterou padá stín</translation>
+        <source>Ground plane</source>
+        <translation>Podklad</translation>
     </message>
     <message>
         <source>A wide ground below the model</source>
@@ -3414,9 +3410,9 @@ Alt+%2</translation>
         <source>Click into the image: the mouse looks around, W A S D move. Esc releases both.
 F walks on the ground: Shift runs, Space jumps, C crouches. F again flies.
 Double-click to look somewhere. F1 shows all keys.</source>
-        <translation>Klikněte do obrazu: myš se rozhlíží, W A S D vás posouvají. Esc obojí uvolní.
-F jde po zemi: Shift běží, mezerník skáče, C se krčí. Další F zase létá.
-Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
+        <translation>Klikněte do obrazu: myší se rozhlížíte, W A S D vás posouvají. Esc obojí uvolní.
+F: chůze (Shift běh, mezerník skok, C dřep), dalším F zase létáte.
+Dvojklik natočí pohled. F1 ukáže všechny klávesy.</translation>
     </message>
     <message>
         <source>To walk</source>
@@ -3502,8 +3498,8 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
         <translation>ze scény</translation>
     </message>
     <message>
-        <source>fixed</source>
-        <translation>pevné</translation>
+        <source>custom</source>
+        <translation>vlastní</translation>
     </message>
     <message>
         <source>&amp;Scene or model:</source>
@@ -3534,7 +3530,7 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
         <translation>&amp;Omezení snímků:</translation>
     </message>
     <message>
-        <source>&amp;Further options:</source>
+        <source>&amp;More options:</source>
         <translation>&amp;Další volby:</translation>
     </message>
     <message>
@@ -3669,7 +3665,7 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     <name>gui::SurroundingsOperations</name>
     <message>
         <source>Lit by a sky</source>
-        <translation>Osvětleno nebem</translation>
+        <translation>Osvětleno oblohou</translation>
     </message>
     <message>
         <source>Lit as in a studio</source>
@@ -3681,11 +3677,11 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     </message>
     <message>
         <source>Neither sky nor environment map</source>
-        <translation>Ani nebe, ani mapa okolí</translation>
+        <translation>Ani obloha, ani mapa prostředí</translation>
     </message>
     <message>
         <source>An environment map lights a scene. Open that first.</source>
-        <translation>Mapa okolí osvětluje scénu. Nejprve nějakou otevřete.</translation>
+        <translation>Mapa prostředí osvětluje scénu. Nejprve nějakou otevřete.</translation>
     </message>
     <message>
         <source>Lit by %1</source>
@@ -3693,11 +3689,11 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     </message>
     <message>
         <source>Open an environment map</source>
-        <translation>Otevřít mapu okolí</translation>
+        <translation>Otevřít mapu prostředí</translation>
     </message>
     <message>
         <source>Environment maps (*.hdr *.exr *.pfm *.png *.jpg);;All files (*)</source>
-        <translation>Mapy okolí (*.hdr *.exr *.pfm *.png *.jpg);;Všechny soubory (*)</translation>
+        <translation>Mapy prostředí (*.hdr *.exr *.pfm *.png *.jpg);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -3736,7 +3732,7 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     </message>
     <message>
         <source>This axis of the model points to the sky</source>
-        <translation>Tato osa modelu míří k nebi</translation>
+        <translation>Tato osa modelu míří vzhůru</translation>
     </message>
     <message>
         <source>What the model&apos;s numbers count; walking and depth of field go by it</source>

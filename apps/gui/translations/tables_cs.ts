@@ -113,7 +113,7 @@
     </message>
     <message>
         <source>Max. bounces</source>
-        <translation>Nejvíce odrazů</translation>
+        <translation>Max. odrazů</translation>
     </message>
     <message>
         <source>most bounces by mirrors and glass</source>
@@ -200,7 +200,7 @@
         <translation>Světlo oblohy</translation>
     </message>
     <message>
-        <source>the environment lights what it is seen from; ambient light only with ambientOcclusion.on</source>
+        <source>light surfaces from the sky or environment map, with shadows (image-based lighting); ambient light only with ambientOcclusion.on</source>
         <translation>okolí osvětluje místa, odkud je vidět; okolní světlo jen s ambientOcclusion.on</translation>
     </message>
     <message>
@@ -521,7 +521,7 @@
     </message>
     <message>
         <source>Dithering</source>
-        <translation>Rozptyl</translation>
+        <translation>Dithering</translation>
     </message>
     <message>
         <source>noise of less than one step hides bands in smooth gradients</source>

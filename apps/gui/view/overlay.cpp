@@ -16,14 +16,7 @@ constexpr double kRadius = 6;
 QString activity(const ServerStatus& status, bool refining) {
     if (status.paused) return tr("paused");
     if (status.idle) return tr("complete");
-    return refining ? tr("refining") : tr("drawing");
-}
-
-/// Which part of the pixels is new, where the others are kept from the frames before.
-QString newPart(double kept) {
-    constexpr double kHundred = 100, kFew = 10;
-    const double percent = kHundred * (1 - kept);
-    return tr("%1 % new").arg(QLocale().toString(percent, 'f', percent < kFew ? 1 : 0));
+    return refining ? tr("sharpening") : tr("drawing");
 }
 
 void drawBox(QPainter& painter, const QRect& box) {
@@ -44,7 +37,6 @@ QString overlayText(const ServerStatus& status, const QSize& frame, bool still, 
     const int fraction = kPercent * frame.width() / status.resolution.width();
     const bool coarse = fraction > 0 && fraction < kPercent;
     if (coarse) size += tr(" (%1 %)").arg(fraction);
-    if (!status.idle && status.kept > 0) size += QStringLiteral("  ·  ") + newPart(status.kept);
     const QString mode = orbits ? tr("Orbit") : status.view.walking ? tr("Walk") : tr("Fly");
     QStringList parts{size, mode};
     const bool complete = status.idle && !status.paused;

@@ -226,7 +226,7 @@ std::vector<Setting> makeTable() {
             .usedBy(Integrator::Whitted),
         row<&S::skyLight, &SkyLightSettings::on>(
             "skyLight.on",
-            "the environment lights what it is seen from; ambient light only with ambientOcclusion.on")
+            "light surfaces from the sky or environment map, with shadows (image-based lighting); ambient light only with ambientOcclusion.on")
             .usedBy(Integrator::Whitted),
         row<&S::skyLight, &SkyLightSettings::samples>("skyLight.samples", {1, 4096}, "rays",
                                                       "rays per point for the light of the sky")

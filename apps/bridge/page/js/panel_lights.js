@@ -60,13 +60,13 @@ export function lightsPanel(app) {
         add(vector(of("LightFields", "Position"), (to) => edit("light move", ["at", ...to]), metres), has("position"), ({ position }) => position);
         buttons(has("position"),
             tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"), () => edit("light move", "here")),
-            tipped(of("LightFields", "Where I look"), of("LightFields", "Put it before the surface in the middle of the image"),
+            tipped(of("LightFields", "At view centre"), of("LightFields", "Put it before the surface in the middle of the image"),
                 () => edit("light move", "seen")));
         add(vector(of("LightFields", "Direction"), (along) => along.some((part) => part !== 0) && edit("light aim", ["along", ...along])),
             has("direction"), ({ direction }) => direction);
         buttons(has("direction"),
-            tipped(of("LightFields", "Ahead"), of("LightFields", "Let it shine as the camera looks"), () => edit("light aim", "ahead")),
-            tipped(of("LightFields", "To where I look"), of("LightFields", "Let it shine to what is in the middle of the image"),
+            tipped(of("LightFields", "Along view"), of("LightFields", "Let it shine as the camera looks"), () => edit("light aim", "ahead")),
+            tipped(of("LightFields", "Aim at view centre"), of("LightFields", "Let it shine to what is in the middle of the image"),
                 () => edit("light aim", "seen")));
     }
 

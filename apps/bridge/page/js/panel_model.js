@@ -85,7 +85,7 @@ export function modelPanel(app) {
             return { key, made };
         });
         fields.back = button(of("MaterialFields", "As in the file"), () => app.ask("material reset", chosen));
-        fields.back.title = of("MaterialFields", "Take all changes of this material back");
+        fields.back.title = of("MaterialFields", "Reset this material");
         fields.append(make("div", { className: "actions" }, fields.back));
         place.append(fields);
     }

@@ -55,16 +55,16 @@ export function skyPanel(app) {
             (by) => (by === "date" ? app.ask("sky hour", app.state.sky.hour ?? 12) : app.ask("sky direction", ...app.state.sky.direction))),
         on, () => (app.state.sky.date ? "date" : "direction"));
         addDate(place);
-        add(place, vector(of("SkyFields", "To the sun"), (direction) => direction.some((part) => part !== 0) && edit("sky direction")(direction)),
+        add(place, vector(of("SkyFields", "Sun direction"), (direction) => direction.some((part) => part !== 0) && edit("sky direction")(direction)),
             byDirection, () => app.state.sky.direction);
-        const ahead = button(of("SkyFields", "Where I look"), () => app.status.forward && app.ask("sky direction", ...app.status.forward));
+        const ahead = button(of("SkyFields", "Along view"), () => app.status.forward && app.ask("sky direction", ...app.status.forward));
         ahead.title = of("SkyFields", "Put the sun where the camera looks");
         add(place, { element: make("div", { className: "actions" }, ahead), show: (_, enabled) => (ahead.disabled = !enabled) }, byDirection, () => null);
         add(place, numeric(of("SkyFields", "Haze"), edit("sky turbidity"),
             { ...range("sky turbidity"), help: of("SkyFields", "2 very clear, 3 clear, 6 hazy, 10 thick") }), on, () => app.state.sky.turbidity);
         add(place, numeric(of("SkyFields", "Strength"), edit("sky strength"),
             { ...range("sky strength"), slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), any, () => app.state.sky.strength);
-        add(place, toggle(of("SkyFields", "Ground that takes the shadow"), onOff("sky ground"),
+        add(place, toggle(of("SkyFields", "Ground plane"), onOff("sky ground"),
             { help: of("SkyFields", "A wide ground below the model") }), any, () => app.state.sky.ground);
         add(place, toggle(of("SkyFields", "White horizon"), onOff("sky haze"),
             { help: of("SkyFields", "Haze at the horizon, into which a light ground fades") }), on, () => app.state.sky.haze);
