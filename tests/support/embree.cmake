@@ -1,5 +1,5 @@
 # Embree 4 or 3, the peer of tests and benchmarks. Optional; rtsuite itself never uses it. Where it is found, the target
-# embree_peer is what links it; RT_EMBREE is its major version.
+# embree_peer is what links it; RT_EMBREE is its major version. Each build looks whether it has been installed since.
 if(NOT TARGET embree_peer)
     find_package(embree 4 QUIET GLOBAL)
     if(NOT embree_FOUND)
@@ -15,4 +15,8 @@ if(NOT TARGET embree_peer)
 endif()
 if(NOT TARGET embree_peer)
     message(STATUS "Embree is absent (libembree-dev): the kernels are not compared with it in ${CMAKE_CURRENT_SOURCE_DIR}")
+    set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
+    list(TRANSFORM places APPEND "/lib*/cmake/embree*/*.cmake" OUTPUT_VARIABLE direct)
+    list(TRANSFORM places APPEND "/lib/*/cmake/embree*/*.cmake")
+    file(GLOB installed CONFIGURE_DEPENDS ${direct} ${places})
 endif()
