@@ -15,7 +15,7 @@ find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(TIFF REQUIRED)
-find_path(CIMG_INCLUDE_DIR CImg.h REQUIRED)
+find_path(CIMG_INCLUDE_DIR CImg.h PATHS ${CMAKE_SOURCE_DIR}/build/cimg REQUIRED) # or where scripts/setup.sh puts it
 
 if(RT_WITH_OPENMP)
     find_package(OpenMP COMPONENTS CXX)

@@ -83,6 +83,8 @@ def copy(root, sources):
             continue
         (sources / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(root / path, sources / path)
+    if (root / "build/cimg").is_dir():  # a library by scripts/setup.sh
+        shutil.copytree(root / "build/cimg", sources / "build/cimg")
 
 
 class Broken:

@@ -1,10 +1,12 @@
 #!/bin/sh
-# Installs the packages of packages.txt that are missing. Never removes one.
+# Installs the packages of packages.txt that are missing. Never removes one. Of cimg-dev the header alone is taken, with its
+# licence, into build/cimg: of what that package depends on (OpenCV and VTK, 1.3 GB) nothing is used.
 #   scripts/setup.sh [--no-apt] [--tests] [--peers] [--services]
 # --no-apt: only say what is missing, and fail if anything is. --tests, --peers, --services: those of packages-tests.txt and
 # so on, too. What is installed is not started.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+cimg=$here/../build/cimg
 apt=yes more=""
 for option in "$@"; do
     case $option in
@@ -18,6 +20,9 @@ done
 
 installed() {
     [ "$(dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | cut -c1-2)" = "ii" ]
+}
+has() {
+    installed "$1" || { [ "$1" = cimg-dev ] && [ -f "$cimg/CImg.h" ]; }
 }
 available() {
     [ -n "$(apt-cache policy "$1" 2>/dev/null | sed -n 's/ *Candidate: \(.*\)/\1/p' | grep -v '(none)')" ]
@@ -37,7 +42,7 @@ while IFS= read -r line; do
     [ -n "$alternatives" ] || continue
     served=no
     for package in $(echo "$alternatives" | tr '|' ' '); do
-        if installed "$package"; then served=yes; fi
+        if has "$package"; then served=yes; fi
     done
     [ "$served" = yes ] || missing="$missing $alternatives"
 done <<TEXT
@@ -49,6 +54,19 @@ if [ "$apt" = no ]; then
     echo "setup: missing packages:$missing" >&2
     exit 1
 fi
+
+# Leaves the header there only when it is whole.
+unpack_cimg() {
+    work=$(mktemp -d)
+    (cd "$work" && apt-get -q -o APT::Sandbox::User=root download cimg-dev && dpkg-deb -x cimg-dev_*.deb .) &&
+        mkdir -p "$cimg" &&
+        cp "$work/usr/share/doc/cimg-dev/copyright" "$cimg/copyright" &&
+        cp "$work/usr/include/CImg.h" "$cimg/CImg.h.new" &&
+        mv "$cimg/CImg.h.new" "$cimg/CImg.h" || { rm -rf "$work"; return 1; }
+    rm -rf "$work"
+}
+# Needs no root where it is known what packages there are.
+if [ "$missing" = " cimg-dev" ] && unpack_cimg; then exit 0; fi
 
 root=""
 if [ "$(id -u)" -ne 0 ]; then
@@ -68,8 +86,13 @@ for alternatives in $missing; do
         case $package in *1.81*) if installed libboost1.74-dev; then continue; fi ;; esac
         if [ -z "$chosen" ] && available "$package"; then chosen=$package; fi
     done
-    names="$names ${chosen:-${alternatives%%|*}}"
+    chosen=${chosen:-${alternatives%%|*}}
+    [ "$chosen" = cimg-dev ] || names="$names $chosen"
 done
+
+has cimg-dev || unpack_cimg
+[ -n "$names" ] || exit 0
+
 # Debian's packages ask this program before they start a service.
 policy=/usr/sbin/policy-rc.d
 if [ ! -e $policy ]; then
