@@ -66,7 +66,7 @@ function(rt_share_headers target set)
         return()
     endif()
     if(NOT TARGET rt_${set}_headers)
-        file(WRITE ${CMAKE_BINARY_DIR}/${set}_headers.cpp "")
+        file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${set}_headers.cpp CONTENT "") # is not newer each time
         add_library(rt_${set}_headers OBJECT ${CMAKE_BINARY_DIR}/${set}_headers.cpp)
         target_link_libraries(rt_${set}_headers PRIVATE rt_compile_options)
         target_precompile_headers(rt_${set}_headers PRIVATE <algorithm> <array> <chrono> <cmath> <filesystem> <functional>
@@ -92,17 +92,20 @@ function(rt_optimise_little target)
     endif()
 endfunction()
 
-# A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
-# these, and most run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
-# THOROUGH names, in less than a minute on two cores. With LABELS, those that THOROUGH does not name have the label
-# with `.short` behind it. QT: its flags are not those of other tests. ALONE: sources
-# with names that others have (rt_compile_together). TOGETHER: those that THOROUGH does not name are run by one process,
-# since they share what takes long to start, and count as skipped where they say this of it.
-#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [ALONE b.cpp] [QT] [LABELS slow]
-#           [TOGETHER "there is no piano"])
+# A test program, its tests found by name. Thorough tests are those whose source says so: THOROUGH_ begins the name of a
+# test, a suite or an instantiation (as gtest's DISABLED_ does); with the option THOROUGH all of a program are.
+#   Without LABELS it is a unit test: the target `unit_tests` builds all of these, and most run under sanitizers too.
+# `ctest -L unit` runs them, `ctest -L quick` all but the thorough ones, in less than a minute on two cores.
+#   A quick test has the time that the preset gives each test: 120 s, four times what the longest one took on two cores
+# with five builds beside it; ten times that with sanitizers. Others have an hour, since check-long.sh raises what they do.
+#   QT: its flags are not those of other tests. ALONE: sources with names that others have (rt_compile_together).
+# TOGETHER: those that are not thorough are run by one process, since they share what takes long to start; they count as
+# skipped where they say this of it, and their label has `.short` behind it.
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [ALONE b.cpp] [QT]
+#           [LABELS slow [TOGETHER "there is no piano"]])
 add_custom_target(unit_tests)
 function(rt_test name)
-    cmake_parse_arguments(ARG "QT" "THOROUGH;TOGETHER" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "QT;THOROUGH" "TOGETHER" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
@@ -112,28 +115,27 @@ function(rt_test name)
     if(NOT ARG_QT)
         rt_share_headers(test_${name} test)
     endif()
-    # One label for both kinds, since labels are searched for a pattern.
-    set(thorough ${ARG_LABELS})
-    set(others ${ARG_LABELS})
+    # One label for each kind, since labels are searched for a pattern.
+    set(hour PROPERTIES TIMEOUT 3600)
+    if(ARG_TOGETHER)
+        rt_discover(${name} "*THOROUGH_*" ${hour} LABELS "${ARG_LABELS}")
+        add_test(NAME ${name} COMMAND test_${name} --gtest_brief=1 --gtest_filter=-*THOROUGH_*)
+        set_tests_properties(${name} ${hour} LABELS "${ARG_LABELS}.short" COST 1000 # long, so it begins first
+                             SKIP_REGULAR_EXPRESSION "${ARG_TOGETHER}")
+    elseif(ARG_LABELS)
+        rt_discover(${name} "*" ${hour} LABELS "${ARG_LABELS}")
+    elseif(ARG_THOROUGH)
+        rt_discover(${name} "*" ${hour} LABELS unit)
+    else()
+        rt_discover(${name} "*THOROUGH_*" ${hour} LABELS unit)
+        rt_discover(${name} "-*THOROUGH_*" PROPERTIES LABELS unit.quick)
+    endif()
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests test_${name})
-        set(thorough unit)
-        set(others unit.quick)
-    elseif(ARG_THOROUGH)
-        set(others ${ARG_LABELS}.short)
     endif()
-    set(filter "*")
-    if(ARG_THOROUGH)
-        gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${ARG_THOROUGH}"
-            PROPERTIES TIMEOUT 3600 LABELS "${thorough}")
-        set(filter "-${ARG_THOROUGH}")
-    endif()
-    if(ARG_TOGETHER)
-        add_test(NAME ${name} COMMAND test_${name} --gtest_brief=1 --gtest_filter=${filter})
-        set_tests_properties(${name} PROPERTIES TIMEOUT 3600 LABELS "${others}" COST 1000 # long, so it begins first
-                             SKIP_REGULAR_EXPRESSION "${ARG_TOGETHER}")
-    else()
-        gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${filter}"
-            PROPERTIES TIMEOUT 3600 LABELS "${others}")
-    endif()
+endfunction()
+
+# Before ctest runs, not after each build: most builds are not followed by it.
+function(rt_discover name filter)
+    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${filter}" ${ARGN})
 endfunction()

@@ -76,9 +76,9 @@ for check in "$@"; do
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
         cmake --build --preset asan-ubsan --target unit_tests
         # Files of scenes, models, scans, cameras, settings and lists, answers to state, messages.
-        RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan -R 'Mutat|DamagedFilesAreSoundOrRefused' -j "$(nproc)" --verbose
+        RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan --timeout 3600 -R 'Mutat|DamagedFilesAreSoundOrRefused' -j "$(nproc)" --verbose
         # So many of each of 21 kinds of image files.
-        RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-50000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
+        RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-50000} ctest --preset asan-ubsan --timeout 3600 -R ChangedAnywhere -j "$(nproc)" --verbose
         ;;
     scn)
         # So many damaged scenes of both versions; what is still read is written and read again.
@@ -88,7 +88,7 @@ for check in "$@"; do
             build/asan-ubsan/bin/test_text --gtest_filter=Mutation.ScenesAreReadOrRefused
         ;;
     kills)
-        RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --verbose
+        RT_KILLS=${RT_KILLS:-500} ctest --preset release --timeout 3600 -R Kill --verbose
         ;;
     ipc)
         RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-25} $release/test_ipc_process

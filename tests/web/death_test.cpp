@@ -18,7 +18,7 @@ class LostServer : public test::BridgedServer {
     static std::string widthField() { return "document.querySelector('#panel-settings .actions input')"; }
 };
 
-TEST_F(LostServer, AnotherServerIsShownAsSoonAsItRuns) {
+TEST_F(LostServer, THOROUGH_AnotherServerIsShownAsSoonAsItRuns) {
     const WebPage page = drive();
     ask("wait-idle");
     ASSERT_TRUE(isExact(page));
@@ -54,7 +54,7 @@ TEST_F(LostServer, AnotherServerIsShownAsSoonAsItRuns) {
 }
 
 /// As after a sleep of the computer, or in another network.
-TEST_F(LostServer, ALinkThatBreaksWithoutAWordIsNoticed) {
+TEST_F(LostServer, THOROUGH_ALinkThatBreaksWithoutAWordIsNoticed) {
     const WebPage page = drive();
     const auto lost = [&](std::chrono::seconds within) {
         return page.becomes("document.querySelector('#notices .warn') !== null", within);
@@ -68,7 +68,7 @@ TEST_F(LostServer, ALinkThatBreaksWithoutAWordIsNoticed) {
     EXPECT_FALSE(lost(std::chrono::seconds(6))) << "one that is whole answers";
 }
 
-TEST_F(LostServer, ThePageWaitsForTheFirstOne) {
+TEST_F(LostServer, THOROUGH_ThePageWaitsForTheFirstOne) {
     startBridge();
     startBrowser();
     const WebPage page(browser(), driverLink());

@@ -26,7 +26,7 @@ class RestingPage : public test::BridgedServer {
 };
 
 TEST_F(RestingPage, ShowsTheServersPixelsAtTheFinestAndTheCoarsestRung) { showsTheServersPixelsAt("05"); }
-TEST_F(RestingPage, ShowsTheServersPixelsAtTheRungsBetween) { showsTheServersPixelsAt("1234"); }
+TEST_F(RestingPage, THOROUGH_ShowsTheServersPixelsAtTheRungsBetween) { showsTheServersPixelsAt("1234"); }
 
 // *Save picture* writes what the server has, not what the screen made of it.
 TEST_F(RestingPage, SavesTheServersPixels) {

@@ -90,7 +90,7 @@ TEST_F(ForeignPage, AReboundNameIsRefused) {
     EXPECT_NE(connect(page, host()), "open");
 }
 
-TEST_F(ForeignPage, NothingIsKeptInCookies) {
+TEST_F(ForeignPage, THOROUGH_NothingIsKeptInCookies) {
     const WebPage page(browser(), viewerLink());
     ASSERT_TRUE(showsFrame(page));
     EXPECT_TRUE(page.call("Network.getCookies")["cookies"].empty());

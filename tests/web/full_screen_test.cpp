@@ -47,7 +47,7 @@ class FullScreen : public test::BridgedServer {
     const std::string crawl_ = std::to_string(rtcore::KeyControl), forward_ = "87";
 };
 
-TEST_F(FullScreen, ControlCrawlsThere) {
+TEST_F(FullScreen, THOROUGH_ControlCrawlsThere) {
     const WebPage page = open();
     ASSERT_NO_FATAL_FAILURE(enter(page));
     capture(page);
@@ -61,7 +61,7 @@ TEST_F(FullScreen, ControlCrawlsThere) {
     EXPECT_TRUE(holds(page, ""));
 }
 
-TEST_F(FullScreen, ControlIsTheBrowsersOutside) {
+TEST_F(FullScreen, THOROUGH_ControlIsTheBrowsersOutside) {
     const WebPage page = open();
     capture(page);
     page.keyDown("ControlLeft");
@@ -72,7 +72,7 @@ TEST_F(FullScreen, ControlIsTheBrowsersOutside) {
 }
 
 // As over plain http.
-TEST_F(FullScreen, ControlIsTheBrowsersWhereKeysAreNotLocked) {
+TEST_F(FullScreen, THOROUGH_ControlIsTheBrowsersWhereKeysAreNotLocked) {
     const WebPage page = open("Object.defineProperty(navigator, 'keyboard', { value: undefined });");
     ASSERT_NO_FATAL_FAILURE(enter(page));
     capture(page);

@@ -78,7 +78,7 @@ window.Worker = class extends Worker {
 };)";
 
 // Killed, since a browser that is closed in order tells the bridge, where the page's token ends then.
-TEST_F(OnceLink, NothingThatABrowserKeepsLetsADriverIn) {
+TEST_F(OnceLink, THOROUGH_NothingThatABrowserKeepsLetsADriverIn) {
     startServer();
     startBridge();
     test::Chromium own;

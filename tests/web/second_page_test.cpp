@@ -43,7 +43,7 @@ class SecondPage : public test::BridgedServer {
 };
 
 // Nothing changes while it joins: no newer frame comes.
-TEST_F(SecondPage, SeesTheRestingImage) {
+TEST_F(SecondPage, THOROUGH_SeesTheRestingImage) {
     const WebPage first = drive();
     ASSERT_TRUE(isExact(first));
     const WebPage second(browser(), viewerLink());
@@ -55,7 +55,7 @@ TEST_F(SecondPage, SeesTheRestingImage) {
 }
 
 // The bridge has let go of the server meanwhile.
-TEST_F(SecondPage, SeesTheRestingImageAfterAllPagesWereClosed) {
+TEST_F(SecondPage, THOROUGH_SeesTheRestingImageAfterAllPagesWereClosed) {
     const WebPage first = drive();
     ASSERT_TRUE(isExact(first));
     const std::string drawn = screenshotPixels();
@@ -67,7 +67,7 @@ TEST_F(SecondPage, SeesTheRestingImageAfterAllPagesWereClosed) {
     EXPECT_TRUE(test::eventually([&] { return second.pixels() == drawn; }, std::chrono::seconds(20)));
 }
 
-TEST_F(SecondPage, DrivesOnceTheFirstOneHandsOver) {
+TEST_F(SecondPage, THOROUGH_DrivesOnceTheFirstOneHandsOver) {
     const WebPage first = drive();
     const WebPage second(browser(), driverLink());
     ASSERT_TRUE(second.becomes("document.getElementById('pill-text').textContent.includes('drives')"));
@@ -83,7 +83,7 @@ TEST_F(SecondPage, DrivesOnceTheFirstOneHandsOver) {
 }
 
 // What one page changes, the other one shows.
-TEST_F(SecondPage, ShowsWhatTheFirstOneSets) {
+TEST_F(SecondPage, THOROUGH_ShowsWhatTheFirstOneSets) {
     const WebPage first = drive();
     const WebPage second(browser(), viewerLink());
     for (const WebPage* page : {&first, &second}) ASSERT_NO_FATAL_FAILURE(openSettings(*page));
@@ -99,7 +99,7 @@ TEST_F(SecondPage, ShowsWhatTheFirstOneSets) {
 }
 
 // Two people at one model: each takes back only what is their own, and both see the same values.
-TEST_F(SecondPage, TwoWhoEditInTurnTakeBackTheirOwnOnly) {
+TEST_F(SecondPage, THOROUGH_TwoWhoEditInTurnTakeBackTheirOwnOnly) {
     const WebPage first = drive();
     const WebPage second(browser(), driverLink());
     for (const WebPage* page : {&first, &second}) ASSERT_NO_FATAL_FAILURE(openSettings(*page));

@@ -123,7 +123,7 @@ Walk walk(const WebPage& page, const Publications& published, std::size_t second
     return all;
 }
 
-TEST_F(SlowLink, WalksFluently) {
+TEST_F(SlowLink, THOROUGH_WalksFluently) {
     startServer("1280x720", {"--frame-time=33"});
     ask("load scene " RT_SOURCE_FOLDER "/data/nave/nave.scn");
     ask("fly");

@@ -20,7 +20,7 @@ class PageSoak : public test::BridgedServer {
     }
 };
 
-TEST_F(PageSoak, LeavesThePageAsItWas) {
+TEST_F(PageSoak, THOROUGH_LeavesThePageAsItWas) {
     const char* const asked = std::getenv("RT_BRIDGE_SOAK");
     const std::chrono::seconds time(asked == nullptr ? 6 : std::atoi(asked));
     const WebPage page = drive();

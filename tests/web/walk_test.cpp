@@ -276,21 +276,21 @@ TEST_F(PageInput, ReleasesKeysWhenTheTabIsHidden) {
     EXPECT_TRUE(comesToRest());
 }
 
-TEST_F(PageInput, ReleasesKeysWhenTheFocusGoesToAnotherElement) {
+TEST_F(PageInput, THOROUGH_ReleasesKeysWhenTheFocusGoesToAnotherElement) {
     const WebPage page = drive();
     walk(page);
     page.value("document.getElementById('menu').focus()");
     EXPECT_TRUE(comesToRest());
 }
 
-TEST_F(PageInput, ReleasesKeysWhenTheBrowserIsKilled) {
+TEST_F(PageInput, THOROUGH_ReleasesKeysWhenTheBrowserIsKilled) {
     const WebPage page = drive();
     walk(page);
     browser().kill();
     EXPECT_TRUE(comesToRest());
 }
 
-TEST_F(PageInput, ReleasesKeysWhenTheBridgeIsKilled) {
+TEST_F(PageInput, THOROUGH_ReleasesKeysWhenTheBridgeIsKilled) {
     const WebPage page = drive();
     walk(page);
     bridge().send(SIGKILL);
@@ -298,7 +298,7 @@ TEST_F(PageInput, ReleasesKeysWhenTheBridgeIsKilled) {
 }
 
 // The page is alive, but its scripts stand still, as in a debugger.
-TEST_F(PageInput, ReleasesKeysWhenThePageIsFrozen) {
+TEST_F(PageInput, THOROUGH_ReleasesKeysWhenThePageIsFrozen) {
     const WebPage page = drive();
     walk(page);
     page.call("Debugger.enable");
@@ -306,7 +306,7 @@ TEST_F(PageInput, ReleasesKeysWhenThePageIsFrozen) {
     EXPECT_TRUE(comesToRest());
 }
 
-TEST_F(PageInput, IgnoresKeysThatComeWithoutCapture) {
+TEST_F(PageInput, THOROUGH_IgnoresKeysThatComeWithoutCapture) {
     const WebPage page = drive();
     ask("fly");
     ASSERT_TRUE(comesToRest());

@@ -90,7 +90,7 @@ TEST(BuilderThreads, AllCoresIsTheDefault) {
     expectSameTreeForAllThreads(largeMesh().view(), options, {0});
 }
 
-TEST(LookAhead, OnlyLowersTheExpectedCost) {
+TEST(LookAhead, THOROUGH_OnlyLowersTheExpectedCost) {
     for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
         for (std::uint64_t seed = 0; seed < 6; ++seed) {
             const test::SampleMesh sample = test::soup(1500, 0.05F * static_cast<float>(1 + seed), seed);

@@ -190,7 +190,7 @@ TEST(Denoise, DoesLittleHarmWithoutNoise) {
     EXPECT_LT(rmse(denoised(frame, settings), frame.radiance), 0.05 * mean);
 }
 
-TEST(Denoise, HardlyTouchesSoftLightThatHasNoNoise) {
+TEST(Denoise, THOROUGH_HardlyTouchesSoftLightThatHasNoNoise) {
     const test::TracedScene traced(test::softlyLitScene());
     RenderSettings settings = test::sampleSettings(160, 120);
     settings.areaLights.samples = 256;

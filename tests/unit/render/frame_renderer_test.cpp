@@ -42,7 +42,7 @@ TEST(RenderFrame, TheSameSoftShadowsForAnyNumberOfThreadsAndInEveryFrame) {
         EXPECT_EQ(one.radiance.pixels, test::render(s, settings, threads).radiance.pixels) << threads;
 }
 
-TEST(RenderFrame, TheSameFogForAnyNumberOfThreads) {
+TEST(RenderFrame, THOROUGH_TheSameFogForAnyNumberOfThreads) {
     for (const FogKind kind : {FogKind::Homogeneous, FogKind::Exponential}) {
         const test::TracedScene s(test::foggyScene(kind));
         RenderSettings settings = test::sampleSettings(150, 101, 2);

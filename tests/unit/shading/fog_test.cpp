@@ -394,7 +394,7 @@ TEST(FogShafts, AreEquiAngular) {
     EXPECT_NEAR(shafts.rays().dy[0], toLight.y, 1e-5);
 }
 
-TEST(FogShafts, WithoutShadowsComeToTheClosedForm) {
+TEST(FogShafts, THOROUGH_WithoutShadowsComeToTheClosedForm) {
     test::Random random(17);
     for (int f = 0; f < 60; ++f) {
         const FogKind kind = f % 2 == 0 ? FogKind::Homogeneous : FogKind::Exponential;

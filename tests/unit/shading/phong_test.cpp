@@ -98,7 +98,7 @@ double roughAlbedo(float shininess, double degrees) {
 }
 
 /// The table of docs/shading.md.
-TEST(RoughLobe, HasTheAlbedoOfTheManual) {
+TEST(RoughLobe, THOROUGH_HasTheAlbedoOfTheManual) {
     constexpr std::array kDegrees{0.0, 30.0, 60.0, 80.0};
     struct Row {
         float shininess;
