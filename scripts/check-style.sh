@@ -1,7 +1,7 @@
 #!/bin/sh
 # The layout of the code by clang-format 14, the words of docs/style.md, the pages' columns and links, the rooms that may
-# call the system, what the window shows as plain text, the files that the bridge opens and the syntax of the scripts; with
-# --tidy also clang-tidy over the release build (takes a while).
+# call the system, what the window shows as plain text, the files that the bridge opens, the rules of mutants and the
+# syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -25,6 +25,10 @@ if git grep -nE '\b[io]?fstream\b|\b(fopen|open|read[A-Za-z]*(File|Text)|write[A
     exit 1
 fi
 echo "check-style: the bridge opens its tokens and certificate only"
+# A rule that moved or was renamed would else be missed when the mutants are made, in hours.
+scripts/check_kernel_mutants.py --check
+scripts/check_bridge_mutants.py --check
+echo "check-style: the rules that mutants break stand in the sources"
 # Each by the shell that its first line names.
 git ls-files '*.sh' .ci/run | while read -r script; do
     shell=$(sed -n '1s/^#![^ ]*[/ ]\([a-z]*\)$/\1/p' "$script")

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Breaks the bridge and its page, one rule at a time, and looks whether their quick tests notice. Builds in a copy of
-the sources. A mutant that survives is an error: a rule that no test guards.
-  scripts/check_bridge_mutants.py [part of a name...]     without: all; with --list: their names
+the sources. A mutant that survives is an error: a rule that no test guards; so is one whose rule does not stand in the
+sources any more.
+  scripts/check_bridge_mutants.py [part of a name...]     without: all; with --list: their names;
+                                                          with --check: only whether each rule stands in the sources
 Mutants of the page need Chromium, and survive without."""
 import os
 import sys

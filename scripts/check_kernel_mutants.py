@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Breaks the kernels, one widening, bound or condition at a time, and looks whether their tests notice. Builds in a
-copy of the sources. A mutant that survives is an error: something that no test guards.
-  scripts/check_kernel_mutants.py [part of a name...]     without: all; with --list: their names"""
+"""Breaks the kernels, one rule (a widening, a bound or a condition) at a time, and looks whether their tests notice.
+Builds in a copy of the sources. A mutant that survives is an error: a rule that no test guards; so is one whose rule does
+not stand in the sources any more.
+  scripts/check_kernel_mutants.py [part of a name...]     without: all; with --list: their names;
+                                                          with --check: only whether each rule stands in the sources"""
 import os
 import sys
 
@@ -105,9 +107,9 @@ MUTANTS = [
         ("ray_box-inl.h", "hn::Add(ray.tMax, slack)}",
          "ray.tMax}"),
     ]),
-    ("all: of equal distances the higher index wins", [
-        ("leaf_test-inl.h", "hn::Lt(index, found.triangle)",
-         "hn::Gt(index, found.triangle)"),
+    ("all: of one surface the higher index wins", [
+        ("single_ray.cpp", "if (found.triangle > hit.triangle) return;",
+         "if (found.triangle < hit.triangle) return;"),
     ]),
     ("all: an edge belongs to one side only", [
         ("leaf_test-inl.h", "hn::Ge(hn::Min(hn::Min(u, v), w), zero)",

@@ -17,14 +17,19 @@ def main(script, folder, mutants, targets, caught):
     targets: what is built before each look.
     caught(build folder): the first test that fails, None when all pass.
     """
-    wanted = [m for m in mutants if not sys.argv[1:] or any(part in m[0] for part in sys.argv[1:])]
+    root = pathlib.Path(__file__).resolve().parent.parent
     if sys.argv[1:] == ["--list"]:
         print("\n".join(name for name, _ in mutants))
         return 0
+    gone = [f"'{name}': {what}" for name, changes in mutants for what in misses(root / folder, changes)]
+    for line in gone:
+        print(f"{script}: {line}", file=sys.stderr)
+    if gone or sys.argv[1:] == ["--check"]:
+        return 1 if gone else 0
+    wanted = [m for m in mutants if not sys.argv[1:] or any(part in m[0] for part in sys.argv[1:])]
     if not wanted:
         print(f"{script}: no mutant is called so; --list names them", file=sys.stderr)
         return 2
-    root = pathlib.Path(__file__).resolve().parent.parent
     try:
         with tempfile.TemporaryDirectory(prefix="rtsuite-mutants-") as work:
             return check(script, folder, wanted, targets, caught, root, pathlib.Path(work))
@@ -37,6 +42,19 @@ def main(script, folder, mutants, targets, caught):
 
 class Failure(Exception):
     pass
+
+
+def pattern(old):
+    return re.escape(old).replace(r"\ ", r"\s+")  # however the lines are broken
+
+
+def misses(folder, changes):
+    """Why a mutant cannot be made: one sentence for each place that does not stand once in the sources."""
+    for file, old, _ in changes:
+        path = folder / file
+        count = len(re.findall(pattern(old), path.read_text())) if path.is_file() else 0
+        if count != 1:
+            yield f"'{old}' stands {count} times in {path}, not once; tell the mutant where its rule is now"
 
 
 class Test(str):
@@ -97,10 +115,7 @@ class Broken:
     def __enter__(self):
         texts = dict(self.whole)
         for file, old, new in self.changes:
-            flat = re.escape(old).replace(r"\ ", r"\s+")  # however the lines are broken
-            if len(re.findall(flat, texts[file])) != 1:
-                raise Failure(f"'{old}' does not stand once in {self.folder / file}")
-            texts[file] = re.sub(flat, lambda _, new=new: new, texts[file])
+            texts[file] = re.sub(pattern(old), lambda _, new=new: new, texts[file])
         for file, text in texts.items():
             (self.folder / file).write_text(text)
 
