@@ -2,22 +2,32 @@
 # All set-up, then all tests: the release build with everything; most of the libraries' unit and mutation tests under
 # the address and undefined-behaviour sanitizers (check-long.sh sanitizers: all of them), those of shared memory under
 # the thread sanitizer, too. RT_TEST_SCENES may name a folder with real models for more tests. Says how long each stage
-# took.
+# took, and how many processor seconds: what is compiled beside the tests counts where it is waited for; what servers
+# that tests detach take counts nowhere.
 set -eu
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 begun=$(date +%s)
+mkdir -p build
 
-# Minutes and seconds since $1, as "stage: 2:05".
+# Sets `spent` to the processor seconds of all processes so far that have ended. Not in a subshell, which has its own.
+count_seconds() {
+    times >build/times.txt
+    spent=$(LC_ALL=C awk 'NR == 2 { split($0, t, "[ms ]+"); printf "%.0f", 60 * (t[1] + t[3]) + t[2] + t[4] }' build/times.txt)
+}
+# Time since $1, and processor seconds beyond $2, as "stage: 2:05 minutes, 130 processor seconds".
 tell() {
     taken=$(($(date +%s) - $1))
-    printf '== %s: %d:%02d minutes\n' "$2" $((taken / 60)) $((taken % 60))
+    count_seconds
+    printf '== %s: %d:%02d minutes, %d processor seconds\n' "$3" $((taken / 60)) $((taken % 60)) $((spent - $2))
 }
 # Runs the function $2 and tells how long it took.
 stage() {
     from=$(date +%s)
+    count_seconds
+    before=$spent
     $2
-    tell "$from" "$1"
+    tell "$from" "$before" "$1"
 }
 
 install() {
@@ -73,4 +83,4 @@ stage "tests" check_release
 stage "building with sanitizers" await_sanitized
 stage "tests with sanitizers" check_sanitized
 stage "tests of threads" check_threads
-tell "$begun" "all"
+tell "$begun" 0 "all"
