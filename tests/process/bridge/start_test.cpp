@@ -7,7 +7,7 @@ namespace {
 
 using namespace test;
 
-const std::string kBridge = std::string(RT_PROGRAM_FOLDER) + "/RTBridge";
+const std::string kRTBridge = std::string(RT_PROGRAM_FOLDER) + "/RTBridge";
 
 TEST(StartedServer, EndsTheBridgeWithItsOwnCode) {
     const IpcInstance instance;
@@ -18,7 +18,7 @@ TEST(StartedServer, EndsTheBridgeWithItsOwnCode) {
                            << "\nexit 65\n";
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     const ProgramResult result =
-        runProgram(kBridge, {"--start", scene, "-i", instance.name(), "--listen=127.0.0.1:0"},
+        runProgram(kRTBridge, {"--start", scene, "-i", instance.name(), "--listen=127.0.0.1:0"},
                    {.environment = {{"RT_SERVER", program}}, .timeoutSeconds = 30});
     EXPECT_EQ(result.exitCode, 65) << result.error;
     std::string words;
@@ -32,7 +32,7 @@ class Tls : public BridgeTest {
     void SetUp() override {
         const TlsPair files = makeCertificate(instance.folder().path());
         if (files.key.empty()) GTEST_SKIP() << "there is no openssl";
-        if (runProgram(kBridge, {"--version"}).output.find("OpenSSL: yes") == std::string::npos)
+        if (runProgram(kRTBridge, {"--version"}).output.find("OpenSSL: yes") == std::string::npos)
             GTEST_SKIP() << "built without OpenSSL";
         startServer();
         startBridge({"--tls-cert=" + files.certificate, "--tls-key=" + files.key});

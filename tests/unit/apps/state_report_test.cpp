@@ -8,7 +8,7 @@
 
 namespace {
 
-app::StateReport sample() {
+app::StateReport sampleReport() {
     app::StateReport state{.scene = "/scenes/a \"b\".scn",
                            .lights = {{1, true, "sun"}, {7, false, ""}},
                            .environments = {{false, "day"}, {true, "night"}},
@@ -27,7 +27,7 @@ app::StateReport sample() {
 }
 
 TEST(StateReport, SurvivesTheRoundTrip) {
-    const app::StateReport state = sample();
+    const app::StateReport state = sampleReport();
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
     app::StateReport other = state;
     other.up = {0, 0, -1};
@@ -40,7 +40,7 @@ TEST(StateReport, SurvivesTheRoundTrip) {
 }
 
 TEST(StateReport, HasTheSkyAndTheMap) {
-    app::StateReport state = sample();
+    app::StateReport state = sampleReport();
     state.map = app::ReportedMap{-30.5F, 2};
     state.sky = rtcore::Sky{.north = 40, .turbidity = 5, .strength = 0.5F, .ground = true};
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
@@ -59,13 +59,13 @@ app::ReportedLight describedLight(int id) {
 }
 
 TEST(StateReport, DescribesLights) {
-    app::StateReport state = sample();
+    app::StateReport state = sampleReport();
     state.lights = {describedLight(3), describedLight(1)};
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
 }
 
 TEST(StateReport, LeavesDescriptionsOutBeforeNames) {
-    app::StateReport state = sample();
+    app::StateReport state = sampleReport();
     state.lights.clear();
     for (int id = 1; id <= 300; ++id) state.lights.push_back(describedLight(id));
     const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 30000));
@@ -76,7 +76,7 @@ TEST(StateReport, LeavesDescriptionsOutBeforeNames) {
 }
 
 TEST(StateReport, LeavesNamesOutWhereThereIsNoRoom) {
-    app::StateReport state = sample();
+    app::StateReport state = sampleReport();
     state.lights.assign(1000, {1, true, "a light with a rather long name"});
     const std::string text = app::formatStateReport(state, 20000);
     EXPECT_LE(text.size(), 20000U);
@@ -87,7 +87,7 @@ TEST(StateReport, LeavesNamesOutWhereThereIsNoRoom) {
 }
 
 TEST(StateReport, LeavesLightsOutOfVeryMany) {
-    app::StateReport state = sample();
+    app::StateReport state = sampleReport();
     state.lights.assign(100'000, {1, true, "a light"});
     const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 60000));
     EXPECT_GT(read.lights.size(), 3000U);
@@ -98,7 +98,7 @@ TEST(StateReport, LeavesLightsOutOfVeryMany) {
 }
 
 TEST(StateReport, WhatIsNoUtf8IsShownAsBytes) {
-    app::StateReport state = sample();
+    app::StateReport state = sampleReport();
     state.lights[0].name = "l\xE4mp";
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)).lights[0].name, "l\\xe4mp");
 }

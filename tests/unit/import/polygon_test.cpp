@@ -10,7 +10,7 @@ namespace {
 
 using namespace rtcore;
 
-constexpr double kPi = 3.14159265358979;
+constexpr double kHalfTurn = 3.14159265358979; // radians
 
 double signedArea(const std::vector<Vec3>& p, const Triangle& t) {
     const Vec3 a = p[t.v[0]], b = p[t.v[1]], c = p[t.v[2]];
@@ -43,7 +43,7 @@ void expectSound(const std::vector<Vec3>& polygon, double tolerance = 1e-9) {
 std::vector<Vec3> star(int points, float inner) {
     std::vector<Vec3> p;
     for (int i = 0; i < 2 * points; ++i) {
-        const double angle = kPi * i / points;
+        const double angle = kHalfTurn * i / points;
         const float r = i % 2 == 0 ? 1.0F : inner;
         p.push_back({r * static_cast<float>(std::cos(angle)), r * static_cast<float>(std::sin(angle)), 0});
     }

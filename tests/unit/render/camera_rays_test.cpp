@@ -12,7 +12,7 @@
 namespace rtcore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846; // radians
 
 Camera cameraOf(float fov) {
     Camera camera;
@@ -20,7 +20,7 @@ Camera cameraOf(float fov) {
     camera.horizontalFov = fov;
     return camera;
 }
-double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / kPi; }
+double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / kHalfTurn; }
 
 TEST(CameraRays, TheMiddleLooksForward) {
     const CameraRays rays(cameraOf(60), 640, 480);
@@ -63,7 +63,7 @@ TEST(CameraRays, AllThatTheAuthorFramedIsSeen) {
         const auto [across, up] = extentOf(camera, width, height);
         EXPECT_NEAR(across, std::max(1.0, 0.5 * width / height), 1e-5) << width;
         EXPECT_NEAR(up, std::max(0.5, 1.0 * height / width), 1e-5) << width;
-        EXPECT_NEAR(fieldOfView(camera, width, height), 2 * std::atan(across) * 180 / kPi, 1e-3);
+        EXPECT_NEAR(fieldOfView(camera, width, height), 2 * std::atan(across) * 180 / kHalfTurn, 1e-3);
     }
     EXPECT_EQ(extentOf(camera, 200, 100), extentOf(cameraOf(90), 200, 100));
     EXPECT_EQ(fieldOfView(cameraOf(71.3F), 300, 100), 71.3F);
@@ -104,11 +104,11 @@ TEST(CameraRays, PixelsAreSquare) {
         const CameraRays rays(cameraOf(40), w, h);
         const auto x = static_cast<float>(w) / 2, y = static_cast<float>(h) / 2;
         const double aside =
-            std::tan(angleBetween(rays.at(x, y).direction, rays.at(x + 1, y).direction) * kPi / 180);
+            std::tan(angleBetween(rays.at(x, y).direction, rays.at(x + 1, y).direction) * kHalfTurn / 180);
         const double below =
-            std::tan(angleBetween(rays.at(x, y).direction, rays.at(x, y + 1).direction) * kPi / 180);
+            std::tan(angleBetween(rays.at(x, y).direction, rays.at(x, y + 1).direction) * kHalfTurn / 180);
         EXPECT_NEAR(aside / below, 1, 1e-3);
-        EXPECT_NEAR(aside, 2 * std::tan(20 * kPi / 180) / w, 1e-6);
+        EXPECT_NEAR(aside, 2 * std::tan(20 * kHalfTurn / 180) / w, 1e-6);
     }
 }
 

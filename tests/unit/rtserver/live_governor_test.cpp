@@ -7,15 +7,15 @@ namespace {
 using rtserver::FrameDetail;
 using rtserver::LiveGovernor;
 
-constexpr double kPixels = 1e6, kRays = 20, kTarget = 0.033;
+constexpr double kPixels = 1e6, kRays = 20, kFrameTarget = 0.033;
 
 /// Draws frames on a machine for which a pixel and a traced one take so many seconds.
 FrameDetail settled(LiveGovernor& governor, double pixel, double sample, int frames = 200) {
     FrameDetail detail;
     for (int i = 0; i < frames; ++i) {
-        detail = governor.detail(kPixels, kRays, kTarget);
+        detail = governor.detail(kPixels, kRays, kFrameTarget);
         const double pixels = kPixels * detail.scale * detail.scale, samples = pixels * detail.newSamples;
-        governor.learn(detail, kPixels, kTarget,
+        governor.learn(detail, kPixels, kFrameTarget,
                        {.samples = samples,
                         .sampleSeconds = samples * sample,
                         .seconds = pixels * pixel + samples * sample});
@@ -35,8 +35,8 @@ TEST(LiveGovernor, FillsTheTimeWithSamples) {
     EXPECT_FALSE(detail.whole());
     EXPECT_GT(detail.newSamples, 0.01);
     const double seconds = secondsOf(detail, 10e-9, 1e-6);
-    EXPECT_LT(seconds, kTarget);
-    EXPECT_GT(seconds, 0.7 * kTarget);
+    EXPECT_LT(seconds, kFrameTarget);
+    EXPECT_GT(seconds, 0.7 * kFrameTarget);
 }
 
 TEST(LiveGovernor, GivesSizeUpRatherThanFreshLight) {
@@ -46,7 +46,7 @@ TEST(LiveGovernor, GivesSizeUpRatherThanFreshLight) {
     EXPECT_GT(detail.scale, 0.6);
     EXPECT_GT(detail.newSamples, 0.01);
     EXPECT_LT(detail.newSamples, 0.04);
-    EXPECT_LT(secondsOf(detail, 25e-9, 1e-6), 1.1 * kTarget);
+    EXPECT_LT(secondsOf(detail, 25e-9, 1e-6), 1.1 * kFrameTarget);
     EXPECT_EQ(settled(governor, 5e-9, 1e-6).scale, 1) << "and takes it back";
 }
 
@@ -59,11 +59,11 @@ TEST(LiveGovernor, NeverGivesAllUp) {
 
 TEST(LiveGovernor, TracesFewOfASceneThatNothingIsKnownOf) {
     const LiveGovernor governor;
-    const double dear = governor.detail(kPixels, 2000, kTarget).newSamples;
+    const double dear = governor.detail(kPixels, 2000, kFrameTarget).newSamples;
     EXPECT_GT(dear, 0);
     EXPECT_LT(dear * kPixels * 2000, 200e3) << "rays, in a frame that is never left";
     EXPECT_GE(dear * kPixels, 63.9);
-    EXPECT_GT(governor.detail(kPixels, 2, kTarget).newSamples, dear);
+    EXPECT_GT(governor.detail(kPixels, 2, kFrameTarget).newSamples, dear);
 }
 
 TEST(LiveGovernor, BelievesInMoreSoonerThanInLess) {
@@ -77,10 +77,10 @@ TEST(LiveGovernor, BelievesInMoreSoonerThanInLess) {
 
 TEST(LiveGovernor, ForgetsAScene) {
     LiveGovernor governor;
-    const FrameDetail first = governor.detail(kPixels, kRays, kTarget);
+    const FrameDetail first = governor.detail(kPixels, kRays, kFrameTarget);
     settled(governor, 1e-7, 1e-4);
     governor.forget();
-    EXPECT_EQ(governor.detail(kPixels, kRays, kTarget), first);
+    EXPECT_EQ(governor.detail(kPixels, kRays, kFrameTarget), first);
 }
 
 } // namespace

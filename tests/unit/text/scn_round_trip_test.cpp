@@ -130,7 +130,7 @@ rtcore::Sky randomSky(Random& random) {
     return sky;
 }
 
-rtcore::Camera randomCamera(Random& random) {
+rtcore::Camera randomSceneCamera(Random& random) {
     return {
         point(random), {1, 0.1F * random.share(), 0}, {0, 1, random.share()}, 0.1F + 179 * random.share()};
 }
@@ -149,12 +149,12 @@ SceneFile randomScene(Random& random) {
     s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.share();
     if (random.flag()) {
-        s.camera = randomCamera(random);
+        s.camera = randomSceneCamera(random);
     } else if (random.flag()) {
         s.cameraFile = "/c/" + awkwardName(random);
     }
     for (std::size_t n = random.below(4); n > 0; --n)
-        s.bookmarks.push_back({std::to_string(n) + awkwardName(random), randomCamera(random)});
+        s.bookmarks.push_back({std::to_string(n) + awkwardName(random), randomSceneCamera(random)});
     for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
     for (std::size_t n = random.below(4); n > 0; --n) s.materials.push_back(randomMaterial(random));
     for (std::size_t n = random.below(4); n > 0; --n) s.parts.push_back(randomPart(random));

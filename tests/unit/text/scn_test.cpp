@@ -16,13 +16,13 @@ using rtcore::parseSceneFile;
 using rtcore::SceneFile;
 using rtcore::Vec3;
 
-const std::string kLeast = "version = 1\nmodel = \"nave.glb\"\n";
+const std::string kLeastScene = "version = 1\nmodel = \"nave.glb\"\n";
 
 SceneFile parse(const std::string& more, const std::string& path = "x.scn") {
-    return parseSceneFile(kLeast + more, path);
+    return parseSceneFile(kLeastScene + more, path);
 }
 /// The problem of the least scene with more lines, from the third on.
-std::string problem(const std::string& more) {
+std::string sceneProblem(const std::string& more) {
     return test::badData([&] { parse(more); });
 }
 
@@ -104,10 +104,11 @@ TEST(Scn, ReadsBookmarks) {
 }
 
 TEST(Scn, RefusesNewKeysInOldFiles) {
-    EXPECT_NE(problem("defaultLight = false").find("version = 2"), std::string::npos)
-        << problem("defaultLight = false");
-    EXPECT_NE(problem("[[bookmark]]\nname = \"a\"\neye = [0, 0, 0]\nforward = [1, 0, 0]").find("version = 2"),
-              std::string::npos);
+    EXPECT_NE(sceneProblem("defaultLight = false").find("version = 2"), std::string::npos)
+        << sceneProblem("defaultLight = false");
+    EXPECT_NE(
+        sceneProblem("[[bookmark]]\nname = \"a\"\neye = [0, 0, 0]\nforward = [1, 0, 0]").find("version = 2"),
+        std::string::npos);
     EXPECT_FALSE(parseSceneFile("version = 2\nmodel = \"a\"\ndefaultLight = false\n", "x.scn").defaultLight);
 }
 
@@ -139,26 +140,28 @@ TEST(Scn, LightsHaveIdsAndTemperatures) {
 TEST(Scn, ErrorsNameTheirPlace) {
     EXPECT_EQ(test::badData([] { parseSceneFile("version = 1\n", "x.scn"); }),
               "x.scn:1:1: the key 'model' is missing here; add it");
-    EXPECT_EQ(problem("modle = 1"), "x.scn:3:1: unknown key 'modle'; did you mean 'model'?");
-    EXPECT_EQ(problem("up = \"y\"").substr(0, 36), "x.scn:3:6: unknown up 'y'; did you m");
-    EXPECT_EQ(problem("metresPerUnit = 0"),
+    EXPECT_EQ(sceneProblem("modle = 1"), "x.scn:3:1: unknown key 'modle'; did you mean 'model'?");
+    EXPECT_EQ(sceneProblem("up = \"y\"").substr(0, 36), "x.scn:3:6: unknown up 'y'; did you m");
+    EXPECT_EQ(sceneProblem("metresPerUnit = 0"),
               "x.scn:3:17: metresPerUnit is 0, but takes a number at least 1e-09 and at most 1e+09");
-    EXPECT_EQ(problem("output = \"\""), "x.scn:3:10: output is no path; give the name of a file");
-    EXPECT_EQ(problem("output = \"a\\u0000b\""), "x.scn:3:10: output is no path; give the name of a file");
-    EXPECT_EQ(problem("output = 3"), "x.scn:3:10: output is a whole number, but takes a path in quotes");
-    EXPECT_EQ(problem("background = [0, 0, -1]"),
+    EXPECT_EQ(sceneProblem("output = \"\""), "x.scn:3:10: output is no path; give the name of a file");
+    EXPECT_EQ(sceneProblem("output = \"a\\u0000b\""),
+              "x.scn:3:10: output is no path; give the name of a file");
+    EXPECT_EQ(sceneProblem("output = 3"), "x.scn:3:10: output is a whole number, but takes a path in quotes");
+    EXPECT_EQ(sceneProblem("background = [0, 0, -1]"),
               "x.scn:3:21: background is -1, but takes a finite number at least 0");
-    EXPECT_EQ(problem("[fog]\nkind = \"exponental\""),
+    EXPECT_EQ(sceneProblem("[fog]\nkind = \"exponental\""),
               "x.scn:4:8: unknown kind 'exponental'; did you mean 'exponential'?");
-    EXPECT_EQ(problem("[fog]\ndensity = 1"), "x.scn:3:1: the key 'kind' is missing here; add it");
-    EXPECT_EQ(problem("[fog]\nkind = \"none\"\nscaleHeight = 0"),
+    EXPECT_EQ(sceneProblem("[fog]\ndensity = 1"), "x.scn:3:1: the key 'kind' is missing here; add it");
+    EXPECT_EQ(sceneProblem("[fog]\nkind = \"none\"\nscaleHeight = 0"),
               "x.scn:5:15: scaleHeight is 0, but takes a finite number above 0");
-    EXPECT_EQ(problem("[walk]\nsped = 1"), "x.scn:4:1: unknown key 'sped'; did you mean 'speed'?");
-    EXPECT_EQ(problem("[light]\nkind = \"point\""),
+    EXPECT_EQ(sceneProblem("[walk]\nsped = 1"), "x.scn:4:1: unknown key 'sped'; did you mean 'speed'?");
+    EXPECT_EQ(sceneProblem("[light]\nkind = \"point\""),
               "x.scn:3:1: light is a table, but takes tables, [[light]]");
-    EXPECT_EQ(problem("light = [1]"), "x.scn:3:10: light is a whole number, but takes tables, [[light]]");
-    EXPECT_EQ(problem("[[fog]]"), "x.scn:3:1: fog is an array, but takes a table, [fog]");
-    EXPECT_EQ(problem("[still]\nmaxdepth = 1"),
+    EXPECT_EQ(sceneProblem("light = [1]"),
+              "x.scn:3:10: light is a whole number, but takes tables, [[light]]");
+    EXPECT_EQ(sceneProblem("[[fog]]"), "x.scn:3:1: fog is an array, but takes a table, [fog]");
+    EXPECT_EQ(sceneProblem("[still]\nmaxdepth = 1"),
               "x.scn:4:1: unknown setting 'maxdepth'; did you mean 'maxDepth'?");
 }
 
@@ -177,20 +180,22 @@ TEST(Scn, TheCameraLooksAtAPointOrForward) {
 }
 
 TEST(Scn, CamerasThatMakeNoViewAreRefused) {
-    EXPECT_EQ(problem("[camera]\neye = [1, 2, 3]\nlookAt = [1, 2, 3]"),
+    EXPECT_EQ(sceneProblem("[camera]\neye = [1, 2, 3]\nlookAt = [1, 2, 3]"),
               "x.scn:5:10: lookAt is where eye is; the camera needs a direction");
-    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nforward = [1, 0, 0]\nlookAt = [1, 0, 0]"),
+    EXPECT_EQ(sceneProblem("[camera]\neye = [0, 0, 0]\nforward = [1, 0, 0]\nlookAt = [1, 0, 0]"),
               "x.scn:6:10: forward and lookAt are both given; leave one out");
-    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]"), "x.scn:3:1: the key 'forward' is missing here; add it");
-    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nlookAt = [0, 9, 0]\nup = [0, 1, 0]"),
+    EXPECT_EQ(sceneProblem("[camera]\neye = [0, 0, 0]"),
+              "x.scn:3:1: the key 'forward' is missing here; add it");
+    EXPECT_EQ(sceneProblem("[camera]\neye = [0, 0, 0]\nlookAt = [0, 9, 0]\nup = [0, 1, 0]"),
               "x.scn:6:6: up is parallel to the view direction; give another up");
-    EXPECT_EQ(problem("[camera]\nfile = \"a.cam\"\naspect = 1"),
+    EXPECT_EQ(sceneProblem("[camera]\nfile = \"a.cam\"\naspect = 1"),
               "x.scn:5:10: file and aspect are both given; leave one out");
-    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nfile = \"a.cam\""),
+    EXPECT_EQ(sceneProblem("[camera]\neye = [0, 0, 0]\nfile = \"a.cam\""),
               "x.scn:4:7: file and eye are both given; leave one out");
-    EXPECT_EQ(problem("[camera]\nfille = \"a.cam\""), "x.scn:4:1: unknown key 'fille'; did you mean 'file'?");
+    EXPECT_EQ(sceneProblem("[camera]\nfille = \"a.cam\""),
+              "x.scn:4:1: unknown key 'fille'; did you mean 'file'?");
     // The way from one end of all floats to the other is no float.
-    EXPECT_NE(problem("[camera]\neye = [-3e38, 0, 0]\nlookAt = [3e38, 0, 0]"), "no error");
+    EXPECT_NE(sceneProblem("[camera]\neye = [-3e38, 0, 0]\nlookAt = [3e38, 0, 0]"), "no error");
 }
 
 TEST(Scn, LightsOfEachKindAreRead) {
@@ -220,20 +225,20 @@ TEST(Scn, LightsOfEachKindAreRead) {
 }
 
 TEST(Scn, LightsThatMakeNoSenseAreRefused) {
-    EXPECT_EQ(problem("[[light]]\nposition = [0, 0, 0]"),
+    EXPECT_EQ(sceneProblem("[[light]]\nposition = [0, 0, 0]"),
               "x.scn:3:1: the key 'kind' is missing here; add it");
-    EXPECT_EQ(problem("[[light]]\nkind = \"point\""),
+    EXPECT_EQ(sceneProblem("[[light]]\nkind = \"point\""),
               "x.scn:3:1: the key 'position' is missing here; add it");
-    EXPECT_EQ(problem("[[light]]\nkind = \"directional\"\ndirection = [0, 0, 0]"),
+    EXPECT_EQ(sceneProblem("[[light]]\nkind = \"directional\"\ndirection = [0, 0, 0]"),
               "x.scn:5:13: direction is zero; give where the light shines to");
     const std::string spot = "[[light]]\nkind = \"spot\"\nposition = [0,0,0]\ndirection = [1,0,0]\n";
-    EXPECT_EQ(problem(spot), "x.scn:3:1: the key 'outerAngle' is missing here; add it");
-    EXPECT_EQ(problem(spot + "outerAngle = 20\ninnerAngle = 20"),
+    EXPECT_EQ(sceneProblem(spot), "x.scn:3:1: the key 'outerAngle' is missing here; add it");
+    EXPECT_EQ(sceneProblem(spot + "outerAngle = 20\ninnerAngle = 20"),
               "x.scn:8:14: innerAngle must be below outerAngle, by enough to tell them apart");
-    EXPECT_EQ(problem(spot + "outerAngle = 0"),
+    EXPECT_EQ(sceneProblem(spot + "outerAngle = 0"),
               "x.scn:7:14: innerAngle must be below outerAngle, by enough to tell them apart");
-    EXPECT_EQ(problem(spot + "outerAngle = 181").substr(0, 30), "x.scn:7:14: outerAngle is 181,");
-    EXPECT_EQ(problem(spot + "outerAngle = 180"), "no error");
+    EXPECT_EQ(sceneProblem(spot + "outerAngle = 181").substr(0, 30), "x.scn:7:14: outerAngle is 181,");
+    EXPECT_EQ(sceneProblem(spot + "outerAngle = 180"), "no error");
 }
 
 TEST(Scn, MaterialOverridesChangeWhatTheyName) {
@@ -280,14 +285,14 @@ TEST(Scn, AnOverrideOfOneLobeTakesFromTheOther) {
 }
 
 TEST(Scn, MaterialsThatMakeNoSenseAreRefused) {
-    EXPECT_EQ(problem("[[material]]\nopacity = 1"), "x.scn:3:1: the key 'name' is missing here; add it");
-    EXPECT_EQ(problem("[[material]]\nname = \"\"").substr(0, 20), "x.scn:4:8: name is e");
-    EXPECT_EQ(problem("[[material]]\nname = \"a\"\nreflectivity = 1.5"),
+    EXPECT_EQ(sceneProblem("[[material]]\nopacity = 1"), "x.scn:3:1: the key 'name' is missing here; add it");
+    EXPECT_EQ(sceneProblem("[[material]]\nname = \"\"").substr(0, 20), "x.scn:4:8: name is e");
+    EXPECT_EQ(sceneProblem("[[material]]\nname = \"a\"\nreflectivity = 1.5"),
               "x.scn:5:16: reflectivity is 1.5, but takes a number at least 0 and at most 1");
-    EXPECT_EQ(
-        problem("[[material]]\nname = \"a\"\ndiffuse = [0.9, 0, 0]\nspecular = [0.2, 0, 0]").substr(0, 41),
-        "x.scn:6:12: diffuse and specular together");
-    EXPECT_EQ(problem("[[material]]\nname = \"a\"\nopactiy = 1"),
+    EXPECT_EQ(sceneProblem("[[material]]\nname = \"a\"\ndiffuse = [0.9, 0, 0]\nspecular = [0.2, 0, 0]")
+                  .substr(0, 41),
+              "x.scn:6:12: diffuse and specular together");
+    EXPECT_EQ(sceneProblem("[[material]]\nname = \"a\"\nopactiy = 1"),
               "x.scn:5:1: unknown key 'opactiy'; did you mean 'opacity'?");
 }
 
@@ -323,10 +328,10 @@ TEST(Scn, PartsAreHiddenAndShown) {
 TEST(Scn, WhatCameWithVersion2IsRefusedInVersion1) {
     for (const char* key : {"roughness = 0.5", "metallic = 0.5", "textures = false", "flipTextures = true"}) {
         const std::string text = std::string("[[material]]\nname = \"a\"\n") + key;
-        EXPECT_NE(problem(text).find("came with version 2"), std::string::npos) << problem(text);
+        EXPECT_NE(sceneProblem(text).find("came with version 2"), std::string::npos) << sceneProblem(text);
     }
-    EXPECT_NE(problem("[[material]]\nnumber = 1").find("came with version 2"), std::string::npos);
-    EXPECT_NE(problem("[[part]]\nname = \"a\"\nhidden = true").find("came with version 2"),
+    EXPECT_NE(sceneProblem("[[material]]\nnumber = 1").find("came with version 2"), std::string::npos);
+    EXPECT_NE(sceneProblem("[[part]]\nname = \"a\"\nhidden = true").find("came with version 2"),
               std::string::npos);
 }
 
@@ -374,14 +379,15 @@ TEST(Scn, EnvironmentsThatMakeNoSenseAreRefused) {
     const std::string exactlyOne =
         "x.scn:3:1: an environment has exactly one of the keys equirectangular, cross, strip, faces and "
         "parts";
-    EXPECT_EQ(problem("[[environment]]"), exactlyOne);
-    EXPECT_EQ(problem("[[environment]]\ncross = \"a\"\nstrip = \"b\""), exactlyOne);
-    EXPECT_EQ(problem("[[environment]]\nfaces = [\"a\"]"),
+    EXPECT_EQ(sceneProblem("[[environment]]"), exactlyOne);
+    EXPECT_EQ(sceneProblem("[[environment]]\ncross = \"a\"\nstrip = \"b\""), exactlyOne);
+    EXPECT_EQ(sceneProblem("[[environment]]\nfaces = [\"a\"]"),
               "x.scn:4:9: faces has 1 files, but takes six: +x, -x, +y, -y, +z, -z");
-    EXPECT_EQ(problem("activeEnvironment = 0"),
+    EXPECT_EQ(sceneProblem("activeEnvironment = 0"),
               "x.scn:3:21: activeEnvironment is 0, but there are 0 [[environment]], counted from 0");
-    EXPECT_EQ(problem("activeEnvironment = 1\n[[environment]]\ncross = \"a\"").substr(0, 12), "x.scn:3:21: ");
-    EXPECT_EQ(problem("activeEnvironment = -1\n[[environment]]\ncross = \"a\"").substr(0, 12),
+    EXPECT_EQ(sceneProblem("activeEnvironment = 1\n[[environment]]\ncross = \"a\"").substr(0, 12),
+              "x.scn:3:21: ");
+    EXPECT_EQ(sceneProblem("activeEnvironment = -1\n[[environment]]\ncross = \"a\"").substr(0, 12),
               "x.scn:3:21: ");
 }
 
