@@ -14,6 +14,9 @@ if(RT_SANITIZE)
     target_compile_options(rt_compile_options INTERFACE
         -fsanitize=${RT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
         $<$<BOOL:$<TARGET_PROPERTY:RT_TEST_CODE>>:-fno-sanitize=undefined>)
+    if(RT_SANITIZE_WITHOUT)
+        target_compile_options(rt_compile_options INTERFACE -fno-sanitize=${RT_SANITIZE_WITHOUT})
+    endif()
     target_link_options(rt_compile_options INTERFACE -fsanitize=${RT_SANITIZE})
 endif()
 if(OpenMP_CXX_FOUND)

@@ -11,6 +11,11 @@ scripts/build.sh
     set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
         walks tutorial models strangers sanitizers mutants bridge web farm arm64
 release=build/release/bin
+# Builds these targets with all checks of the sanitizers, of which test.sh leaves some out.
+sanitized() {
+    cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON -DRT_SANITIZE_WITHOUT= >/dev/null
+    cmake --build --preset asan-ubsan --target "$@"
+}
 for check in "$@"; do
     echo "== $check"
     case $check in
@@ -33,8 +38,7 @@ for check in "$@"; do
         RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} RT_BRIDGE_DEATHS=${RT_BRIDGE_DEATHS:-200} \
             RT_BRIDGE_FLOOD=${RT_BRIDGE_FLOOD:-60} RT_BRIDGE_IDLE=${RT_BRIDGE_IDLE:-300} $release/test_bridge_process
         # So many damaged messages and heads of requests.
-        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target test_bridge_process
+        sanitized test_bridge_process
         RT_BRIDGE_FUZZ=${RT_BRIDGE_FUZZ:-1000000} UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
             build/asan-ubsan/bin/test_bridge_process --gtest_filter='Requests.OfAnyBytesHarmNobody'
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
@@ -73,8 +77,7 @@ for check in "$@"; do
         RT_ORACLE_RAYS=${RT_ORACLE_RAYS:-1000000} $release/test_embree
         ;;
     mutations)
-        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target unit_tests
+        sanitized unit_tests
         # Files of scenes, models, scans, cameras, settings and lists, answers to state, messages.
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan --timeout 3600 -R 'Mutat|DamagedFilesAreSoundOrRefused' -j "$(nproc)" --verbose
         # So many of each of 21 kinds of image files.
@@ -82,8 +85,7 @@ for check in "$@"; do
         ;;
     scn)
         # So many damaged scenes of both versions; what is still read is written and read again.
-        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target test_text
+        sanitized test_text
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_text --gtest_filter=Mutation.ScenesAreReadOrRefused
         ;;
@@ -112,8 +114,7 @@ for check in "$@"; do
         ;;
     edits)
         # So many random edits while one walks, each seen within eight live frames.
-        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target test_rtserver
+        sanitized test_rtserver
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='RandomEdits.*'
         # After so many states the scene that is exported shows the same bits.
@@ -125,23 +126,20 @@ for check in "$@"; do
         ;;
     scenes)
         # So many scenes and settings of random numbers, by paths and by Whitted's ray tracing.
-        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target test_render
+        sanitized test_render
         RT_RANDOM_SCENES=${RT_RANDOM_SCENES:-1000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_render --gtest_filter='RandomScenes.*:OddNumbers.*'
         ;;
     sanitizers)
-        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target unit_tests --target test_server_process --target test_server_faults \
-            --target test_bridge_process --target test_bridge_beside_server
-        sanitized=build/asan-ubsan/bin
+        sanitized unit_tests test_server_process test_server_faults test_bridge_process test_bridge_beside_server
+        bin=build/asan-ubsan/bin
         UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
             ctest --preset asan-ubsan -j "$(nproc)" -L unit
-        RT_MUTATIONS=${RT_SCRIBBLES:-100000} $sanitized/test_ipc --gtest_filter='Scribble.*:Queues.*'
-        UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
-        UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults
-        UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $sanitized/test_bridge_process
-        UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $sanitized/test_bridge_beside_server
+        RT_MUTATIONS=${RT_SCRIBBLES:-100000} $bin/test_ipc --gtest_filter='Scribble.*:Queues.*'
+        UBSAN_OPTIONS=print_stacktrace=1 $bin/test_server_process
+        UBSAN_OPTIONS=print_stacktrace=1 $bin/test_server_faults
+        UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $bin/test_bridge_process
+        UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $bin/test_bridge_beside_server
         ;;
     preview)
         RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs the tests of one program, and prints what they say only when one fails.
 #   scripts/run_tests.sh PROGRAM[:SHARD/SHARDS]     such a part of them, from 0
-# RT_QUARTER: names of programs with blanks between, of which each fourth test is run.
+# RT_QUARTER: names of programs with blanks between, of which each fourth test is run, from the one that RT_QUARTER_FROM
+# (0 to 3) says.
 set -u
 begun=$(date +%s)
 program=${1%%:*}
@@ -12,7 +13,7 @@ case $1 in
     ;;
 esac
 case " ${RT_QUARTER:-} " in
-*" $(basename "$program") "*) export GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=0 ;;
+*" $(basename "$program") "*) export GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX="${RT_QUARTER_FROM:-0}" ;;
 esac
 if output=$("$program" --gtest_brief=1 2>&1); then
     clock=$(mktemp)

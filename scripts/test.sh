@@ -34,8 +34,8 @@ install() {
     scripts/setup.sh --tests
 }
 build() {
-    # Warnings are errors, except in what was built without: that is not built again.
-    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
+    # Warnings are errors, and tests are compiled in larger parts, except in what was built without: that is not built again.
+    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON RT_TESTS_TOGETHER=24
     scripts/build.sh --tests
 }
 # Unit tests and those of the window as whole programs, since ctest begins a process for each of 2,700 tests.
@@ -56,7 +56,9 @@ check_release() {
     trap 'exit 130' INT TERM
     scripts/check-style.sh
     check_programs
-    ctest --preset release -j "$jobs" -LE '^(unit|unit[.]quick|gui|web)$' # the last ones: check-long.sh web
+    # The last ones have checks of their own in check-long.sh.
+    RT_LEAVING_RAYS=${RT_LEAVING_RAYS:-500000} ctest --preset release -j "$jobs" \
+        -LE '^(unit|unit[.]quick|gui|web|strangers|walks)$'
 }
 await_sanitized() {
     wait $builder || {
@@ -65,10 +67,12 @@ await_sanitized() {
     }
     trap - EXIT
 }
-# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. The longest ones in
-# part; check-long.sh runs all of them.
+# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. Of the longest ones
+# another quarter with each commit; check-long.sh runs all of them.
 check_sanitized() {
-    export RT_QUARTER="test_accel test_import test_kernels test_render"
+    export RT_QUARTER="test_accel test_import test_kernels test_live test_render test_rtserver"
+    commits=$(git rev-list --count HEAD 2>/dev/null || echo 0)
+    export RT_QUARTER_FROM=$((commits % 4))
     export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1
     find build/asan-ubsan/bin -name 'test_*' -print0 | xargs -0 -n 1 -P "$jobs" scripts/run_tests.sh
 }

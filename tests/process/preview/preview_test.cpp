@@ -49,9 +49,9 @@ double differenceOf(const ipc::Frame& a, const ipc::Frame& b) {
     return sum / static_cast<double>(a.pixels.size());
 }
 
-// So many samples that even a fast processor is at it for half a second.
+// So many samples that even two fast processors are at it for half a second.
 TEST_F(Previewing, BecomesFinerUpToThePictureItself) {
-    start({"-w", "403", "-h", "301", "-a", "16", "-o", "a.png", "--run-id=41"});
+    start({"-w", "403", "-h", "301", "-a", "8", "--threads=2", "-o", "a.png", "--run-id=41"});
     look();
     const std::vector<ipc::Frame> frames = watch();
     ASSERT_GE(frames.size(), 3U);
@@ -67,8 +67,8 @@ TEST_F(Previewing, BecomesFinerUpToThePictureItself) {
     }
     const ipc::Frame& last = frames.back();
     EXPECT_EQ(last.info.tag, ipc::kPreviewDone);
-    EXPECT_EQ(last.info.samples, 256U);
-    EXPECT_LT(frames.front().info.samples, 256U);
+    EXPECT_EQ(last.info.samples, 64U);
+    EXPECT_LT(frames.front().info.samples, 64U);
     for (std::size_t i = 1; i < frames.size(); ++i)
         EXPECT_GE(ownSamples(frames[i]), ownSamples(frames[i - 1]));
     // The first image is gone when we come late.
@@ -95,7 +95,7 @@ TEST_F(Previewing, BecomesFinerUpToThePictureItself) {
     EXPECT_TRUE(samePixels(last, rtcore::readLdrImage(folder() / "a.png")));
     EXPECT_TRUE(instance.segments().empty());
 
-    ASSERT_EQ(renderer({"room.bsp", "-w", "403", "-h", "301", "-a", "16", "-o", "plain.png"},
+    ASSERT_EQ(renderer({"room.bsp", "-w", "403", "-h", "301", "-a", "8", "-o", "plain.png"},
                        {.folder = folder().path()})
                   .exitCode,
               0);
