@@ -140,16 +140,8 @@ MUTANTS = [
          ""),
     ]),
     ("filter: one ray against many triangles hits all", [
-        ("triangle_block-inl.h", "open = hitsOf(open, outcome, startTriangle);",
+        ("triangle_block-inl.h", "open = hitsOf(open, outcome);",
          ""),
-    ]),
-    ("filter: short lists forget where rays start", [
-        ("stream-inl.h", "short_.startTriangle = shortStart_;",
-         ""),
-    ]),
-    ("filter: long lists forget where rays start", [
-        ("stream-inl.h", "return starts;",
-         "return nullptr;"),
     ]),
 ]
 

@@ -28,7 +28,6 @@ struct BundledPacket {
     alignas(64) float best[kRays];
     alignas(64) std::int32_t triangle[kRays];
     alignas(64) float v[kRays], w[kRays], det[kRays];
-    const std::uint32_t* startTriangle; ///< as RaySpan's
     Beam beams[kBeams];
     std::size_t first; ///< the index of its first ray
     AlongAxis along;
@@ -250,8 +249,7 @@ class BundleWalk {
                 hn::Load(d, packet.det + at),
                 hn::FirstN(d, 0),
                 hn::FirstN(d, 0),
-                tie,
-                startsAt(packet.startTriangle, at)};
+                tie};
     }
     HWY_INLINE static void keep(const Found& found, BundledPacket& packet, std::size_t at) {
         const FloatTag d;

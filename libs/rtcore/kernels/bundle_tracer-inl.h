@@ -82,7 +82,6 @@ class BundleTracer {
         const FloatTag d;
         BundledPacket& packet = bundle_.packets[bundle_.size];
         packet.first = first;
-        packet.startTriangle = startsAt(rays_.startTriangle, first);
         packet.along = along;
         Floats nearest = hn::Set(d, std::numeric_limits<float>::infinity()), farthest = hn::Zero(d);
         for (std::size_t i = 0; i < kGroup; i += kLanes) {

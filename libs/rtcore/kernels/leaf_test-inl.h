@@ -48,8 +48,7 @@ enum class Shared {
 /// What is looked for along rays.
 struct Search {
     bool any;      ///< whether there is a hit; else the closest
-    bool filtered; ///< not all candidates are hits: by KernelScene's filter, `clear`, and RaySpan's
-                   ///< startTriangle
+    bool filtered; ///< not all candidates are hits: by KernelScene's filter and `clear`
 };
 
 /// The references of a leaf, those to narrow triangles last.
@@ -226,14 +225,7 @@ struct Found {
     Mask changed;     ///< by the leaf
     Mask passed;      ///< any hit: through triangles that let light through
     Floats tie;       ///< closest hit: others no further from `best` than this are ties; any hit: unused
-    const std::uint32_t* startTriangle =
-        nullptr; ///< of these rays, as RaySpan's; for filtered searches alone
 };
-
-/// RaySpan's startTriangle from another ray on.
-HWY_INLINE const std::uint32_t* startsAt(const std::uint32_t* startTriangle, std::size_t at) {
-    return startTriangle == nullptr ? nullptr : startTriangle + at;
-}
 
 template <typename Along>
 HWY_INLINE Outcome edgeTest(const Corners& corners, const Along& along, const ShearedRays& rays) {
@@ -279,18 +271,12 @@ inline HWY_NOINLINE Mask besideHoles(const Holes& holes, std::int32_t triangle, 
     return hn::RebindMask(d, hn::Ne(hn::Load(di, kept), hn::Zero(di)));
 }
 
-/// Lets only those rays be inside of a triangle that neither start on it nor pass through its holes.
+/// Lets only those rays be inside of a triangle that pass through no hole of it.
 template <Search kSearch>
 HWY_INLINE void filter(const KernelScene& scene, std::int32_t triangle, Floats tMin, Mask inCell,
                        const Found& found, Outcome& outcome) {
     if constexpr (!kSearch.filtered) return;
     const FloatTag d;
-    const IntTag di;
-    if (found.startTriangle != nullptr) {
-        const Ints starts = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(found.startTriangle));
-        const Mask own = hn::RebindMask(d, hn::Eq(starts, hn::Set(di, triangle)));
-        outcome.inside = hn::AndNot(own, outcome.inside);
-    }
     if (scene.filter.holes == nullptr) return;
     const Floats farthest = kSearch.any ? found.best : hn::Add(found.best, found.tie);
     const Mask within = hn::And(hn::Ge(outcome.t, tMin), hn::Le(outcome.t, farthest));

@@ -37,9 +37,8 @@ struct Packet {
     alignas(64) Array best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
     alignas(64) std::int32_t triangle[kSize];
     alignas(64) Array v, w, det;
-    const std::uint32_t* startTriangle; ///< as RaySpan's; null: none starts on a triangle
-    float slack;                        ///< the largest of all rays'
-    float tie;                          ///< as in Found
+    float slack; ///< the largest of all rays'
+    float tie;   ///< as in Found
 
     HWY_INLINE void setSlack(float largest) {
         slack = largest;
@@ -278,8 +277,7 @@ class PacketLeaves {
                         hn::Zero(d),
                         hn::FirstN(d, 0),
                         hn::FirstN(d, 0),
-                        hn::Set(d, packet_.tie),
-                        startsAt(packet_.startTriangle, at)};
+                        hn::Set(d, packet_.tie)};
             if constexpr (!kSearch.any) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
             if constexpr (kSearch.any) notePassed(found, at);
@@ -361,9 +359,9 @@ class PacketLeaves {
         FoundByRay found{packet_.best[i], kSearch.any ? kNone : packet_.triangle[i], 0, 0, 0, packet_.tie};
         bool hit = false;
         if constexpr (kNarrow) {
-            hit = block.testNarrow<kSearch>(ray, packet_.tMin[i], startOf(i), found);
+            hit = block.testNarrow<kSearch>(ray, packet_.tMin[i], found);
         } else {
-            hit = block.test<kSearch>(ray, packet_.tMin[i], startOf(i), found);
+            hit = block.test<kSearch>(ray, packet_.tMin[i], found);
         }
         if (kSearch.any && HWY_UNLIKELY(found.passed)) packet_.triangle[i] = 0;
         if (!hit) return false;
@@ -377,10 +375,6 @@ class PacketLeaves {
             packet_.det[i] = found.det;
         }
         return true;
-    }
-
-    HWY_INLINE std::uint32_t startOf(std::size_t i) const {
-        return packet_.startTriangle == nullptr ? kNoTriangle : packet_.startTriangle[i];
     }
 
     HWY_INLINE bool allDone() const {

@@ -52,7 +52,6 @@ HWY_INLINE bool load(const KernelScene& scene, const RaySpan& rays, const GroupS
         hn::Store(inverse.z, d, packet.inverse[2] + i);
         beginSearch<kAny>(ray, packet, i);
     }
-    packet.startTriangle = startsAt(rays.startTriangle, first);
     for (std::size_t i = count; i < kGroup; ++i) {
         packet.t0[i] = 1;
         packet.t1[i] = -1;

@@ -28,8 +28,7 @@ RaySpan spanOf(const RayWave& rays) {
             {rays.dx.data(), rays.dy.data(), rays.dz.data()},
             rays.tMin.data(),
             rays.tMax.data(),
-            rays.size(),
-            rays.startTriangle.size() == rays.size() ? rays.startTriangle.data() : nullptr};
+            rays.size()};
 }
 
 } // namespace
@@ -83,11 +82,9 @@ void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits
 void KdRayTracer::settleTies(const RayWave& rays, std::span<const std::uint32_t> tied, HitWave& hits) const {
     if (tied.empty()) return;
     hits.clearance.assign(rays.size(), 0);
-    const bool start = rays.startTriangle.size() == rays.size();
     for (const std::uint32_t i : tied) {
         Hit hit = hits.hit(i);
-        const auto clearance =
-            settleTie(scene_, &narrow_, rays.ray(i), start ? rays.startTriangle[i] : kNoTriangle, hit);
+        const auto clearance = settleTie(scene_, &narrow_, rays.ray(i), hit);
         if (!clearance) hit = {};
         hits.set(i, hit);
         hits.clearance[i] = clearance.value_or(0);

@@ -4,7 +4,6 @@ namespace rtcore {
 
 void RayWave::clear() {
     for (auto* array : {&ox, &oy, &oz, &dx, &dy, &dz, &tMin, &tMax}) array->clear();
-    startTriangle.clear();
 }
 
 void RayWave::reserve(std::size_t count) {
@@ -24,7 +23,6 @@ void RayWave::push(const Ray& ray) {
 
 void RayWave::resize(std::size_t count) {
     for (auto* array : {&ox, &oy, &oz, &dx, &dy, &dz, &tMin, &tMax}) array->resize(count);
-    if (!startTriangle.empty()) startTriangle.resize(count, kNoTriangle);
 }
 
 void HitWave::resize(std::size_t count) {

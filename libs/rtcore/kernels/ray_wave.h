@@ -39,9 +39,6 @@ inline constexpr int kRayKinds = 6;
 /// A queue of rays. clear() keeps the memory, so that a steady frame does not allocate.
 struct RayWave {
     std::vector<float> ox, oy, oz, dx, dy, dz, tMin, tMax;
-    /// For each ray the triangle that it starts on and does not hit, kNoTriangle for none. Empty, or of any
-    /// other length than the rays: none for all. push() does not add to it.
-    std::vector<std::uint32_t> startTriangle;
 
     std::size_t size() const { return ox.size(); }
     bool empty() const { return ox.empty(); }

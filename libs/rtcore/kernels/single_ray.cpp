@@ -116,15 +116,13 @@ void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Vi
 
 /// What the tests of leaves need to know of a ray.
 struct HitSearch {
-    HitSearch(const KernelScene& in, const Ray& along, std::uint32_t from,
-              const NarrowTriangles* known = nullptr)
-        : scene(in), narrow(known), ray(along), shear(along.direction), startTriangle(from) {}
+    HitSearch(const KernelScene& in, const Ray& along, const NarrowTriangles* known = nullptr)
+        : scene(in), narrow(known), ray(along), shear(along.direction) {}
 
     const KernelScene& scene;
     const NarrowTriangles* narrow; ///< null: to be found out
     Ray ray;
     RayShear shear;
-    std::uint32_t startTriangle;
 
     /// Calls `use` with each hit of a triangle in the leaf from ray.tMin to `farthest`, until it returns
     /// true.
@@ -135,7 +133,6 @@ struct HitSearch {
         };
         for (std::uint32_t i = 0; i < leaf.count(); ++i) {
             const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
-            if (corners.index == startTriangle) continue;
             Hit hit;
             hit.t = farthest;
             if (!testTriangle<kz>(corners, ray, shear, hit, noiseOf)) continue;
@@ -182,12 +179,12 @@ SurfacePlane planeOf(const KernelScene& scene, std::uint32_t triangle) {
 
 } // namespace
 
-bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit, std::uint32_t startTriangle) {
+bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit) {
     const float tie = tieOf(scene, ray);
     Hit best;
     best.t = ray.tMax;
     float farthest = best.t + tie;
-    HitSearch(scene, ray, startTriangle).eachHitAlong(best.t, farthest, [&](const Hit& found) {
+    HitSearch(scene, ray).eachHitAlong(best.t, farthest, [&](const Hit& found) {
         if (found.triangle == best.triangle) return false; // met in another leaf before
         const bool tied = found.t >= best.t - tie;
         best = {std::min(best.t, found.t), tied ? found.triangle | kTiedHit : found.triangle, found.u,
@@ -201,8 +198,8 @@ bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit, std::uint32
 }
 
 std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* narrow, const Ray& ray,
-                               std::uint32_t startTriangle, Hit& hit) {
-    HitSearch search(scene, ray, startTriangle, narrow);
+                               Hit& hit) {
+    HitSearch search(scene, ray, narrow);
     search.ray.tMin = hit.t;
     search.ray.tMax = std::min(hit.t + tieOf(scene, ray), ray.tMax);
     const auto eachTie = [&](auto&& use) {
@@ -238,18 +235,17 @@ std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* 
     return hit.triangle == nearest.triangle ? clearance : std::max(clearance, plane.clearance) + gap;
 }
 
-bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit, std::uint32_t startTriangle) {
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit) {
     Hit found;
-    if (!findNearest(scene, ray, found, startTriangle)) return false;
-    if ((found.triangle & kTiedHit) != 0 && !settleTie(scene, nullptr, ray, startTriangle, found))
-        return false;
+    if (!findNearest(scene, ray, found)) return false;
+    if ((found.triangle & kTiedHit) != 0 && !settleTie(scene, nullptr, ray, found)) return false;
     hit = found;
     return true;
 }
 
-bool findAny(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle) {
+bool findAny(const KernelScene& scene, const Ray& ray) {
     bool any = false;
-    HitSearch(scene, ray, startTriangle).eachHitAlong(ray.tMax, ray.tMax, [&](const Hit& found) {
+    HitSearch(scene, ray).eachHitAlong(ray.tMax, ray.tMax, [&](const Hit& found) {
         any = scene.clear == nullptr || !scene.letsThrough(found.triangle);
         return any;
     });

@@ -22,19 +22,17 @@ bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit);
 bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray);
 
 /// As intersect(), but the distance is the leaf test's own, before refineDistance() (hit_distance.h). Hits
-/// only what the scene's filter keeps, and not `startTriangle`.
-bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit,
-                 std::uint32_t startTriangle = kNoTriangle);
-/// As occluded(), with the same exceptions, and those of `clear`.
-bool findAny(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle = kNoTriangle);
+/// only what the scene's filter keeps.
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit);
+/// As occluded(), with the same exception, and those of `clear`.
+bool findAny(const KernelScene& scene, const Ray& ray);
 
 /// The first half of findClosest(): whatever is nearest. Where the number of the triangle has kTiedHit others
 /// may be as near; then `hit.t` alone is known, or the ray hits nothing at all.
-bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit,
-                 std::uint32_t startTriangle = kNoTriangle);
+bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit);
 /// The second half, for such hits: chooses among those on one surface with the nearest, at `hit.t`. Returns
 /// HitWave::clearance; nothing where the ray hits nothing. `narrow`: the scene's; null: to be found out.
 std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* narrow, const Ray& ray,
-                               std::uint32_t startTriangle, Hit& hit);
+                               Hit& hit);
 
 } // namespace rtcore

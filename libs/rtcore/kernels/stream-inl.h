@@ -34,7 +34,6 @@ class OctantWalk {
             culling_.uniform[axis] = true;
             culling_.upperFirst[axis] = octant >> axis & 1U;
         }
-        startTriangle_ = rays.startTriangle;
         list_ = collect(rays, octant);
         top_ = list_.size + kLanes;
         waiting_ = 0;
@@ -306,7 +305,6 @@ class OctantWalk {
         const ShearedRays rays =
             shear(order, get(Origin, at), get(Origin + 1, at), get(Origin + 2, at), dx, dy, dz);
         const Floats tMin = hn::GatherIndex(d, scratch_.tMin, slot);
-        std::uint32_t starts[kLanes];
         Found found{hn::GatherIndex(d, scratch_.best, slot),
                     hn::Zero(di),
                     hn::Zero(d),
@@ -314,8 +312,7 @@ class OctantWalk {
                     hn::Zero(d),
                     hn::FirstN(d, 0),
                     hn::FirstN(d, 0),
-                    hn::Set(d, slack_ * kTieFraction),
-                    startsOf(slot, starts)};
+                    hn::Set(d, slack_ * kTieFraction)};
         if constexpr (!kSearch.any) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
         const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
         const int axis = order.common();
@@ -329,19 +326,6 @@ class OctantWalk {
         }
         if constexpr (kSearch.any) notePassed(slot, found);
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
-    }
-
-    /// RaySpan's startTriangle of some slots, in `starts`.
-    HWY_INLINE const std::uint32_t* startsOf(Ints slots, std::uint32_t (&starts)[kLanes]) const {
-        if (!kSearch.filtered || startTriangle_ == nullptr) return nullptr;
-        alignas(64) std::int32_t slot[kLanes];
-        hn::Store(slots, IntTag(), slot);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) starts[lane] = startOf(slot[lane]);
-        return starts;
-    }
-    HWY_INLINE std::uint32_t startOf(std::int32_t slot) const {
-        const auto at = static_cast<std::size_t>(slot);
-        return startTriangle_[scratch_.groups[at / StreamScratch::kGroup] + at % StreamScratch::kGroup];
     }
 
     /// As PacketWalk's.
@@ -415,12 +399,6 @@ class OctantWalk {
             hn::Store(hn::GatherIndex(d, scratch_.best, slot), d, short_.best + i);
             hn::Store(hn::GatherIndex(di, scratch_.triangle, slot), di, short_.triangle + i);
         }
-        short_.startTriangle = nullptr;
-        if (kSearch.filtered && startTriangle_ != nullptr) {
-            for (std::size_t i = 0; i < to; ++i)
-                shortStart_[i] = startOf(std::bit_cast<std::int32_t>(shortSlot_[i]));
-            short_.startTriangle = shortStart_;
-        }
         short_.setSlack(slack_);
         shortSize_ = to;
     }
@@ -449,8 +427,7 @@ class OctantWalk {
     StreamScratch& scratch_;
     List list_; ///< the one at hand
     std::size_t top_ = 0, waiting_ = 0;
-    const std::uint32_t* startTriangle_ = nullptr; ///< as RaySpan's
-    bool halted_ = false;                          ///< in the walk of a short list
+    bool halted_ = false; ///< in the walk of a short list
     float* columns_[StreamScratch::kColumns];
     float slack_ = 0;
     std::size_t found_ = 0; ///< grows with each hit
@@ -458,7 +435,6 @@ class OctantWalk {
     Packet<kShortVectors> short_;
     PacketWalk<kShortVectors, Shared::Nothing, false, kSearch> shortWalk_;
     alignas(64) float shortSlot_[kShort + kLanes]; ///< their bits
-    std::uint32_t shortStart_[kShort] = {};
     std::size_t shortSize_ = 0;
     WaitingList stack_[kMaxKdDepth];
 };

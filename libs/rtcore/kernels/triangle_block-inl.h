@@ -65,8 +65,7 @@ class TriangleBlock {
     /// Of common triangles: returns whether the ray hits one of them, closer than what it has found or as
     /// close.
     template <Search kSearch>
-    HWY_INLINE bool test(const ShearedRay& ray, float tMin, std::uint32_t startTriangle,
-                         FoundByRay& found) const {
+    HWY_INLINE bool test(const ShearedRay& ray, float tMin, FoundByRay& found) const {
         const FloatTag d;
         const Outcome outcome = edgeTestOf(ray);
         const Floats farthest = hn::Set(d, kSearch.any ? found.best : found.best + found.tie);
@@ -74,7 +73,7 @@ class TriangleBlock {
                             hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, farthest)));
         if (hn::AllFalse(d, open)) return false;
         if constexpr (kSearch.filtered) {
-            open = hitsOf(open, outcome, startTriangle);
+            open = hitsOf(open, outcome);
             if (hn::AllFalse(d, open)) return false;
         }
         if constexpr (kSearch.any) {
@@ -98,8 +97,7 @@ class TriangleBlock {
 
     /// The same of narrow triangles. For any hit `found.triangle` is left alone.
     template <Search kSearch>
-    HWY_INLINE bool testNarrow(const ShearedRay& ray, float tMin, std::uint32_t startTriangle,
-                               FoundByRay& found) const {
+    HWY_INLINE bool testNarrow(const ShearedRay& ray, float tMin, FoundByRay& found) const {
         const FloatTag d;
         const Outcome outcome = edgeTestOf(ray);
         const Mask inside = hn::And(outcome.inside, hn::FirstN(d, count_));
@@ -109,7 +107,7 @@ class TriangleBlock {
             const FoundByRay here = narrowHit(outcome, lane, ray);
             const float farthest = kSearch.any ? found.best : found.best + found.tie;
             if (!(here.best >= tMin && here.best <= farthest)) return;
-            if (kSearch.filtered && !isHit(here, startTriangle)) return;
+            if (kSearch.filtered && !isHit(here)) return;
             if constexpr (kSearch.any) {
                 const bool passed = kSearch.filtered && scene_.clear != nullptr &&
                                     scene_.letsThrough(static_cast<std::uint32_t>(here.triangle));
@@ -148,24 +146,22 @@ class TriangleBlock {
     }
 
     /// Whether a ray that meets the triangle hits it.
-    HWY_INLINE bool isHit(const FoundByRay& candidate, std::uint32_t startTriangle) const {
-        const auto triangle = static_cast<std::uint32_t>(candidate.triangle);
-        return triangle != startTriangle &&
-               scene_.filter.keeps(triangle, candidate.v / candidate.det, candidate.w / candidate.det);
+    HWY_INLINE bool isHit(const FoundByRay& candidate) const {
+        return scene_.filter.keeps(static_cast<std::uint32_t>(candidate.triangle),
+                                   candidate.v / candidate.det, candidate.w / candidate.det);
     }
 
     /// Of the triangles `candidates`, which the ray meets, those that it hits.
-    HWY_INLINE Mask hitsOf(Mask candidates, const Outcome& outcome, std::uint32_t startTriangle) const {
-        const bool all = scene_.filter.empty() && startTriangle == kNoTriangle;
-        return all ? candidates : keptOf(candidates, outcome, startTriangle);
+    HWY_INLINE Mask hitsOf(Mask candidates, const Outcome& outcome) const {
+        return scene_.filter.empty() ? candidates : keptOf(candidates, outcome);
     }
-    HWY_NOINLINE Mask keptOf(Mask candidates, const Outcome& outcome, std::uint32_t startTriangle) const {
+    HWY_NOINLINE Mask keptOf(Mask candidates, const Outcome& outcome) const {
         const IntTag di;
         const Holes* const holes = scene_.filter.holes;
         alignas(64) std::int32_t kept[kLanes] = {};
         forEachLane(candidates, [&](std::size_t lane) {
             const auto triangle = static_cast<std::uint32_t>(triangle_[lane]);
-            if (triangle == startTriangle || scene_.filter.hides(triangle)) return;
+            if (scene_.filter.hides(triangle)) return;
             const auto share = [&](Floats area) { return laneOf(area, lane) / laneOf(outcome.det, lane); };
             const bool isHole =
                 holes != nullptr && holes->isHole(triangle, share(outcome.v), share(outcome.w));

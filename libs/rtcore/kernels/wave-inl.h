@@ -32,14 +32,9 @@ struct LastGroup {
                 {values[3], values[4], values[5]},
                 values[6],
                 values[7],
-                kGroup,
-                rays.startTriangle == nullptr ? nullptr : startTriangle};
-        if (rays.startTriangle == nullptr) return;
-        for (std::size_t i = 0; i < kGroup; ++i)
-            startTriangle[i] = rays.startTriangle[first + i < rays.count ? first + i : first];
+                kGroup};
     }
     alignas(64) float values[8][kGroup];
-    std::uint32_t startTriangle[kGroup];
     RaySpan span;
 };
 

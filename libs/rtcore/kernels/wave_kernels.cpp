@@ -29,13 +29,7 @@ Ray rayOf(const RaySpan& rays, std::size_t i) {
             rays.tMax[i]};
 }
 
-std::uint32_t startOf(const RaySpan& rays, std::size_t i) {
-    return rays.startTriangle == nullptr ? kNoTriangle : rays.startTriangle[i];
-}
-
-bool isFiltered(const KernelScene& scene, const RaySpan& rays) {
-    return !scene.filter.empty() || scene.clear != nullptr || rays.startTriangle != nullptr;
-}
+bool isFiltered(const KernelScene& scene) { return !scene.filter.empty() || scene.clear != nullptr; }
 
 } // namespace
 } // namespace rtcore
@@ -95,7 +89,7 @@ std::size_t tiedHits(const HitSpan& hits, std::size_t count, std::uint32_t* indi
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, const HitSpan& hits) {
     for (std::size_t i = 0; i < rays.count; ++i) {
         Hit hit;
-        findNearest(scene, rayOf(rays, i), hit, startOf(rays, i));
+        findNearest(scene, rayOf(rays, i), hit);
         hits.t[i] = hit.t;
         hits.u[i] = hit.u;
         hits.v[i] = hit.v;
@@ -106,14 +100,13 @@ void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scr
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, std::uint8_t* occluded) {
     // Single rays do not keep what they pass.
     const std::uint8_t none = scene.clear == nullptr ? 0 : 2;
-    for (std::size_t i = 0; i < rays.count; ++i)
-        occluded[i] = findAny(scene, rayOf(rays, i), startOf(rays, i)) ? 1 : none;
+    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rayOf(rays, i)) ? 1 : none;
 }
 
 #else
 
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits) {
-    if (isFiltered(scene, rays)) {
+    if (isFiltered(scene)) {
         traverseWave<Search{false, true}>(scene, rays, scratch, ClosestOutput{hits});
     } else {
         traverseWave<Search{false, false}>(scene, rays, scratch, ClosestOutput{hits});
@@ -121,7 +114,7 @@ void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scrat
 }
 
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {
-    if (isFiltered(scene, rays)) {
+    if (isFiltered(scene)) {
         traverseWave<Search{true, true}>(scene, rays, scratch, AnyOutput{occluded});
     } else {
         traverseWave<Search{true, false}>(scene, rays, scratch, AnyOutput{occluded});

@@ -18,7 +18,6 @@ struct RaySpan {
     const float* tMin;
     const float* tMax;
     std::size_t count;
-    const std::uint32_t* startTriangle = nullptr; ///< null, or for each ray a triangle that it does not hit
 };
 
 struct HitSpan {

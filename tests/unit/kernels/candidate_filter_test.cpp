@@ -1,5 +1,5 @@
-// What rays hit where triangles are hidden, have holes, or are those that rays start on: what all triangles
-// one by one give, by every kernel on every instruction set.
+// What rays hit where triangles are hidden or have holes: what all triangles one by one give, by every kernel
+// on every instruction set.
 #include "rtcore/kernels/candidate_filter.h"
 
 #include "kinds_of_waves.h"
@@ -64,8 +64,6 @@ class FilteredScene {
     FilteredScene(const FilteredScene&) = delete;
     FilteredScene& operator=(const FilteredScene&) = delete;
 
-    const rtcore::Mesh& mesh() const { return mesh_; }
-
     /// None, hidden triangles, holes, both.
     std::vector<std::pair<std::string, CandidateFilter>> filters() const {
         return {{"", {}},
@@ -79,11 +77,10 @@ class FilteredScene {
                     const std::vector<std::uint8_t>& skip = {}) const {
         const Ray r = wave.ray(ray);
         const rtcore::RayShear shear(r.direction);
-        const std::uint32_t start = wave.startTriangle.empty() ? kNoTriangle : wave.startTriangle[ray];
         hit = {r.tMax, kNoTriangle, 0, 0};
         rtcore::alongAxis(shear.kz, [&](auto kz) {
             for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-                if (i == start || (!skip.empty() && skip[shading_[i].material] != 0)) continue;
+                if (!skip.empty() && skip[shading_[i].material] != 0) continue;
                 Hit candidate = hit;
                 if (rtcore::testTriangle<kz>(mesh_, i, r, shear, candidate) &&
                     filter.keeps(i, candidate.u, candidate.v))
@@ -157,21 +154,6 @@ std::vector<std::pair<std::string, RayWave>> kindsOfWaves(Random& random) {
     return waves;
 }
 
-/// Each ray starts somewhere on a triangle, and runs where it did.
-void startOnTriangles(const rtcore::Mesh& mesh, RayWave& wave, Random& random) {
-    for (std::size_t i = 0; i < wave.size(); ++i) {
-        const std::uint32_t triangle = random.index(mesh.triangles.size());
-        const float u = random.number(0, 0.5F), v = random.number(0, 0.5F);
-        const rtcore::Vec3 at = mesh.position(triangle, 0) * (1 - u - v) + mesh.position(triangle, 1) * u +
-                                mesh.position(triangle, 2) * v;
-        wave.ox[i] = at.x;
-        wave.oy[i] = at.y;
-        wave.oz[i] = at.z;
-        wave.tMin[i] = 0;
-        wave.startTriangle.push_back(i % 8 == 0 ? kNoTriangle : triangle);
-    }
-}
-
 } // namespace
 
 TEST(CandidateFilter, KeepsWhatIsNeitherHiddenNorAHole) {
@@ -209,35 +191,6 @@ TEST(CandidateFilter, RaysHitOnlyWhatItKeeps) {
     }
 }
 
-TEST(CandidateFilter, RaysDoNotHitTheTriangleThatTheyStartOn) {
-    Random random(4);
-    std::size_t own = 0;
-    for (const float cost :
-         {0.005F, 0.0F}) { // long leaves, and short ones, where lists of rays are short as well
-        const FilteredScene scene(0.4F, cost);
-        for (auto& [kind, wave] : kindsOfWaves(random)) {
-            startOnTriangles(scene.mesh(), wave, random);
-            RayWave without = wave;
-            without.startTriangle.clear();
-            for (const auto& [name, filter] : scene.filters()) {
-                const test::WaveAnswer expected = scene.expected(filter, wave),
-                                       unfiltered = scene.expected(filter, without);
-                for (std::size_t i = 0; i < wave.size(); ++i)
-                    own += unfiltered.hits.isHit(i) && unfiltered.hits.triangle[i] == wave.startTriangle[i]
-                               ? 1
-                               : 0;
-                scene.forEachKernel([&, &kind = kind, &name = name, &filter = filter,
-                                     &wave = wave](KdRayTracer& tracer, const std::string& variant) {
-                    tracer.setFilter(filter);
-                    EXPECT_EQ(difference(test::byWave(tracer, wave), expected, wave), "")
-                        << kind << ", " << name << ", " << variant;
-                });
-            }
-        }
-    }
-    EXPECT_GT(own, 100U) << "no ray would have hit its own triangle";
-}
-
 TEST(CandidateFilter, ObstaclesAreOnlyWhatItKeeps) {
     Random random(5);
     const FilteredScene scene(0.3F, 0);
@@ -262,17 +215,4 @@ TEST(CandidateFilter, ObstaclesAreOnlyWhatItKeeps) {
                 });
         }
     }
-}
-
-TEST(RayWave, KeepsStartTrianglesInStep) {
-    RayWave wave;
-    wave.resize(3);
-    EXPECT_TRUE(wave.startTriangle.empty());
-    wave.startTriangle = {1, 2, 3};
-    wave.resize(5);
-    EXPECT_EQ(wave.startTriangle, (std::vector<std::uint32_t>{1, 2, 3, kNoTriangle, kNoTriangle}));
-    wave.resize(2);
-    EXPECT_EQ(wave.startTriangle, (std::vector<std::uint32_t>{1, 2}));
-    wave.clear();
-    EXPECT_TRUE(wave.startTriangle.empty());
 }
