@@ -69,10 +69,7 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     emitters_ = {};
     if (use != EmitterLight::Off)
         emitters_.prepare(scene, {.hidden = hidden, .dark = dark_, .textures = settings.textures});
-    const TexelFilter filter = settings.environmentFilter == EnvironmentFilter::Bilinear
-                                   ? TexelFilter::Bilinear
-                                   : TexelFilter::Nearest;
-    background_ = backgroundLight(scene, filter, scene.ambient);
+    background_ = backgroundLight(scene, settings.environmentFilter, scene.ambient);
     surroundings_ = {};
     surroundings_.prepare(background_);
     shares_ = {};

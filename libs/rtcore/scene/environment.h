@@ -5,6 +5,7 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/environment_light.h"
 #include "rtcore/scene/image.h"
+#include "rtcore/settings/texel_filter.h"
 
 #include <array>
 #include <memory>
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace rtcore {
-
-enum class TexelFilter { Bilinear, Nearest };
 
 /// Safe from many threads while it is not changed. Copies are cheap. Directions need not be normalised, only
 /// finite and not zero.

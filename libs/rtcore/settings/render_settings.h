@@ -2,6 +2,8 @@
 /// files, command lines and dialogs read that table, the renderer reads this struct.
 #pragma once
 
+#include "rtcore/settings/texel_filter.h"
+
 namespace rtcore {
 
 /// What follows the light: Whitted's rays (mirrors and glass, light that comes straight), or paths, which
@@ -19,7 +21,6 @@ enum class RecordedExposure { Scaled, Exact, Automatic };
 /// of red, green and blue by itself; AgX (Sobotka 2022) is like film, with soft and pale lights, Neutral
 /// (Khronos PBR Neutral, 2024) keeps the colours of all but the brightest.
 enum class ToneMapping { Luminance, Channels, AgX, Neutral };
-enum class EnvironmentFilter { Bilinear, Nearest };
 /// Where the samples of a pixel lie. (thesis figure 5.1)
 enum class SamplingPattern { Grid, Random, Jittered, Rotated, Poisson };
 /// Where the rays of a point go: a regular pattern turned and shifted for each point, the same for all
@@ -142,7 +143,7 @@ struct RenderSettings {
     ToneMapping toneMapping = ToneMapping::Luminance;
     float toneContrast = 0; ///< 0..3, of ToneMapping::AgX: 0 its base, 1 its look "punchy", and beyond
     bool dithering = true;
-    EnvironmentFilter environmentFilter = EnvironmentFilter::Bilinear;
+    TexelFilter environmentFilter = TexelFilter::Bilinear;
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };

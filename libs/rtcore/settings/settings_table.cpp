@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 3> kEmitterLights{"automatic", "on", "off
 constexpr std::array<std::string_view, 3> kExposureModes{"automatic", "fixed", "incident"};
 constexpr std::array<std::string_view, 3> kRecordedExposures{"scaled", "exact", "automatic"};
 constexpr std::array<std::string_view, 4> kToneMappings{"luminance", "channels", "agx", "neutral"};
-constexpr std::array<std::string_view, 2> kEnvironmentFilters{"bilinear", "nearest"};
+constexpr std::array<std::string_view, 2> kTexelFilters{"bilinear", "nearest"};
 constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "jittered", "rotated",
                                                             "poisson"};
 constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
@@ -47,7 +47,7 @@ Choices choicesOf() {
     if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
     if constexpr (std::is_same_v<Enum, RecordedExposure>) return kRecordedExposures;
     if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
-    if constexpr (std::is_same_v<Enum, EnvironmentFilter>) return kEnvironmentFilters;
+    if constexpr (std::is_same_v<Enum, TexelFilter>) return kTexelFilters;
     if constexpr (std::is_same_v<Enum, SamplingPattern>) return kSamplingPatterns;
     if constexpr (std::is_same_v<Enum, OcclusionPattern>) return kOcclusionPatterns;
     if constexpr (std::is_same_v<Enum, BloomKernel>) return kBloomKernels;

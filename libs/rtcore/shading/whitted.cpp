@@ -122,14 +122,12 @@ void WhittedIntegrator::addBackground() {
     const Colour background = frame_.scene->background;
     if (environment == nullptr && isBlack(background)) return;
     if (environment == nullptr && wave_.paths.primary() && !fog_.on()) return; // the sums began with it
-    const TexelFilter filter = frame_.settings->environmentFilter == EnvironmentFilter::Bilinear
-                                   ? TexelFilter::Bilinear
-                                   : TexelFilter::Nearest;
     const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
     for (std::size_t i = 0; i < wave_.size(); ++i) {
         if (wave_.surfaces.traits[i] != 0 || (transmittance != nullptr && transmittance[i] == 0)) continue;
         Colour seen = background;
-        if (environment != nullptr) seen = environment->radiance(wave_.direction(i), filter);
+        if (environment != nullptr)
+            seen = environment->radiance(wave_.direction(i), frame_.settings->environmentFilter);
         if (transmittance != nullptr) seen = seen * transmittance[i];
         const Path path = wave_.paths.path(i);
         sums_.add(path.sample, path.weight * seen);

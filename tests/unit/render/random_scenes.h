@@ -60,7 +60,7 @@ class RandomScene {
         s.path.caustics = random_.coin();
         s.path.emitters = static_cast<rtcore::EmitterLight>(random_.index(3));
         s.path.seed = static_cast<int>(random_.index(100));
-        s.environmentFilter = static_cast<rtcore::EnvironmentFilter>(random_.index(2));
+        s.environmentFilter = static_cast<rtcore::TexelFilter>(random_.index(2));
         return s;
     }
 

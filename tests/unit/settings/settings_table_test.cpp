@@ -108,7 +108,7 @@ TEST(SettingsTable, ReachesTheMembersOfTheirNames) {
     EXPECT_EQ(s.ambientOcclusion.distance, 2.5F);
     EXPECT_EQ(s.exposure.mode, rtcore::ExposureMode::Fixed);
     EXPECT_EQ(s.toneMapping, rtcore::ToneMapping::Channels);
-    EXPECT_EQ(s.environmentFilter, rtcore::EnvironmentFilter::Nearest);
+    EXPECT_EQ(s.environmentFilter, rtcore::TexelFilter::Nearest);
     EXPECT_FALSE(s.dithering);
 }
 
