@@ -2,10 +2,9 @@
 
 #include "rtcore/accel/visible_tree.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/math/constants.h"
 #include "rtcore/render/visible_scene.h"
+#include "rtcore/scene/sphere_texels.h"
 #include "rtcore/shading/whitted.h"
-#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,16 +41,11 @@ Vec3 middleOfTheRest(const Model& model, std::span<const std::uint8_t> pieces) {
     return rest.empty() ? model.mesh.bounds().centre() : rest.centre();
 }
 
-RayWave raysOfRow(Vec3 origin, int y) {
-    constexpr float kTexel = kPi / kHeight;
-    const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
-    const float ring = portableSin(polar), height = portableCos(polar);
+RayWave raysOfRow(const SphereTexels& texels, Vec3 origin, int y) {
+    const SphereTexels::Row row = texels.row(y);
     RayWave rays;
-    for (int x = 0; x < kWidth; ++x) {
-        const float angle = (static_cast<float>(x) + 0.5F) * kTexel - kPi;
-        const Vec3 direction{ring * portableSin(angle), height, -ring * portableCos(angle)};
-        rays.push({origin, 0, normalize(direction), std::numeric_limits<float>::max()});
-    }
+    for (int x = 0; x < kWidth; ++x)
+        rays.push({origin, 0, normalize(texels.direction(row, x)), std::numeric_limits<float>::max()});
     return rays;
 }
 
@@ -64,6 +58,7 @@ Seen lookAround(const Scene& shell, const KdTree& tree, Vec3 origin) {
     const KdTree visible = visibleTree(tree, shell);
     const KdRayTracer tracer(visible, shell.model.mesh);
     const RenderSettings settings;
+    const SphereTexels texels(kHeight);
     Seen seen;
 #pragma omp parallel
     {
@@ -71,7 +66,8 @@ Seen lookAround(const Scene& shell, const KdTree& tree, Vec3 origin) {
 #pragma omp for schedule(dynamic)
         for (int y = 0; y < kHeight; ++y) {
             const std::size_t first = static_cast<std::size_t>(y) * kWidth;
-            integrator.trace(raysOfRow(origin, y), std::span(seen.picture.pixels).subspan(first, kWidth),
+            integrator.trace(raysOfRow(texels, origin, y),
+                             std::span(seen.picture.pixels).subspan(first, kWidth),
                              std::span(seen.hit).subspan(first, kWidth));
         }
     }

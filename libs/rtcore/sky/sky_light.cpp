@@ -1,6 +1,7 @@
 #include "rtcore/sky/sky_light.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/scene/sphere_texels.h"
 #include "rtcore/simd/portable_math.h"
 #include "rtcore/sky/atmosphere.h"
 #include "rtcore/sky/sun_position.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace rtcore {
 
@@ -21,19 +21,10 @@ constexpr float kTexel = kPi / kHeight; ///< radians
 /// of unit length, `ring` the sine of its angle to the y axis.
 template <typename Paint>
 void forEachTexel(HdrImage& image, Paint&& paint) {
-    const float texel = kPi / static_cast<float>(image.height);
-    std::vector<Vec2> across;
-    for (int x = 0; x < image.width; ++x) {
-        const float angle = (static_cast<float>(x) + 0.5F) * texel - kPi;
-        across.push_back({portableSin(angle), -portableCos(angle)});
-    }
+    const SphereTexels texels(image.height);
     for (int y = 0; y < image.height; ++y) {
-        const float polar = (static_cast<float>(y) + 0.5F) * texel;
-        const float ring = portableSin(polar), height = portableCos(polar);
-        for (int x = 0; x < image.width; ++x) {
-            const Vec2 a = across[static_cast<std::size_t>(x)];
-            paint(image.at(x, y), Vec3{ring * a.x, height, ring * a.y}, ring);
-        }
+        const SphereTexels::Row row = texels.row(y);
+        for (int x = 0; x < image.width; ++x) paint(image.at(x, y), texels.direction(row, x), row.ring);
     }
 }
 
@@ -120,9 +111,9 @@ class SkyPainter {
         const Colour lit = (sunlight_ + fromSky() * 3.0F) / (4 * kPi);
         forEachTexel(
             image, [&](Colour& texel, Vec3 direction, float) { texel += hazeIn(lit, dot(direction, up_)); });
+        const SphereTexels texels(kHeight);
         for (int y = 0; y < kHeight; ++y) {
-            const float polar = (static_cast<float>(y) + 0.5F) * kTexel;
-            const float ring = portableSin(polar), height = portableCos(polar);
+            const auto [ring, height] = texels.row(y);
             const Colour added = hazeIn(lit, height);
             const double weight =
                 kSkyWidth * static_cast<double>(std::max(height, 0.0F) * ring * kTexel * kTexel);
