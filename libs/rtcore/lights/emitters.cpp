@@ -72,7 +72,10 @@ void Emitters::prepare(const Scene& scene, const EmitterChoice& choice) {
     std::vector<double> powers;
     addTriangles(scene, choice, powers);
     if (triangles_.empty()) return;
-    if (triangles_.size() > kMostEmitters) return *this = {}, void();
+    if (triangles_.size() > kMostEmitters) {
+        *this = {};
+        return;
+    }
     table_ = AliasTable(powers);
     const double most = *std::max_element(powers.begin(), powers.end());
     WeightedPosition centre;

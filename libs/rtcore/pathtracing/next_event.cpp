@@ -215,21 +215,20 @@ void NextEvents::sample(const NextEventTask& task, const Wave& wave) {
     if (task.rows.emitters || task.rows.surroundings) lookUp(task, wave);
 }
 
-/// The radiance of emitters and surroundings, which textures and images hold.
+/// The light of emitters and surroundings, which textures and images hold.
 void NextEvents::lookUp(const NextEventTask& task, const Wave& wave) {
     for (std::size_t i = 0; i < wave.size(); ++i) {
         const std::uint32_t group = group_[i];
         if (group == LightSamples::kNone || group < task.rows.lights) continue;
         const float density = samples_.density[i];
-        Colour radiance{};
-        if (!(density > 0)) {
-        } else if (group == task.rows.emitterGroup()) {
-            radiance = emissionAt(task.scene, task.textures, {0, triangle_[i], u_[i], v_[i]});
-        } else {
-            radiance = task.lights.background().radiance(samples_.toLight.at(i));
-        }
-        samples_.irradiance.set(i, density > 0 ? radiance / density : Colour{});
+        samples_.irradiance.set(i, density > 0 ? radianceOf(task, i) / density : Colour{});
     }
+}
+
+Colour NextEvents::radianceOf(const NextEventTask& task, std::size_t i) const {
+    if (group_[i] == task.rows.emitterGroup())
+        return emissionAt(task.scene, task.textures, {0, triangle_[i], u_[i], v_[i]});
+    return task.lights.background().radiance(samples_.toLight.at(i));
 }
 
 void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, SurfaceWave& surfaces,

@@ -55,6 +55,7 @@ class NextEvents {
   private:
     void resize(std::size_t count);
     void lookUp(const NextEventTask& task, const Wave& wave);
+    Colour radianceOf(const NextEventTask& task, std::size_t i) const;
 
     WaveMemory memory_;
     std::vector<std::uint32_t> group_, triangle_;
