@@ -4,10 +4,9 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/render/default_view.h"
-#include "rtcore/render/frame_renderer.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +31,7 @@ LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera,
     rtcore::FrameRenderer renderer;
     renderer.collectAovs(rtcore::effectsNeedAovs(settings));
     EXPECT_TRUE(renderer.render({loaded.scene, tracer, camera, settings}, control, frame));
-    return rtcore::develop(frame, settings, rtcore::exposureFor(frame, settings.exposure));
+    return test::develop(frame, settings, test::exposureFor(frame, settings.exposure));
 }
 
 void keep(const std::string& name, const LdrImage& result, const LdrImage& reference) {

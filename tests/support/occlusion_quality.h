@@ -1,7 +1,7 @@
 /// How far images by few rays of ambient occlusion are from one by very many.
 #pragma once
 
-#include "rtcore/render/frame_renderer.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ class OcclusionQuality {
         settings.ambientOcclusion.pattern = pattern;
         rtcore::RenderControl control{.threads = 0};
         rtcore::Frame frame;
-        rtcore::renderFrame({scene_, tracer_, camera_, settings}, control, frame);
+        test::renderFrame({scene_, tracer_, camera_, settings}, control, frame);
         return std::move(frame.radiance);
     }
 

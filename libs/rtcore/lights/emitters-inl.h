@@ -42,7 +42,8 @@ HWY_INLINE F doubleArea(Vec3Of<F> normal) {
     return sqrt(dot(normal, normal));
 }
 
-/// Emitters::draw(). (Heitz 2019, "A Low-Distortion Map Between Triangle and Square")
+/// Uniform by area within a triangle; there is an emitter. `bits`: 32 random ones. (Heitz 2019, "A
+/// Low-Distortion Map Between Triangle and Square")
 template <typename F>
 HWY_INLINE EmitterDraw<F> drawEmitter(const EmitterRows& rows, F u, F v, UintOf<F> bits) {
     const UintOf<F> emitter = drawIndex<F>(rows.choice, bits);

@@ -105,11 +105,6 @@ void Emitters::addTriangles(const Scene& scene, const EmitterChoice& choice, std
     }
 }
 
-EmitterPoint Emitters::draw(SquarePoint point, std::uint32_t bits) const {
-    const auto drawn = plain::drawEmitter<float>(rows(), point.u, point.v, bits);
-    return {drawn.triangle, drawn.u, drawn.v, drawn.position, drawn.normal, drawn.density};
-}
-
 float Emitters::density(std::uint32_t triangle, float distance, float cosine) const {
     return plain::bySolidAngle<float>(areaDensity(triangle), distance, cosine);
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "rtcore/sampling/alias_table.h"
-#include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 
 #include <cstddef>
@@ -28,14 +27,6 @@ struct EmitterChoice {
     bool textures = true;                    ///< as RenderSettings::textures
 };
 
-/// One point, see HWY_NAMESPACE::EmitterDraw.
-struct EmitterPoint {
-    std::uint32_t triangle = 0;
-    float u = 0, v = 0;
-    Vec3 position, normal;
-    float density = 0; ///< by area
-};
-
 /// Immutable once prepared; safe from many threads. About 20 bytes for each emitter. The scene's mesh must
 /// outlive it.
 ///
@@ -53,13 +44,11 @@ class Emitters {
     bool empty() const { return triangles_.empty(); }
     std::size_t size() const { return triangles_.size(); }
 
-    /// Uniform by area within a triangle. There is an emitter. `bits`: 32 random ones.
-    EmitterPoint draw(SquarePoint point, std::uint32_t bits) const;
-    /// The density by solid angle with which draw() finds the point of a triangle that is seen at `distance`,
-    /// where the cosine between the ray and the triangle's normal is `cosine`, of either sign. 0 of what is
-    /// no emitter, and of cosines whose size is below 1e-6.
+    /// The density by solid angle with which drawEmitter() finds the point of a triangle that is seen at
+    /// `distance`, where the cosine between the ray and the triangle's normal is `cosine`, of either sign. 0
+    /// of what is no emitter, and of cosines whose size is below 1e-6.
     float density(std::uint32_t triangle, float distance, float cosine) const;
-    /// By area, the same number as in EmitterPoint.
+    /// By area, the same number as in EmitterDraw.
     float areaDensity(std::uint32_t triangle) const;
 
     /// Luminance of all that is given off, to both sides, W.

@@ -73,7 +73,8 @@ HWY_INLINE F drawLinear(F number, F from, F to) {
     return min(number * (from + to) / (from + sqrt(square)), F(1));
 }
 
-/// EnvironmentDraw::density().
+/// The density by solid angle with which drawEnvironment() finds a direction, above 0 for all of them: of one
+/// it gave the same number to the bit. `direction`: of unit length. There is light.
 template <typename F>
 HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction) {
     const CellPoint<F> point = pointOfDirection<F>(rows, direction);
@@ -87,7 +88,9 @@ HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction
     return ofRow * kUnit * (ofCell * kUnit) * point.perSolidAngle * (here / corners.mean());
 }
 
-/// EnvironmentDraw::draw().
+/// A direction by the light that comes from there. There is some. `across`, `down`: 32 random bits each, a
+/// point of the square: directions are as evenly spread as such points are. What shines from there is
+/// BackgroundLight::radiance() of it.
 template <typename F>
 HWY_INLINE DirectionDraw<F> drawEnvironment(const EnvironmentRows& rows, UintOf<F> across, UintOf<F> down) {
     constexpr int kUnused = 32 - EnvironmentRows::kBits;

@@ -171,13 +171,4 @@ EnvironmentRows EnvironmentDraw::rows() const {
             columnStarts_.data()};
 }
 
-DrawnDirection EnvironmentDraw::draw(std::uint32_t across, std::uint32_t down) const {
-    const auto drawn = plain::drawEnvironment<float>(rows(), across, down);
-    return {drawn.direction, drawn.density};
-}
-
-float EnvironmentDraw::density(Vec3 direction) const {
-    return empty() ? 0.0F : plain::environmentDensity<float>(rows(), direction);
-}
-
 } // namespace rtcore

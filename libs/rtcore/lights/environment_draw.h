@@ -25,11 +25,6 @@ struct EnvironmentRows {
     const std::uint32_t *rowStarts = nullptr, *columnStarts = nullptr;
 };
 
-struct DrawnDirection {
-    Vec3 direction;    ///< unit
-    float density = 0; ///< by solid angle
-};
-
 /// Draws by the luminance of the bilinear image itself: a row of cells by the integral of all in it, a cell
 /// of it by its own, a place in the cell by the bilinear function between its corners. So all of the light of
 /// an image has the same weight, whether it comes from a sky or from one texel, and nothing is lost: where
@@ -45,13 +40,6 @@ class EnvironmentDraw {
 
     /// Nothing shines.
     bool empty() const { return rowStarts_.empty(); }
-
-    /// There is light. `across`, `down`: 32 random bits each, a point of the square: directions are as evenly
-    /// spread as such points are. What shines from there is BackgroundLight::radiance() of it.
-    DrawnDirection draw(std::uint32_t across, std::uint32_t down) const;
-    /// The density by solid angle with which draw() finds a direction, above 0 for all of them: of one it
-    /// gave the same number to the bit. `direction`: of unit length. 0 when empty.
-    float density(Vec3 direction) const;
 
     /// Luminance of the light from all directions: the integral of the radiance over the sphere.
     double scalarIrradiance() const { return scalarIrradiance_; }

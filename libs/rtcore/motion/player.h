@@ -66,7 +66,9 @@ class Player {
     /// At most a quarter of a second counts: after a stall the player does not leap.
     void advance(std::chrono::nanoseconds time);
 
-    /// Flies so many times as fast as usual; > 0. Walking stays as it is.
+    /// Flies so many times as fast as usual; > 0. Walking stays as it is. Usual is a tenth of the scene's
+    /// diagonal in a second; where things are around the eye, as far as they are away (clearance()), if that
+    /// is less.
     void setSpeedFactor(double factor) { speedFactor_ = factor; }
     double speedFactor() const { return speedFactor_; }
 
@@ -74,9 +76,6 @@ class Player {
     bool atRest() const;
 
     double metresPerUnit() const { return frame_.metresPerUnit(); }
-    /// Of the flying eye in the open, in scene units a second: a tenth of the scene's diagonal. Where things
-    /// are around it, it goes as far in a second as they are away (clearance()), if that is less.
-    double flyingSpeed() const { return flyingSpeed_ / frame_.metresPerUnit(); }
 
   private:
     /// What is drawn: between the last two steps.

@@ -14,7 +14,7 @@ namespace rtcore {
 /// surface, weighted by the power heuristic against next event. The wave is that of the batch.
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave);
 
-/// EnvironmentDraw::density() of the directions of those rays of the wave that meet no surface, into
+/// environmentDensity() of the directions of those rays of the wave that meet no surface, into
 /// `densities`: room for a block more. The others become undefined.
 void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities);
 

@@ -132,14 +132,4 @@ void developPart(const HdrImage& radiance, const Development& how, const EffectC
     }
 }
 
-float exposureFor(const Frame& frame, const ExposureSettings& settings) {
-    return PictureDeveloper().exposure(frame, settings, 0);
-}
-
-LdrImage develop(const Frame& frame, const RenderSettings& settings, float exposure) {
-    LdrImage image;
-    PictureDeveloper().develop(frame, settings, exposure, 0, image);
-    return image;
-}
-
 } // namespace rtcore

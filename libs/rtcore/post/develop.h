@@ -59,8 +59,4 @@ class PictureDeveloper {
 void developPart(const HdrImage& radiance, const Development& how, const EffectChain& effects,
                  const PixelArea& part, LdrImage& image);
 
-/// PictureDeveloper for a single frame, on all cores.
-float exposureFor(const Frame& frame, const ExposureSettings& settings);
-LdrImage develop(const Frame& frame, const RenderSettings& settings, float exposure);
-
 } // namespace rtcore

@@ -142,12 +142,5 @@ std::optional<float> LuminanceHistogram::logAverage() const {
     return portableExp2(static_cast<float>(sum / (to - from)));
 }
 
-std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
-                                         std::span<const std::uint8_t> weights) {
-    LuminanceHistogram histogram;
-    histogram.count(pixels, weights);
-    return histogram.logAverage();
-}
-
 } // namespace rtcore
 #endif

@@ -18,8 +18,8 @@ class LuminanceHistogram {
   public:
     /// Forgets all; keeps the memory, half a megabyte.
     void clear();
-    /// Counts pixels, or luminances, > 0, each by its weight (0..255); spans of one size. No weights: 255
-    /// each.
+    /// Counts pixels, or luminances, > 0, each by its weight (255: geometry counts, 0: background does
+    /// not); spans of one size. No weights: 255 each.
     void count(std::span<const Colour> pixels, std::span<const std::uint8_t> weights);
     void count(std::span<const Colour> pixels);
     void count(std::span<const float> luminances, std::span<const std::uint8_t> weights);
@@ -37,10 +37,5 @@ class LuminanceHistogram {
     std::vector<std::int64_t> bins_; ///< the last one for what does not count
     std::int64_t possible_ = 0;
 };
-
-/// The robust log-average luminance of a whole image, each pixel weighted by `weights` (255: geometry
-/// counts, 0: background does not).
-std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
-                                         std::span<const std::uint8_t> weights);
 
 } // namespace rtcore

@@ -172,8 +172,4 @@ void FrameRenderer::finish(const Work& work, const PixelArea& tile) {
     if (whole && work.control.finished != nullptr) work.control.finished->add(tile);
 }
 
-bool renderFrame(const View& view, RenderControl& control, Frame& frame) {
-    return FrameRenderer().render(view, control, frame);
-}
-
 } // namespace rtcore

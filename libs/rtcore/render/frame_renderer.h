@@ -103,7 +103,4 @@ class FrameRenderer {
     StageTimes stageTimes_;
 };
 
-/// A single frame: FrameRenderer::render() with memory of its own.
-bool renderFrame(const View& view, RenderControl& control, Frame& frame);
-
 } // namespace rtcore

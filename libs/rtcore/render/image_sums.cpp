@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace rtcore {
@@ -114,19 +113,9 @@ void ImageSums::mean(HdrImage& image) const {
     }
 }
 
-HdrImage ImageSums::mean() const {
-    HdrImage image;
-    mean(image);
-    return image;
-}
-
 ImageSums::Pixel ImageSums::pixel(int x, int y) const {
     const std::size_t i = index(x, y);
     return {{sums_[3 * i], sums_[3 * i + 1], sums_[3 * i + 2]}, samples_[i]};
-}
-
-std::uint64_t ImageSums::added() const {
-    return std::accumulate(samples_.begin(), samples_.end(), std::uint64_t{0});
 }
 
 } // namespace rtcore

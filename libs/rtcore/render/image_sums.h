@@ -37,8 +37,7 @@ class ImageSums {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    int unitExponent() const { return unitExponent_; } ///< e
-    double largest() const;                            ///< that a channel of a sample is clipped to
+    double largest() const; ///< that a channel of a sample is clipped to
 
     /// Adds a sample of the pixel (x, y), which has fewer than kMostSamples. A sample that is not finite is
     /// only counted, in dropped(). Values may be negative.
@@ -53,10 +52,8 @@ class ImageSums {
     /// Of each pixel's samples, black where there are none: an image such as Frame::radiance, whose memory is
     /// reused when the size fits. Off by half a step of float and 2^-52 beside the rounding of the samples.
     void mean(HdrImage& image) const;
-    HdrImage mean() const;
 
     Pixel pixel(int x, int y) const;
-    std::uint64_t added() const;                       ///< samples in all pixels together
     std::uint64_t dropped() const { return dropped_; } ///< samples that were not finite
     std::uint64_t clipped() const { return clipped_; } ///< samples that were added with a channel clipped
 

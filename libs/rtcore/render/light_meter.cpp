@@ -87,9 +87,4 @@ std::optional<float> LightMeter::whiteOn(Metered what) {
     return *at;
 }
 
-std::optional<float> whiteFor(const View& view, RenderControl& control) {
-    if (view.settings.exposure.mode != ExposureMode::Incident) return std::nullopt;
-    return LightMeter().white(view, control);
-}
-
 } // namespace rtcore

@@ -42,7 +42,4 @@ class LightMeter {
     std::vector<float> whites_; ///< of the pixels that count
 };
 
-/// The same where ExposureMode::Incident asks for it, with memory of its own.
-std::optional<float> whiteFor(const View& view, RenderControl& control);
-
 } // namespace rtcore

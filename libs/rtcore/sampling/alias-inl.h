@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// AliasTable::draw().
+/// An index whose weight is above 0, of a table that is not empty. `bits`: 32 random ones; a float has too
+/// few for large tables.
 template <typename F>
 HWY_INLINE UintOf<F> drawIndex(const AliasRows& rows, UintOf<F> bits) {
     const UintOf<F> row = bits >> rows.shift;

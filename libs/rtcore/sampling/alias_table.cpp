@@ -1,7 +1,5 @@
 #include "rtcore/sampling/alias_table.h"
 
-#include "rtcore/sampling/alias-inl.h"
-
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -69,10 +67,6 @@ AliasTable::AliasTable(std::span<const double> weights) {
         large.pop_back();
         small.push_back(giver);
     }
-}
-
-std::uint32_t AliasTable::draw(std::uint32_t bits) const {
-    return HWY_NAMESPACE::drawIndex<float>(rows(), bits);
 }
 
 } // namespace rtcore

@@ -25,9 +25,6 @@ class AliasTable {
     explicit AliasTable(std::span<const double> weights);
 
     bool empty() const { return probability_.empty(); }
-    /// An index whose weight is above 0. `bits`: 32 random ones; a float has too few for large tables. The
-    /// table is not empty.
-    std::uint32_t draw(std::uint32_t bits) const;
     /// How likely `index` is drawn: 0 for the weight 0, otherwise at least 2^-32; the fraction of all `bits`
     /// that draw it, rounded to a float. `index` is below the number of weights.
     float probability(std::uint32_t index) const { return probability_[index]; }

@@ -26,8 +26,7 @@ enum class SampleDimension : std::uint32_t {
     Glass,     ///< whether light is reflected or passes
     Lobe,      ///< which lobe of a surface scatters
     Direction, ///< where it scatters to
-    Light,     ///< which light is sampled
-    Roulette   ///< whether the path goes on
+    Light      ///< which light is sampled
 };
 
 #define RT_FORMULA constexpr

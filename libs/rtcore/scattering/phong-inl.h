@@ -24,16 +24,10 @@ HWY_INLINE F phongLobe(F cosine, F shininess, F scale) {
     return scale * pow(cosine, shininess);
 }
 
-/// What times cos^n is the density of drawPhong() by solid angle.
+/// What times cos^n is the density of drawPhong() by solid angle. The cosine is that of phongLobe(), > 0.
 template <typename F>
 HWY_INLINE F phongDensityScale(F shininess) {
     return (shininess + 1.0F) * (0.5F / kPi);
-}
-
-/// Density of drawPhong() by solid angle. `cosine`: as for phongLobe(), > 0.
-template <typename F>
-HWY_INLINE F phongDensity(F cosine, F shininess) {
-    return phongDensityScale<F>(shininess) * pow(cosine, shininess);
 }
 
 /// A direction about `mirrored`, both of unit length, with the density (n + 1) / 2 pi cos^n.

@@ -256,18 +256,6 @@ Colour meanOfSphere(const HdrImage& image) {
     return mean.get();
 }
 
-/// atan of x in [-1, 1] to the last bits of a double: halved twice to |x| < 0.199, then its series.
-double portableAtan(double x) {
-    for (int i = 0; i < 2; ++i) x = x / (1 + std::sqrt(1 + x * x));
-    const double xx = x * x;
-    double sum = 0;
-    for (int k = 23; k > 0; k -= 2) sum = 1.0 / k - xx * sum;
-    return 4 * x * sum;
-}
-
-/// Solid angle of the rectangle between the middle of a face, one unit away, and (x, y).
-double solidAngleToCorner(double x, double y) { return portableAtan(x * y / std::sqrt(x * x + y * y + 1)); }
-
 void require(bool condition, const char* message) {
     if (!condition) throw std::invalid_argument(message);
 }
@@ -282,13 +270,6 @@ CubeCoordinate cubeCoordinate(Vec3 direction) {
 Vec3 cubeDirection(int face, float s, float t) {
     const Vec3d d = faceDirection(face, s, t);
     return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
-}
-
-double cubeTexelSolidAngle(int n, int x, int y) {
-    const double x0 = 2.0 * x / n - 1, x1 = 2.0 * (x + 1) / n - 1;
-    const double y0 = 2.0 * y / n - 1, y1 = 2.0 * (y + 1) / n - 1;
-    return solidAngleToCorner(x0, y0) - solidAngleToCorner(x0, y1) - solidAngleToCorner(x1, y0) +
-           solidAngleToCorner(x1, y1);
 }
 
 Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string name) {
@@ -361,7 +342,5 @@ void Environment::turn(float degrees, Vec3 up) {
     rotation_ = degrees;
     light_ = std::make_shared<LazyLight>();
 }
-
-int Environment::resolution() const { return images_->front().width - 2; }
 
 } // namespace rtcore

@@ -53,8 +53,6 @@ class Environment {
     void turn(float degrees, Vec3 up);
     float rotation() const { return rotation_; } ///< degrees
     bool isCube() const { return cube_; }
-    /// Side of a face, or width of the equirectangular image, in texels.
-    int resolution() const;
 
   private:
     struct LazyLight {
@@ -84,7 +82,5 @@ CubeCoordinate cubeCoordinate(Vec3 direction);
 /// The direction through (s, t) of a face, not normalised; s and t may lie outside [0, 1]. Inverse of the
 /// above.
 Vec3 cubeDirection(int face, float s, float t);
-/// Solid angle of texel (x, y) of a face of n x n texels, steradian; all 6 n n of them sum to 4 pi.
-double cubeTexelSolidAngle(int n, int x, int y);
 
 } // namespace rtcore

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -56,10 +57,13 @@ rtcore::LdrImage WalkReferences::picture(const rtcore::View& view) const {
     rtcore::RenderControl control;
     rtcore::Frame frame;
     renderer.render(view, control, frame);
+    std::optional<float> white;
+    if (view.settings.exposure.mode == rtcore::ExposureMode::Incident)
+        white = rtcore::LightMeter().white(view, control);
     rtcore::PictureDeveloper developer;
-    const float exposure =
-        developer.exposure(frame, view.settings, rtcore::whiteFor(view, control), control.threads);
-    rtcore::LdrImage image = rtcore::develop(frame, view.settings, exposure);
+    const float exposure = developer.exposure(frame, view.settings, white, control.threads);
+    rtcore::LdrImage image;
+    developer.develop(frame, view.settings, exposure, control.threads, image);
     rtcore::writeImage(path, image);
     return image;
 }

@@ -1,5 +1,5 @@
 // Emissive triangles as lights: Lambert's formula for polygons, densities, and what is left out.
-#include "rtcore/lights/emitters.h"
+#include "rtcore/lights/emitters-inl.h"
 
 #include "estimates.h"
 #include "support/small_scene.h"
@@ -14,6 +14,7 @@ namespace rtcore {
 namespace emitters_of_scenes {
 namespace {
 
+using DrawnPoint = HWY_NAMESPACE::EmitterDraw<float>;
 using test::Estimate;
 using test::expectMean;
 using test::SceneBuilder;
@@ -43,7 +44,7 @@ double distanceTo(const Mesh& mesh, std::uint32_t triangle, Vec3d d) {
 }
 
 /// What reaches the origin of the emitted light through one point, times the cosine of a floor there.
-double received(const Scene& scene, const EmitterPoint& p) {
+double received(const Scene& scene, const DrawnPoint& p) {
     const double square = dot(inDouble(p.position), inDouble(p.position));
     const Vec3d d = inDouble(p.position) / std::sqrt(square);
     const double cosines = std::max(d.y, 0.0) * std::fabs(dot(d, inDouble(p.normal)));
@@ -69,9 +70,10 @@ double expectedOfTwoPolygons(const Mesh& mesh) {
            5 * lambert({corner(4, 0), corner(4, 1), corner(4, 2)});
 }
 
-EmitterPoint drawOne(const Emitters& emitters, test::Random& random) {
+DrawnPoint drawOne(const Emitters& emitters, test::Random& random) {
     const float u = random.number(0, 1), v = random.number(0, 1);
-    return emitters.draw({u, v}, random.index(std::size_t{1} << 32U));
+    const std::uint32_t bits = random.index(std::size_t{1} << 32U);
+    return HWY_NAMESPACE::drawEmitter<float>(emitters.rows(), u, v, bits);
 }
 
 TEST(Emitters, GiveTheIrradianceOfLambertsFormula) {
@@ -83,7 +85,7 @@ TEST(Emitters, GiveTheIrradianceOfLambertsFormula) {
     test::Random random(1);
     Estimate bySamples, byHits, byBoth;
     for (int i = 0; i < 100000; ++i) {
-        const EmitterPoint p = drawOne(emitters, random);
+        const DrawnPoint p = drawOne(emitters, random);
         const double one = received(scene, p);
         bySamples.add(one);
         const double distance = std::sqrt(dot(inDouble(p.position), inDouble(p.position)));
@@ -139,7 +141,7 @@ TEST(Emitters, HaveOneDensityForPointsAndForHits) {
     emitters.prepare(scene);
     test::Random random(3);
     for (int i = 0; i < 1000; ++i) {
-        const EmitterPoint p = drawOne(emitters, random);
+        const DrawnPoint p = drawOne(emitters, random);
         EXPECT_EQ(p.density, emitters.areaDensity(p.triangle));
         EXPECT_EQ(emitters.density(p.triangle, 3, -0.5F), emitters.density(p.triangle, 3, 0.5F));
         EXPECT_FLOAT_EQ(emitters.density(p.triangle, 3, 0.5F), p.density * 18);
@@ -169,7 +171,7 @@ TEST(Emitters, AreDrawnByPowerAndEvenlyOverATriangle) {
     std::array<int, 3> drawn{};
     Estimate u, v, product;
     for (int i = 0; i < kCount; ++i) {
-        const EmitterPoint p = drawOne(emitters, random);
+        const DrawnPoint p = drawOne(emitters, random);
         ++drawn[p.triangle];
         ASSERT_TRUE(p.u >= 0 && p.v >= 0 && p.u + p.v <= 1);
         u.add(static_cast<double>(p.u));

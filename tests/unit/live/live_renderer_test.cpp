@@ -1,7 +1,6 @@
 #include "rtcore/live/live_renderer.h"
 
-#include "rtcore/post/develop.h"
-
+#include "support/one_frame.h"
 #include "unit/render/sample_view.h"
 
 #include <gtest/gtest.h>
@@ -180,7 +179,8 @@ TEST_F(LiveFrames, AreExposedAsWholeOnesAre) {
     for (int step = 1; step <= 12; ++step) {
         ASSERT_TRUE(draw(cameraAt(step), 0.05));
         const Frame truth = whole(cameraAt(step));
-        EXPECT_NEAR(exposureFor(frame, automatic) / exposureFor(truth, automatic), 1, 0.02) << step;
+        EXPECT_NEAR(test::exposureFor(frame, automatic) / test::exposureFor(truth, automatic), 1, 0.02)
+            << step;
         const auto covered = [](const Frame& of) {
             return std::accumulate(of.covered.begin(), of.covered.end(), 0.0) / (255.0 * kWidth * kHeight);
         };

@@ -1,6 +1,7 @@
 #include "rtcore/post/bloom.h"
 
 #include "rtcore/post/develop.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -273,7 +274,7 @@ TEST(Bloom, PartsGetTheBloomOfAWholePass) {
         developPart(frame.radiance, developmentOf(settings, 3), effects, {x, 0, std::min(32, 150 - x), 70},
                     parts);
     }
-    EXPECT_EQ(parts.pixels, develop(frame, settings, 3).pixels);
+    EXPECT_EQ(parts.pixels, test::develop(frame, settings, 3).pixels);
 }
 
 TEST(Bloom, CoarseBloomIsInterpolated) {
@@ -302,7 +303,7 @@ TEST(Bloom, ExposureIsThatOfTheImageWithoutBloom) {
     PictureDeveloper developer;
     const float exposure = developer.exposure(frame, plain.exposure, 0);
     EXPECT_EQ(developer.exposure(frame, blooming.exposure, 0), exposure);
-    EXPECT_NE(develop(frame, blooming, exposure).pixels, develop(frame, plain, exposure).pixels);
+    EXPECT_NE(test::develop(frame, blooming, exposure).pixels, test::develop(frame, plain, exposure).pixels);
     EXPECT_EQ(&developer.finish(frame, plain, 0), &frame.radiance);
 }
 

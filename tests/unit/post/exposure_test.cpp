@@ -1,6 +1,7 @@
 #include "rtcore/post/exposure.h"
 
 #include "rtcore/post/develop.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,11 @@ struct Pixels {
         weights.insert(weights.end(), static_cast<std::size_t>(count), weight);
         return *this;
     }
-    std::optional<float> average() const { return logAverageLuminance(colours, weights); }
+    std::optional<float> average() const {
+        LuminanceHistogram histogram;
+        histogram.count(colours, weights);
+        return histogram.logAverage();
+    }
 };
 
 TEST(LogAverage, DropsBlackPixelsAndATenthAtEachEnd) {
@@ -119,18 +124,18 @@ TEST(Exposure, FixedIsTheValue) {
     ExposureSettings settings;
     settings.mode = ExposureMode::Fixed;
     settings.value = 0.37F;
-    EXPECT_EQ(exposureFor(frameOf(Pixels().add(5, grey(9))), settings), 0.37F);
+    EXPECT_EQ(test::exposureFor(frameOf(Pixels().add(5, grey(9))), settings), 0.37F);
 }
 
 TEST(Exposure, AutomaticPutsTheAverageAtTheKey) {
     const ExposureSettings settings;
-    EXPECT_NEAR(exposureFor(frameOf(Pixels().add(50, grey(9)).add(50, grey(1e9F), 0)), settings), 9 / 0.18,
-                50 * kBin);
+    EXPECT_NEAR(test::exposureFor(frameOf(Pixels().add(50, grey(9)).add(50, grey(1e9F), 0)), settings),
+                9 / 0.18, 50 * kBin);
 }
 
 TEST(Exposure, AdaptsToTheBackgroundWhenThereIsNothingElse) {
     const ExposureSettings settings;
-    EXPECT_NEAR(exposureFor(frameOf(Pixels().add(50, grey(9), 0)), settings), 9 / 0.18, 50 * kBin);
+    EXPECT_NEAR(test::exposureFor(frameOf(Pixels().add(50, grey(9), 0)), settings), 9 / 0.18, 50 * kBin);
 }
 
 TEST(Exposure, EveryCurveShowsTheMeanAlike) {
@@ -157,7 +162,7 @@ TEST(Exposure, EveryCurveShowsTheMeanAlike) {
 TEST(Exposure, IsOfUseForAnyPicture) {
     const ExposureSettings settings;
     for (const Colour c : {Colour{}, grey(kNan), grey(kInf), grey(1e38F), grey(1e-45F)}) {
-        const float exposure = exposureFor(frameOf(Pixels().add(50, c)), settings);
+        const float exposure = test::exposureFor(frameOf(Pixels().add(50, c)), settings);
         EXPECT_GE(exposure, 1e-30F);
         EXPECT_LE(exposure, 1e30F);
     }

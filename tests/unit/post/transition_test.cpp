@@ -1,8 +1,7 @@
 #include "rtcore/post/transition.h"
 
 #include "rtcore/upsample/upsample.h"
-
-#include "rtcore/post/develop.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +40,7 @@ Frame frameOf(const HdrImage& radiance) {
 }
 
 LdrImage developed(const HdrImage& radiance, const RenderSettings& settings, float exposure = kExposure) {
-    return develop(frameOf(radiance), settings, exposure);
+    return test::develop(frameOf(radiance), settings, exposure);
 }
 
 TEST(Transition, BeginsWithWhatIsSeenAndEndsWithWhatFollows) {

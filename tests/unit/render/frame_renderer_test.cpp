@@ -1,6 +1,7 @@
 #include "rtcore/render/frame_renderer.h"
 
 #include "sample_view.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -150,9 +151,9 @@ TEST(RenderFrame, APictureIsIndependentOfItsPlaceInTiles) {
     RenderControl control{.threads = 1};
     Frame small, large;
     camera.horizontalFov = 2 * std::atan(0.1F) * 180 / static_cast<float>(test::kPi);
-    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, sampleSettings(16, 16)}, control, small));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, camera, sampleSettings(16, 16)}, control, small));
     camera.horizontalFov = 2 * std::atan(0.7F) * 180 / static_cast<float>(test::kPi);
-    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, sampleSettings(112, 112)}, control, large));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, camera, sampleSettings(112, 112)}, control, large));
     int different = 0;
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 16; ++x) {
@@ -171,7 +172,7 @@ TEST(RenderFrame, CoveredTellsGeometryFromBackground) {
     Camera camera;
     RenderControl control{.threads = 1};
     Frame frame;
-    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, sampleSettings(9, 3, 2)}, control, frame));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, camera, sampleSettings(9, 3, 2)}, control, frame));
     for (std::size_t y = 0; y < 3; ++y) {
         for (std::size_t x = 0; x < 9; ++x) {
             EXPECT_EQ(frame.covered[y * 9 + x], x < 4 ? 255 : x == 4 ? 127 : 0) << x;
@@ -192,7 +193,7 @@ TEST(RenderFrame, AnOrthographicViewShowsTheSameSizeNearAndFar) {
     const auto render = [&] {
         Frame frame;
         RenderControl control{.threads = 2};
-        EXPECT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
+        EXPECT_TRUE(test::renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
         return frame;
     };
     const Frame frame = render();
@@ -210,8 +211,8 @@ TEST(RenderFrame, CountsItsTiles) {
     const TracedScene s(test::sampleScene());
     Frame frame;
     RenderControl control{.threads = 2};
-    ASSERT_TRUE(
-        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(100, 70)}, control, frame));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(100, 70)}, control,
+                                  frame));
     EXPECT_EQ(control.tiles, 4U * 3U); // of 32 x 32 pixels
     EXPECT_EQ(control.tilesDone, control.tiles);
 }
@@ -221,9 +222,9 @@ TEST(RenderFrame, ReusesAFrameOfAnySize) {
     Frame frame;
     RenderControl control{.threads = 1};
     ASSERT_TRUE(
-        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64)}, control, frame));
+        test::renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64)}, control, frame));
     ASSERT_TRUE(
-        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(20, 10)}, control, frame));
+        test::renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(20, 10)}, control, frame));
     const Frame fresh = test::render(s, sampleSettings(20, 10));
     EXPECT_EQ(frame.radiance.pixels, fresh.radiance.pixels);
     EXPECT_EQ(frame.covered, fresh.covered);
@@ -512,7 +513,7 @@ TEST(RenderFrame, StopsWhenItIsTold) {
     RenderControl control{.threads = 1};
     control.cancel = true;
     EXPECT_FALSE(
-        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64)}, control, frame));
+        test::renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64)}, control, frame));
     EXPECT_EQ(control.tilesDone, 0U);
 }
 
@@ -525,8 +526,8 @@ TEST(RenderFrame, StopsSoonWhenItIsToldWhileItWorks) {
         control.cancel = true;
     });
     // Minutes of work.
-    EXPECT_FALSE(renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(4000, 3000, 4)},
-                             control, frame));
+    EXPECT_FALSE(test::renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(4000, 3000, 4)},
+                                   control, frame));
     stopper.join();
     EXPECT_LT(control.tilesDone, control.tiles / 10);
 }

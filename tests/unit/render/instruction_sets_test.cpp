@@ -1,12 +1,12 @@
 // Every instruction set that this processor has gives the same bits.
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
-#include "rtcore/post/develop.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
+#include "support/one_frame.h"
 #include "support/srgb_code.h"
 
 #include <gtest/gtest.h>
@@ -132,13 +132,13 @@ TEST_F(InstructionSets, DevelopAlike) {
         for (const bool dithering : {false, true}) {
             settings.dithering = dithering;
             ASSERT_TRUE(useInstructionSet("scalar"));
-            const float exposure = exposureFor(frame, settings.exposure);
-            const LdrImage expected = develop(frame, settings, exposure);
+            const float exposure = test::exposureFor(frame, settings.exposure);
+            const LdrImage expected = test::develop(frame, settings, exposure);
             ASSERT_EQ(expected.pixels, developedOneByOne(frame, settings, exposure).pixels);
             for (const std::string& name : instructionSets()) {
                 ASSERT_TRUE(useInstructionSet(name));
-                EXPECT_EQ(exposureFor(frame, settings.exposure), exposure) << name;
-                EXPECT_EQ(develop(frame, settings, exposure).pixels, expected.pixels) << name;
+                EXPECT_EQ(test::exposureFor(frame, settings.exposure), exposure) << name;
+                EXPECT_EQ(test::develop(frame, settings, exposure).pixels, expected.pixels) << name;
             }
         }
     }

@@ -2,6 +2,7 @@
 #include "rtcore/render/sample_rays.h"
 
 #include "sample_view.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -185,7 +186,7 @@ Blur blurOfSquare(double distance, float focus, int blades, double side) {
     camera.horizontalFov = 8;
     RenderControl control{.threads = 2};
     Frame frame;
-    EXPECT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
+    EXPECT_TRUE(test::renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
     return blurOf(frame);
 }
 
@@ -232,9 +233,9 @@ TEST(DepthOfField, WithoutFocusWhatIsInTheMiddleIsSharp) {
     settings.depthOfField = {.on = true, .fNumber = .5F};
     RenderControl control{.threads = 1};
     Frame found, given;
-    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, found));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, camera, settings}, control, found));
     settings.depthOfField.focus = focus.distance(s.tracer, view, 30, 20);
-    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, given));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, camera, settings}, control, given));
     EXPECT_EQ(found.radiance.pixels, given.radiance.pixels);
 }
 

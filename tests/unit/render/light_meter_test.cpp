@@ -4,6 +4,7 @@
 #include "rtcore/post/develop.h"
 
 #include "sample_view.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +71,7 @@ TEST(LightMeter, ShowsWhiteAsWhiteGreyAsGreyAndBlackAsBlack) {
             const View view{traced.scene, traced.tracer, camera, settings};
             const std::optional<float> white = LightMeter().white(view, control);
             Frame frame;
-            ASSERT_TRUE(renderFrame(view, control, frame));
+            ASSERT_TRUE(test::renderFrame(view, control, frame));
             PictureDeveloper developer;
             LdrImage image;
             developer.develop(frame, settings, developer.exposure(frame, settings, white, 1), 1, image);

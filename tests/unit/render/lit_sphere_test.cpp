@@ -1,7 +1,6 @@
 // A sphere under a point light against its closed form, where the mesh and its normals are exact: at its
 // vertices.
-#include "rtcore/render/frame_renderer.h"
-
+#include "support/one_frame.h"
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +65,7 @@ TEST(LitSphere, PixelsOfAPicture) {
     settings.height = 49;
     RenderControl control{.threads = 2};
     Frame frame;
-    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
+    ASSERT_TRUE(test::renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
     const double pixel = 2 * std::tan(7 * test::kPi / 180) / settings.width;
     int compared = 0;
     for (int y = 0; y < settings.height; ++y) {

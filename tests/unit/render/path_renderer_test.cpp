@@ -1,6 +1,7 @@
 #include "rtcore/render/path_renderer.h"
 
 #include "sample_view.h"
+#include "sums_support.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ ImageSums sumsOf(const test::TracedScene& traced, const std::vector<SampleRange>
 TEST(PathRenderer, HasTheSameBitsForAnyThreadsAndRanges) {
     const test::TracedScene traced(test::softlyLitScene());
     const ImageSums whole = sumsOf(traced, {{0, 24}});
-    EXPECT_EQ(whole.added(), 70U * 41 * 24);
+    EXPECT_EQ(test::samplesOf(whole), 70U * 41 * 24);
     EXPECT_EQ(whole.dropped(), 0U);
     for (const int threads : {2, 7}) EXPECT_TRUE(sumsOf(traced, {{0, 24}}, threads) == whole) << threads;
     EXPECT_TRUE(sumsOf(traced, {{20, 24}, {0, 3}, {3, 20}}, 2) == whole);
@@ -69,8 +70,8 @@ TEST(PathRenderer, CountsWhatIsNotFiniteAndAddsNothingOfIt) {
     scene.lights[0].intensity = {std::numeric_limits<float>::max(), 1e30F, 1e38F};
     scene.materials[0].emission = {std::numeric_limits<float>::max(), 0, 0};
     const ImageSums sums = sumsOf(test::TracedScene(std::move(scene)), {{0, 4}});
-    EXPECT_EQ(sums.added() + sums.dropped(), 70U * 41 * 4);
-    for (const Colour c : sums.mean().pixels) EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
+    EXPECT_EQ(test::samplesOf(sums) + sums.dropped(), 70U * 41 * 4);
+    for (const Colour c : test::meanOf(sums).pixels) EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "rtcore/render/path_renderer.h"
 
 #include "sample_view.h"
+#include "sums_support.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ TEST(RandomScenes, AreRenderedByPathsAndByWhitted) {
         const test::TracedScene traced(random.scene());
         const RenderSettings settings = random.settings();
         const ByPaths paths = renderPaths(traced, settings);
-        EXPECT_EQ(paths.sums.added() + paths.sums.dropped(),
+        EXPECT_EQ(test::samplesOf(paths.sums) + paths.sums.dropped(),
                   64U * static_cast<std::uint64_t>(settings.path.samples));
         double sum = 0;
         for (const Colour c : paths.image.pixels) {
@@ -92,7 +93,7 @@ TEST(OddNumbers, OfAMaterialSpoilNothingBesideIt) {
             if (field == 2) m.specular = {0, odd, 0};
             if (field == 3) m.mirror = {0, 0, odd};
             const ByPaths paths = renderPaths(test::TracedScene(twoHalves(m)), settings);
-            EXPECT_EQ(paths.sums.added() + paths.sums.dropped(), 32U * 16 * 4);
+            EXPECT_EQ(test::samplesOf(paths.sums) + paths.sums.dropped(), 32U * 16 * 4);
             if (field == 0 && !std::isfinite(odd)) {
                 EXPECT_GT(paths.sums.dropped(), 0U) << "it is told";
             }
@@ -116,7 +117,7 @@ TEST(OddNumbers, OfOneLightSpoilNoOther) {
         Light light = test::pointLight({-1.6F, 0, -5}, odd); // behind both squares
         scene.lights.push_back(light);
         const ByPaths paths = renderPaths(test::TracedScene(std::move(scene)), settings);
-        EXPECT_EQ(paths.sums.added() + paths.sums.dropped(), 32U * 16 * 4);
+        EXPECT_EQ(test::samplesOf(paths.sums) + paths.sums.dropped(), 32U * 16 * 4);
         EXPECT_GT(paths.image.at(24, 8).g, 0.05F) << odd;
     }
 }
@@ -130,7 +131,7 @@ TEST(OddNumbers, OfOneTexelOfASkySpoilNoOther) {
         scene.environments = {
             std::make_shared<const Environment>(Environment::fromEquirectangular(image, ""))};
         const ByPaths paths = renderPaths(test::TracedScene(std::move(scene)), settings);
-        EXPECT_EQ(paths.sums.added() + paths.sums.dropped(), 32U * 16 * 4);
+        EXPECT_EQ(test::samplesOf(paths.sums) + paths.sums.dropped(), 32U * 16 * 4);
         EXPECT_NEAR(paths.image.at(16, 0).g, 0.5F, 1e-3F) << odd << ": what is seen of it elsewhere";
         EXPECT_GT(paths.image.at(24, 8).g, 0.05F) << odd;
     }

@@ -4,6 +4,7 @@
 #include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -211,7 +212,7 @@ TEST(Adaptive, StopsWhenItIsTold) {
     Frame frame;
     RenderControl control{.threads = 2};
     control.cancel = true;
-    EXPECT_FALSE(renderFrame({s.scene, s.tracer, test::sampleCamera(), settings}, control, frame));
+    EXPECT_FALSE(test::renderFrame({s.scene, s.tracer, test::sampleCamera(), settings}, control, frame));
 }
 
 } // namespace

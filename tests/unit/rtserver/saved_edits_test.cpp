@@ -7,10 +7,10 @@
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/io/text/scn.h"
-#include "rtcore/render/frame_renderer.h"
 #include "rtcore/sky/scene_sky.h"
 #include "rtserver/exports.h"
 #include "rtserver/state_report_of.h"
+#include "support/one_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -51,8 +51,8 @@ class SavedEdits : public test::CommandRoom {
         rtcore::RenderControl control;
         rtcore::Frame frame;
         control.threads = 1;
-        EXPECT_TRUE(rtcore::renderFrame({*shown.scene(), *shown.tracer(), shown.camera(), shown.settings()},
-                                        control, frame));
+        EXPECT_TRUE(test::renderFrame({*shown.scene(), *shown.tracer(), shown.camera(), shown.settings()},
+                                      control, frame));
         return frame.radiance.pixels;
     }
     /// Another server shows the exported scene.

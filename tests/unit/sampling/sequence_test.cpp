@@ -117,7 +117,7 @@ TEST(Sequence, UsesBouncesPixelsAndSeedsAreIndependent) {
         };
     };
     const auto first = of(Direction, 1, 0, 0);
-    for (const SampleDimension other : {Position, Lens, AreaLight, Hole, Glass, Lobe, Light, Roulette}) {
+    for (const SampleDimension other : {Position, Lens, AreaLight, Hole, Glass, Lobe, Light}) {
         EXPECT_LT(greatestCorrelation(kCount, first, of(other, 1, 0, 0)), kBound);
     }
     for (const std::uint32_t bounce : {0U, 2U, 3U, 16U}) {

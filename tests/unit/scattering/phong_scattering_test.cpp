@@ -88,8 +88,10 @@ TEST(PhongScattering, DirectionsFallByTheDensityOfAllLobes) {
 
 TEST(PhongScattering, TheLobesDensityIsThatOfAllDirectionsAboutIt) {
     for (const float shininess : {1.0F, 7.0F, 200.0F}) {
-        const double all = test::overHemisphere(
-            256, [&](Vec3 d) { return formulas::phongDensity<float>(dot(d, test::kTilted), shininess); });
+        const double all = test::overHemisphere(256, [&](Vec3 d) {
+            return formulas::phongDensityScale<float>(shininess) *
+                   formulas::pow(dot(d, test::kTilted), shininess);
+        });
         EXPECT_NEAR(all, 1, 1e-3) << shininess;
     }
 }

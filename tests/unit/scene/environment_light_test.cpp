@@ -100,7 +100,7 @@ TEST(EnvironmentLight, OfAGradientHasItsIrradiance) {
     for (const Environment& environment :
          {sphereOf(gradient, 16), sphereOf(gradient, 700), cubeOf(gradient, 9), cubeOf(gradient, 300)}) {
         const EnvironmentLight& light = environment.light();
-        SCOPED_TRACE(environment.resolution());
+        SCOPED_TRACE(environment.images().front().width);
         for (const Vec3 n : directions(50)) {
             const float up = 2 * n.y / 3;
             EXPECT_NEAR(light.open(n).r, 1 + up, 0.02);
