@@ -135,9 +135,9 @@ void Tutorial::openAScene() {
     chooseFile(QStringLiteral(RT_NAVE));
     ASSERT_TRUE(shows(window->session())) << text(window->notice().text());
     EXPECT_FALSE(window->notice().isVisible()) << text(window->notice().text());
-    choose("Connection > Start new server");
+    choose("Server > Start new server");
     leave(opened<StartServerDialog>());
-    choose("Connection > Connect");
+    choose("Server > Connect");
     leave(opened<ConnectDialog>());
 }
 
@@ -182,28 +182,28 @@ void Tutorial::look() {
     says("F1 shows all keys");
     type(QStringLiteral("F1"));
     leave(opened<KeysDialog>());
-    choose("Settings > Preferences");
+    choose("Edit > Preferences");
     leave(opened<ConfigureDialog>());
-    choose("Action > Statistics");
+    choose("Window > Statistics");
     leave(opened<StatisticsDialog>());
-    choose("Display > Settings panel");
-    choose("Display > Lights panel");
+    choose("Window > Settings panel");
+    choose("Window > Lights panel");
     ASSERT_TRUE(comes([&] { return !window->editor().state().lights.isEmpty(); }));
     window->editor().setSetting(QStringLiteral("shadows"), QStringLiteral("false"));
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
     back();
-    choose("Action > Undo");
+    choose("Edit > Undo");
     EXPECT_TRUE(comes([&] {
         return window->editor().state().settings[QStringLiteral("shadows")] == QStringLiteral("true");
     }));
     back();
     const bool progressive = window->preferences().get(pref::progressiveRendering);
-    choose("Settings > Progressive rendering");
+    choose("Render > Progressive rendering");
     EXPECT_NE(window->preferences().get(pref::progressiveRendering), progressive);
     window->preferences().set(pref::progressiveRendering, false);
     says("or just R");
     ASSERT_TRUE(rests());
-    choose("Action > Quick render");
+    choose("Render > Quick render");
     EXPECT_TRUE(comes([&] { return !window->view().showsLive(); })) << text(window->notice().text());
     says("the next movement shows the live frame again");
     EXPECT_TRUE(moves(Qt::Key_W));
@@ -215,7 +215,7 @@ void Tutorial::look() {
 
 void Tutorial::keepAView() {
     ASSERT_TRUE(rests());
-    choose("Action > Export camera");
+    choose("Camera > Export camera");
     accept(*opened<ExportCameraDialog>());
     EXPECT_TRUE(written("camera-0001.cam"));
     back();
@@ -227,7 +227,7 @@ void Tutorial::keepAView() {
     type(QStringLiteral("H"));
     EXPECT_TRUE(written("camera-0003.cam"));
     EXPECT_TRUE(moves(Qt::Key_S) && rests());
-    choose("File > Import camera");
+    choose("Camera > Import camera");
     chooseFile(file("camera-0001.cam"));
     EXPECT_TRUE(isBack());
     EXPECT_TRUE(moves(Qt::Key_S) && rests());
@@ -235,7 +235,7 @@ void Tutorial::keepAView() {
     EXPECT_TRUE(isBack());
     QTest::mouseClick(&window->view(), Qt::LeftButton); // who walks need not leave the image
     ASSERT_TRUE(rests());
-    choose("View > Add bookmark");
+    choose("Camera > Add bookmark");
     EXPECT_TRUE(told("Alt+1"));
     EXPECT_TRUE(moves(Qt::Key_S) && rests());
     says("Alt+1 leads back to the first one");
@@ -243,12 +243,12 @@ void Tutorial::keepAView() {
     EXPECT_TRUE(isBack()) << window->view().told().toStdString() << ", off by "
                           << (status().view.eye - kept).length();
     EXPECT_TRUE(window->view().input().captured());
-    choose("Display > Bookmarks panel");
+    choose("Window > Bookmarks panel");
     back();
 }
 
 void Tutorial::renderAStill() {
-    choose("Action > Render");
+    choose("Render > Render");
     auto* dialog = opened<RenderDialog>();
     ASSERT_NE(dialog, nullptr);
     says("its last line is the command that will run");
@@ -258,13 +258,13 @@ void Tutorial::renderAStill() {
     JobQueue& queue = window->jobs().queue();
     ASSERT_TRUE(comes([&] { return queue.rowCount() == 1 && !queue.busy(); }, 3 * kPatience));
     EXPECT_EQ(queue.job(0).state, JobState::Done) << text(queue.job(0).log);
-    choose("Action > Jobs"); // it came by itself, and goes
+    choose("Render > Jobs"); // it came by itself, and goes
     EXPECT_TRUE(window->findChild<QDockWidget*>(QStringLiteral("jobs"))->isHidden());
 }
 
 void Tutorial::record() {
     says("choose where, press *Start*. Close the dialog (Esc) and walk. Open it again and press *Stop*.");
-    choose("Action > Recording");
+    choose("Camera > Recording");
     auto* dialog = opened<RecordingDialog>();
     ASSERT_TRUE(press(*dialog, "Start"));
     ASSERT_TRUE(comes([&] { return status().recording; }));
@@ -273,7 +273,7 @@ void Tutorial::record() {
     const QVector3D start = status().view.eye;
     EXPECT_TRUE(moves(Qt::Key_W));
     EXPECT_TRUE(rests());
-    choose("Action > Recording");
+    choose("Camera > Recording");
     dialog = opened<RecordingDialog>();
     ASSERT_TRUE(comes([&] { return press(*dialog, "Stop"); }));
     says("*Play* shows the walk again");
@@ -299,7 +299,7 @@ void Tutorial::record() {
 }
 
 void Tutorial::share() {
-    choose("Connection > Share in a browser");
+    choose("File > Share in a browser");
     auto* dialog = opened<ShareDialog>();
     ASSERT_NE(dialog, nullptr);
     if (hasBridge()) {
@@ -314,7 +314,7 @@ void Tutorial::share() {
 
 void Tutorial::end() {
     says("(Ctrl+K) ends the server, once you have confirmed it");
-    choose("Commands > Stop server");
+    choose("Server > Stop server");
     ASSERT_TRUE(press(*opened<QMessageBox>(), "Stop"));
     EXPECT_TRUE(comes([&] { return !window->session().live() && !window->keeper().server().running(); }));
 }

@@ -74,7 +74,7 @@ enum class ActionId {
     About,
 };
 
-enum class MenuId { File, Connection, Action, View, Light, Commands, Display, Settings, Help };
+enum class MenuId { File, Edit, View, Camera, Light, Render, Window, Server, Help };
 
 enum Trait : unsigned {
     NeedsServer = 1, ///< enabled only while a server is there

@@ -344,7 +344,7 @@
         <translation>Snímky za sekundu, paprsky za sekundu, rozlišení, trojúhelníky</translation>
     </message>
     <message>
-        <source>&amp;Stop server</source>
+        <source>S&amp;top server</source>
         <translation>&amp;Zastavit server</translation>
     </message>
     <message>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>P&amp;ause server</source>
-        <translation>&amp;Pozastavit server</translation>
+        <translation>Poz&amp;astavit server</translation>
     </message>
     <message>
         <source>Finish the image, then draw no more until this is off again</source>
@@ -361,7 +361,7 @@
     </message>
     <message>
         <source>&amp;Ping server</source>
-        <translation>&amp;Odezva serveru</translation>
+        <translation>Od&amp;ezva serveru</translation>
     </message>
     <message>
         <source>Test whether it answers</source>
@@ -444,24 +444,24 @@
         <translation>&amp;Soubor</translation>
     </message>
     <message>
-        <source>&amp;Connection</source>
-        <translation>&amp;Připojení</translation>
+        <source>&amp;Edit</source>
+        <translation>Úpr&amp;avy</translation>
     </message>
     <message>
-        <source>&amp;Action</source>
-        <translation>&amp;Akce</translation>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
     </message>
     <message>
-        <source>C&amp;ommands</source>
-        <translation>Pří&amp;kazy</translation>
+        <source>&amp;Render</source>
+        <translation>V&amp;ykreslit</translation>
     </message>
     <message>
-        <source>&amp;Display</source>
-        <translation>&amp;Zobrazení</translation>
+        <source>&amp;Window</source>
+        <translation>&amp;Okno</translation>
     </message>
     <message>
-        <source>&amp;Settings</source>
-        <translation>&amp;Nastavení</translation>
+        <source>&amp;Server</source>
+        <translation>S&amp;erver</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Build &amp;kd-tree…</source>
-        <translation>&amp;Postavit kd-strom…</translation>
+        <translation>Postavit &amp;kd-strom…</translation>
     </message>
     <message>
         <source>Write a model and its kd-tree to a .bsp file, which loads quickly</source>
