@@ -100,9 +100,7 @@ LightDescription newLight(LightKind kind, const LightPlace& place, const LightSu
     return result;
 }
 
-float powerOf(const LightDescription& light) {
-    return luminance(tintedLight(light).intensity) * powerFactor(light.light);
-}
+float powerOf(const LightDescription& light) { return rtcore::powerOf(tintedLight(light)); }
 
 void setPower(LightDescription& light, float watts) {
     if (!(powerOf(light) > 0)) light.light.intensity = rtcore::kWhite;

@@ -39,7 +39,7 @@ void describe(json& row, const rtcore::LightDescription& description, float metr
     row["direction"] = vectorJson(light.direction);
     row["colour"] = {colour.r, colour.g, colour.b};
     row["temperature"] = description.temperature;
-    const float power = luminance(rtcore::tintedLight(description).intensity) * rtcore::powerFactor(light);
+    const float power = rtcore::powerOf(rtcore::tintedLight(description));
     row["power"] = power;
     row["lumens"] =
         rtcore::kLumensPerWatt * rtcore::radiantWatts(light, double{power}, double{metresPerUnit});

@@ -294,7 +294,7 @@ void LightFields::show(const ShownLight& light, float metresPerUnit) {
     hasTemperature_->setChecked(temperature > 0);
     temperature_->setEnabled(temperature > 0);
     set(*temperature_, static_cast<double>(temperature > 0 ? temperature : kUsualTemperature));
-    const float power = luminance(tintOf(*light.description)) * rtcore::powerFactor(shines);
+    const float power = rtcore::powerOf(tintedLight(*light.description));
     power_->show(shines, static_cast<double>(power), metresPerUnit);
     showSize(shines);
     if (traits.beam == rtcore::Beam::Cone) {

@@ -1,6 +1,7 @@
 /// How much a light gives off.
 #pragma once
 
+#include "rtcore/math/colour.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/scene/light.h"
 
@@ -28,12 +29,19 @@ F powerFactor(const Light& light) {
     return traitsOf(light).position ? 4 * kPi * meanIntensity<F>(light) : 1;
 }
 
+/// What a light gives off, as luminance: W, where distances count in scene units; of a directional light
+/// W/m^2.
+template <typename F = float>
+F powerOf(const Light& light) {
+    return luminance(light.intensity) * powerFactor<F>(light);
+}
+
 /// Lumens of a radiant watt, and lux of a watt per square metre, as the sky counts them (sky/atmosphere.h).
 inline constexpr double kLumensPerWatt = 683;
 
-/// What a light gives off where a scene unit has so many metres. `power`: its luminance times powerFactor(),
-/// which counts with distances in scene units: W per square metre of a square scene unit; what directional
-/// lights throw on a surface does not depend on distances.
+/// What a light gives off where a scene unit has so many metres. `power`: powerOf() it, which counts with
+/// distances in scene units: W per square metre of a square scene unit; what directional lights throw on a
+/// surface does not depend on distances.
 inline double radiantWatts(const Light& light, double power, double metresPerUnit) {
     return traitsOf(light).position ? power * metresPerUnit * metresPerUnit : power;
 }

@@ -78,6 +78,7 @@ TEST(LightPower, IsWhatArrivesOnASphereAroundTheLight) {
         const double power = static_cast<double>(powerFactor(light) * light.intensity.g);
         EXPECT_NEAR(arrivingPower(light) / power, 1, 2e-3) << nameOf(light) << ' ' << light.cosInner;
         EXPECT_NEAR(powerFactor<double>(light) / static_cast<double>(powerFactor(light)), 1, 1e-6);
+        EXPECT_EQ(powerOf(light), luminance(light.intensity) * powerFactor(light));
     }
 }
 
