@@ -80,7 +80,7 @@ class PictureMaker {
                const rtcore::RenderSettings& settings);
 
     rtcore::LoadedScene loaded_;
-    std::vector<rtcore::Light> lights_; ///< as the scene has them, before a .cam switches any
+    std::vector<rtcore::SceneLight> lights_; ///< as the scene has them, before a .cam switches any
     int environment_;
     std::vector<rtcore::SettingAssignment> settingsFile_;
     const RendererOptions& options_;

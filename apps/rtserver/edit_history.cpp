@@ -22,8 +22,7 @@ void dropSkyMaps(EditStep& step) {
 
 /// What a scene takes of its own: the rest is shared.
 std::size_t bytesOf(const rtcore::Scene& scene) {
-    constexpr std::size_t kLight =
-        sizeof(rtcore::Light) + sizeof(rtcore::LightNotes) + 2 * sizeof(std::string);
+    constexpr std::size_t kLight = sizeof(rtcore::SceneLight) + sizeof(std::string);
     return sizeof(scene) + scene.materials.size() * sizeof(rtcore::Material) + scene.lights.size() * kLight +
            scene.materialEdits.size() * sizeof(rtcore::MaterialOverride);
 }

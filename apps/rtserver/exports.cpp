@@ -52,7 +52,7 @@ void addLights(const rtcore::Scene& scene, rtcore::SceneFile& file) {
         if (sun != i || !skyBringsSun) file.lights.push_back(rtcore::describeLight(scene, i));
     }
     if (sun)
-        file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
+        file.sun = {scene.lights[*sun].notes.id, scene.lights[*sun].light.on != 0};
     else
         file.sun = {scene.sky && !scene.sky->studio ? rtcore::nextLightId(scene) : 0,
                     !scene.sky || scene.sky->studio}; // removed, it comes back off
@@ -112,8 +112,8 @@ rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
     file.antialiasing = settings.antialiasing;
     file.bloom = settings.bloom.radius;
     file.exposure = exposure;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        (scene.lights[i].on != 0 ? file.lightsOn : file.lightsOff).push_back(scene.lightNotes[i].id);
+    for (const rtcore::SceneLight& each : scene.lights)
+        (each.light.on != 0 ? file.lightsOn : file.lightsOff).push_back(each.notes.id);
     if (scene.environment() != nullptr) file.environment = scene.activeEnvironment;
     return file;
 }

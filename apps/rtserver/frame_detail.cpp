@@ -68,10 +68,10 @@ double liveRays(const rtcore::RenderSettings& settings, const rtcore::Scene& sce
 
 double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene, bool mapped) {
     double lights = 0, parts = 0;
-    for (const rtcore::Light& light : scene.lights) {
-        if (light.on == 0) continue;
+    for (const rtcore::SceneLight& each : scene.lights) {
+        if (each.light.on == 0) continue;
         ++lights;
-        parts += rtcore::isAreaLight(light) ? std::max(1, settings.areaLights.samples) : 1;
+        parts += rtcore::isAreaLight(each.light) ? std::max(1, settings.areaLights.samples) : 1;
     }
     const double samples = double{static_cast<float>(settings.antialiasing)} * settings.antialiasing;
     double rays = 1;

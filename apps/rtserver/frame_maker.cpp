@@ -165,10 +165,10 @@ void FrameMaker::noticeChanges(const ServerState& state) {
     } else if (changes.has(rtcore::Change::Light)) {
         keepLight();
         const bool inAir = rtcore::fogMedium(*scene, settings).on;
-        const rtcore::LightChange change(keptLights_, scene->lights);
+        const rtcore::LightChange change(keptLights_, rtcore::lightsOf(scene->lights));
         if (change.any() && (inAir || live_->relight(change, threads_) > kFew)) live_->forget();
     }
-    if (changes.any()) keptLights_ = scene->lights;
+    if (changes.any()) keptLights_ = rtcore::lightsOf(scene->lights);
     keptFor_ = settings;
 }
 

@@ -141,7 +141,7 @@ void ServerState::useFrame(const rtcore::UpAndUnit& frame) {
     stopPlaying();
     if (recording_) endRecording("the up axis or the unit was changed");
     rtcore::Changes changes{rtcore::Change::View, rtcore::Change::Sky, rtcore::Change::Setting};
-    changes.set(rtcore::Change::Light, edited.lights != scene_->lights);
+    changes.set(rtcore::Change::Light, !rtcore::shineAlike(edited.lights, scene_->lights));
     putScene(std::move(edited));
     const double speed = player_->speedFactor();
     makePlayer(camera);
@@ -230,13 +230,14 @@ void ServerState::putScene(rtcore::Scene edited) {
 
 void ServerState::publish(rtcore::Scene edited) {
     rtcore::Changes changes;
-    changes.set(rtcore::Change::Light, edited.lights != scene_->lights || edited.ambient != scene_->ambient);
+    changes.set(rtcore::Change::Light,
+                !rtcore::shineAlike(edited.lights, scene_->lights) || edited.ambient != scene_->ambient);
     changes.set(rtcore::Change::Sky, edited.background != scene_->background ||
                                          edited.activeEnvironment != scene_->activeEnvironment ||
                                          edited.environments != scene_->environments);
     changes.set(rtcore::Change::Material, edited.materials != scene_->materials);
     changes.set(rtcore::Change::Visibility, !rtcore::sameHidden(edited.hiddenParts, scene_->hiddenParts));
-    const bool renamed = edited.lightNames != scene_->lightNames || edited.lightNotes != scene_->lightNotes;
+    const bool renamed = edited.lights != scene_->lights;
     if (!changes.any() && !renamed) return;
     endOutdatedRecording(edited);
     putScene(std::move(edited));

@@ -17,7 +17,7 @@ namespace {
 /// "only number 3", "numbers 1 to 4", "numbers 1, 3 and 4".
 std::string idsOf(const rtcore::Scene& scene) {
     std::vector<int> ids;
-    for (const rtcore::LightNotes& notes : scene.lightNotes) ids.push_back(notes.id);
+    for (const rtcore::SceneLight& each : scene.lights) ids.push_back(each.notes.id);
     std::ranges::sort(ids);
     if (ids.empty()) return "none";
     if (ids.size() == 1) return fmt::format("only number {}", ids.front());
@@ -31,10 +31,12 @@ std::string idsOf(const rtcore::Scene& scene) {
 
 /// But for which of them are on.
 bool sameLights(const rtcore::Scene& a, const rtcore::Scene& b) {
-    return std::ranges::equal(a.lights, b.lights, [](rtcore::Light one, const rtcore::Light& other) {
+    const auto alike = [](rtcore::Light one, const rtcore::Light& other) {
         one.on = other.on;
         return one == other;
-    });
+    };
+    return std::ranges::equal(a.lights, b.lights, alike, &rtcore::SceneLight::light,
+                              &rtcore::SceneLight::light);
 }
 
 } // namespace
@@ -49,7 +51,7 @@ std::size_t ServerState::lightOf(int id) const {
 
 void ServerState::switchLight(int id, std::optional<bool> on) {
     rtcore::Scene edited = *scene_;
-    std::uint32_t& state = edited.lights[lightOf(id)].on;
+    std::uint32_t& state = edited.lights[lightOf(id)].light.on;
     state = on.value_or(state == 0) ? 1 : 0;
     publish(std::move(edited));
 }

@@ -116,7 +116,7 @@ void ServerState::toggleLight(int id) {
     const Shown before = shown();
     switchLight(id, std::nullopt);
     keepStep(name, before);
-    messages_.tell(name + (scene_->lights[*light].on != 0 ? " on" : " off"));
+    messages_.tell(name + (scene_->lights[*light].light.on != 0 ? " on" : " off"));
 }
 
 void ServerState::chooseEnvironment(int environment) {

@@ -50,9 +50,9 @@ void ServerState::setSky(const std::optional<rtcore::Sky>& sky) {
 
 void ServerState::switchHeadlight(rtcore::Scene& scene, bool on) const {
     if (!world_->loaded.look) return;
-    const auto name = std::find(scene.lightNames.begin(), scene.lightNames.end(), rtcore::kHeadlightName);
-    if (name != scene.lightNames.end()) {
-        scene.lights[static_cast<std::size_t>(name - scene.lightNames.begin())].on = on ? 1 : 0;
+    const auto light = std::ranges::find(scene.lights, rtcore::kHeadlightName, &rtcore::SceneLight::name);
+    if (light != scene.lights.end()) {
+        light->light.on = on ? 1 : 0;
     } else if (on && scene.lights.empty()) {
         rtcore::addHeadlight(scene, world_->loaded.tree.bounds, camera_);
     }

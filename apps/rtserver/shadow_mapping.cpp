@@ -21,12 +21,13 @@ bool ShadowMapping::done() const {
     return maps_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-bool castAlike(std::span<const rtcore::Light> before, std::span<const rtcore::Light> now) {
-    return std::ranges::equal(before, now, [](rtcore::Light a, const rtcore::Light& b) {
+bool castAlike(std::span<const rtcore::SceneLight> before, std::span<const rtcore::SceneLight> now) {
+    const auto alike = [](rtcore::Light a, const rtcore::Light& b) {
         a.on = b.on;
         a.intensity = b.intensity;
         return a == b;
-    });
+    };
+    return std::ranges::equal(before, now, alike, &rtcore::SceneLight::light, &rtcore::SceneLight::light);
 }
 
 } // namespace rtserver

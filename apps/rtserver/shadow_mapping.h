@@ -34,6 +34,6 @@ class ShadowMapping {
 
 /// Whether shadow maps that were made for the lights `before` hold for `now`: each light may have been
 /// switched or changed its colour, but stands as it did.
-bool castAlike(std::span<const rtcore::Light> before, std::span<const rtcore::Light> now);
+bool castAlike(std::span<const rtcore::SceneLight> before, std::span<const rtcore::SceneLight> now);
 
 } // namespace rtserver

@@ -1,5 +1,7 @@
 #include "rtserver/state_report_of.h"
 
+#include "rtcore/sky/scene_sky.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -17,9 +19,9 @@ std::string nameOf(const rtcore::EnvironmentFile& environment) {
 
 std::optional<app::ReportedMap> mapOf(const ServerState& state) {
     const rtcore::Scene& scene = *state.scene();
-    const std::size_t files = scene.environments.size() - (scene.sky ? 1 : 0);
     const rtcore::Environment* const shown = scene.environment();
-    if (shown == nullptr || static_cast<std::size_t>(scene.activeEnvironment) >= files) return {};
+    if (shown == nullptr || std::cmp_greater_equal(scene.activeEnvironment, scene.fileEnvironments()))
+        return {};
     return app::ReportedMap{shown->rotation(), shown->intensity};
 }
 
@@ -72,6 +74,7 @@ app::StateReport stateReportOf(const ServerState& state, std::uint64_t client) {
                             .sky = state.scene()->sky,
                             .camera = state.camera(),
                             .settings = rtcore::settingAssignments(state.settings(), true)};
+    if (const auto sun = rtcore::sunOf(*state.scene())) report.sun = state.scene()->lights[*sun].notes.id;
     report.camera.nameOffset = 0;
     const EditHistory& history = state.history();
     if (history.last() != nullptr) report.undo = history.last()->label;

@@ -310,6 +310,30 @@ TEST_F(LightsTest, TheMarkOfTheSunTurnsTheSky) {
     EXPECT_EQ(state().undo, QStringLiteral("sky direction"));
 }
 
+TEST_F(LightsTest, TheMarkOfAnotherLightThatIsCalledSunTurnsThatLight) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera look-at 0 1 6 0 2 0")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("sky direction 0.1 0.3 1")).done);
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return state().sun != 0; }));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light remove %1").arg(state().sun)).done);
+    const Answer added = ask(window->session(), QStringLiteral("light add directional at 0 0 0"));
+    const int id = added.text.toInt();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light name %1 sun").arg(id)).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light aim %1 along -0.1 -0.3 1").arg(id)).done);
+    action(ActionId::LightMarks)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return lightOf(state(), id) != nullptr && light(id).direction.z > 0; }));
+    EXPECT_EQ(state().lights.size(), 3);
+    EXPECT_EQ(state().sun, 0);
+    const rtcore::Sky sky = *state().sky;
+    ASSERT_TRUE(comes([&] { return status().idle && handles().place(id).has_value(); }));
+    const rtcore::Vec3 before = light(id).direction;
+    drag(*handles().place(id), {-40, 0});
+    ASSERT_TRUE(comes([&] { return light(id).direction.x > before.x + 0.05F; }));
+    EXPECT_EQ(state().sky, sky);
+    EXPECT_EQ(state().undo, QStringLiteral("light aim %1").arg(id));
+}
+
 TEST_F(LightsTest, WithoutMarksAClickIsTheCameras) {
     window->view().input().setHand(Hand::Looks);
     QTest::mouseClick(&window->view(), Qt::LeftButton);

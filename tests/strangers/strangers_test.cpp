@@ -8,6 +8,7 @@
 #include "rtcore/render/light_meter.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/up_axis.h"
+#include "rtcore/sky/scene_sky.h"
 
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
@@ -302,7 +303,8 @@ TEST_F(Strangers, LightsThatReachNothingAreNotAlone) {
     const rtcore::LoadedScene scene = loadNamed("stray_lamp.glb");
     EXPECT_NE(saidOf(scene).find("own lights reach nothing"), std::string::npos);
     EXPECT_TRUE(scene.scene.sky);
-    EXPECT_EQ(scene.scene.lightNames.back(), "Bulb") << "it is kept";
+    EXPECT_EQ(scene.scene.lights.back().name, "Bulb") << "it is kept";
+    EXPECT_TRUE(rtcore::sunOf(scene.scene)) << "the sky moves its sun";
     const rtcore::LoadedScene lit = loadNamed("room_lamp.glb");
     EXPECT_FALSE(lit.scene.sky);
     EXPECT_EQ(lit.scene.lights.size(), 1U);
@@ -311,7 +313,7 @@ TEST_F(Strangers, LightsThatReachNothingAreNotAlone) {
 TEST_F(Strangers, WhatNoLightReachesIsLitFromTheEye) {
     const rtcore::LoadedScene scene = loadNamed("crawl_space.glb");
     EXPECT_NE(saidOf(scene).find("no light reaches what is seen"), std::string::npos);
-    EXPECT_EQ(scene.scene.lightNames.back(), rtcore::kHeadlightName);
+    EXPECT_EQ(scene.scene.lights.back().name, rtcore::kHeadlightName);
     for (const char* const file : {"room_closed.glb", "room.glb", "house1_plot.glb"})
         EXPECT_EQ(saidOf(loadNamed(file)).find("no light reaches"), std::string::npos) << file;
 }

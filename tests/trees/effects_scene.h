@@ -85,7 +85,6 @@ inline void addLights(rtcore::Scene& scene, const rtcore::Box3& bounds) {
     sun.discSine = 0.01F;
     static_assert(rtcore::kLightKinds == 5, "one light of each kind");
     scene.lights = {ball, panel, bulb, spot, sun};
-    scene.lightNames.assign(scene.lights.size(), "");
 }
 
 /// A sky that is brighter above than below, and differs to all sides.

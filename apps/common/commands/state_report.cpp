@@ -49,11 +49,13 @@ std::vector<NamedSwitch> switchesOf(const std::vector<ReportedLight>& lights) {
     return switches;
 }
 
-void writeLights(rtcore::TomlWriter& writer, const std::vector<ReportedLight>& lights, const Extent& extent) {
+void writeLights(rtcore::TomlWriter& writer, const StateReport& state, const Extent& extent) {
+    const std::vector<ReportedLight>& lights = state.lights;
     write(writer, "lights", switchesOf(lights), extent);
     std::vector<int> ids;
     for (std::size_t i = 0; i < std::min(lights.size(), extent.most); ++i) ids.push_back(lights[i].id);
     writer.add("ids", ids);
+    if (state.sun > 0) writer.add("sun", state.sun);
     if (!extent.lights) return;
     for (const ReportedLight& light : lights) {
         if (!light.description) continue;
@@ -83,7 +85,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
-    writeLights(writer, state.lights, extent);
+    writeLights(writer, state, extent);
     write(writer, "environments", state.environments, extent);
     if (state.map) {
         writer.section("[map]");
@@ -118,14 +120,15 @@ std::optional<ReportedMap> readMap(rtcore::StrictTable& root) {
     return map;
 }
 
-std::vector<ReportedLight> readLights(rtcore::StrictTable& root) {
+void readLights(rtcore::StrictTable& root, StateReport& state) {
     rtcore::StrictTable table = root.require("lights", root.table("lights"));
     const std::vector<bool> on = table.require("on", table.booleans("on"));
     const std::vector<std::string> names = table.texts("names").value_or(std::vector<std::string>());
     const std::vector<int> ids = table.require("ids", table.integers("ids", 1, rtcore::kMostLightId));
+    state.sun = table.integer("sun", 1, rtcore::kMostLightId).value_or(0);
     table.finish();
     if (ids.size() != on.size()) table.fail("ids", "there are not as many ids as lights");
-    std::vector<ReportedLight> lights;
+    std::vector<ReportedLight>& lights = state.lights;
     for (std::size_t i = 0; i < on.size(); ++i)
         lights.push_back({ids[i], on[i], i < names.size() ? names[i] : std::string()});
     for (rtcore::StrictTable& each : root.tables("light")) {
@@ -133,7 +136,6 @@ std::vector<ReportedLight> readLights(rtcore::StrictTable& root) {
         const auto light = std::ranges::find(lights, description.id, &ReportedLight::id);
         if (light != lights.end()) light->description = description;
     }
-    return lights;
 }
 
 ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
@@ -173,7 +175,7 @@ StateReport parseStateReport(std::string_view text) {
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
-    state.lights = readLights(root);
+    readLights(root, state);
     state.environments = read(root, "environments");
     state.map = readMap(root);
     if (auto sky = root.table("sky")) state.sky = rtcore::readSky(*sky);

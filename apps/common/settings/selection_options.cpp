@@ -48,7 +48,7 @@ void chooseParts(const char* option, const std::string& text, std::span<const rt
 
 std::vector<std::size_t> lightsNamed(const std::string& text, const rtcore::Scene& scene) {
     if (text.empty()) return {};
-    const auto nameOf = [&](std::size_t i) -> std::string_view { return scene.lightNames[i]; };
+    const auto nameOf = [&](std::size_t i) -> std::string_view { return scene.lights[i].name; };
     std::vector<std::size_t> found = fitting(text, scene.lights.size(), nameOf);
     const std::optional<std::int64_t> id = parseInteger(text);
     if (!found.empty() || !id || *id < 1 || *id > rtcore::kMostLightId) return found;
@@ -58,11 +58,9 @@ std::vector<std::size_t> lightsNamed(const std::string& text, const rtcore::Scen
 
 [[noreturn]] void refuseLight(const std::string& text, const rtcore::Scene& scene) {
     std::vector<std::string> all;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const std::string& name = scene.lightNames[i];
-        all.push_back(std::to_string(scene.lightNotes[i].id) +
-                      (name.empty() ? "" : ' ' + rtcore::inQuotes(name)));
-    }
+    for (const rtcore::SceneLight& each : scene.lights)
+        all.push_back(std::to_string(each.notes.id) +
+                      (each.name.empty() ? "" : ' ' + rtcore::inQuotes(each.name)));
     throw UsageError(fmt::format("option '--lights': no light of the scene is {}; {}", rtcore::inQuotes(text),
                                  someOf(all)));
 }
@@ -98,14 +96,14 @@ void selectParts(const Selection& selection, rtcore::Scene& scene) {
 void selectLights(const Selection& selection, rtcore::Scene& scene) {
     if (!selection.lights) return;
     const std::string& list = *selection.lights;
-    for (rtcore::Light& light : scene.lights) light.on = list == "all" ? 1 : 0;
+    for (rtcore::SceneLight& each : scene.lights) each.light.on = list == "all" ? 1 : 0;
     if (list == "all" || list == "none") return;
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
         const std::string text = list.substr(begin, end - begin);
         const std::vector<std::size_t> found = lightsNamed(text, scene);
         if (found.empty()) refuseLight(text, scene);
-        for (const std::size_t light : found) scene.lights[light].on = 1;
+        for (const std::size_t light : found) scene.lights[light].light.on = 1;
         begin = end + 1;
     }
 }

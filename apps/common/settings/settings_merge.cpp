@@ -68,7 +68,7 @@ std::string switchLights(std::span<const int> ids, bool on, rtcore::Scene& scene
     for (const int id : ids) {
         const std::optional<std::size_t> light = rtcore::lightWithId(scene, id);
         if (light)
-            scene.lights[*light].on = on ? 1 : 0;
+            scene.lights[*light].light.on = on ? 1 : 0;
         else
             missing += (missing.empty() ? "" : ", ") + std::to_string(id);
     }
@@ -90,7 +90,7 @@ std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::file
                             scene.lights.size());
     } else if (camera.lights) {
         for (std::size_t i = 0; i < camera.lights->size(); ++i)
-            scene.lights[i].on = (*camera.lights)[i] ? 1U : 0U;
+            scene.lights[i].light.on = (*camera.lights)[i] ? 1U : 0U;
     }
     const std::string missing =
         inOneList(switchLights(camera.lightsOn, true, scene), switchLights(camera.lightsOff, false, scene));

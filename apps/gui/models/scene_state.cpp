@@ -47,6 +47,7 @@ std::optional<StateAnswer> readState(const QString& answer) {
         result.state.up = QString::fromStdString(std::string(rtcore::axisName(report.up)));
         result.state.metresPerUnit = report.metresPerUnit;
         result.state.lights = lightsOf(report.lights);
+        result.state.sun = report.sun;
         result.state.environments = switchesOf(report.environments);
         if (report.map) result.state.map = ShownMap{report.map->rotation, report.map->strength};
         result.state.sky = report.sky;

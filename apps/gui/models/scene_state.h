@@ -38,6 +38,7 @@ struct SceneState {
     float metresPerUnit = 1;         ///< above 0
     QMap<QString, QString> settings; ///< name to value, both as `settings` writes them
     QList<ShownLight> lights;
+    int sun = 0;                     ///< id of the light of the sky, whose map shows it, too; 0: none
     QList<NamedSwitch> environments; ///< at most one is on; the last one is the sky, if any
     std::optional<ShownMap> map;     ///< nothing where none of a file is shown
     std::optional<rtcore::Sky> sky;

@@ -11,11 +11,8 @@
 #include "gui/view/light_handles.h"
 #include "gui/view/notice_bar.h"
 
-#include "rtcore/sky/scene_sky.h"
-
 #include <QAction>
 
-#include <algorithm>
 #include <utility>
 
 namespace gui {
@@ -40,16 +37,6 @@ QList<LightMark> marksOf(const QList<ShownLight>& lights) {
         marks.append(mark);
     }
     return marks;
-}
-
-/// That of the sky, whose map shows it, too.
-bool isSun(const SceneState& state, int id) {
-    const auto named = [](const ShownLight& light) {
-        return light.name == QLatin1String(rtcore::kSunName) && light.description &&
-               light.description->light.kind == rtcore::LightKind::Directional;
-    };
-    const auto last = std::find_if(state.lights.rbegin(), state.lights.rend(), named);
-    return state.sky && !state.sky->studio && last != state.lights.rend() && last->id == id;
 }
 
 } // namespace
@@ -106,7 +93,7 @@ void LightOperations::connectHandles() {
 }
 
 void LightOperations::turn(int id, const QVector3D& towards, bool goesOn) {
-    if (isSun(context_.editor.state(), id))
+    if (id == context_.editor.state().sun)
         return follow(QStringLiteral("sky direction"), command::skyDirection(numbersOf(towards)), goesOn);
     follow(QStringLiteral("light aim %1").arg(id), command::lightAim(id, numbersOf(-towards)), goesOn);
 }

@@ -208,10 +208,8 @@ class Loader {
 
     void takeModelLights() {
         Scene& scene = out_.scene;
-        for (const Light& light : scene.model.lights) {
-            scene.lights.push_back(light);
-            scene.lightNames.emplace_back(scene.model.name(light.nameOffset));
-        }
+        for (const Light& light : scene.model.lights)
+            scene.lights.emplace_back(light, std::string(scene.model.name(light.nameOffset)));
     }
 
     void overrideMaterials(const std::filesystem::path& path, const SceneFile& file) {
@@ -327,7 +325,7 @@ class Loader {
     std::optional<std::size_t> editedSun() const {
         if (!described_ || out_.sceneFile->sun.id == 0) return std::nullopt;
         const auto light = lightWithId(out_.scene, out_.sceneFile->sun.id);
-        const bool fits = light && out_.scene.lights[*light].kind == LightKind::Directional;
+        const bool fits = light && out_.scene.lights[*light].light.kind == LightKind::Directional;
         return fits ? light : std::nullopt;
     }
 
@@ -335,9 +333,9 @@ class Loader {
         Scene& scene = out_.scene;
         if (edited) return replaceSun(scene, *edited);
         if (!sunOf(scene)) return;
-        const std::size_t light = *sunOf(scene);
-        scene.lights[light].on = sun.on ? 1 : 0;
-        if (sun.id > 0 && !lightWithId(scene, sun.id)) scene.lightNotes[light].id = sun.id;
+        SceneLight& own = scene.lights[*sunOf(scene)];
+        own.light.on = sun.on ? 1 : 0;
+        if (sun.id > 0 && !lightWithId(scene, sun.id)) own.notes.id = sun.id;
     }
 
     /// Of the options, in place of what the scene has. Settings of files win over that a sky lights.
@@ -543,19 +541,15 @@ class Loader {
         const KdTree shown = visibleTree(out_.tree, scene);
         const std::vector<SeenPlace> places = seenPlaces(shown, scene.model.mesh, out_.camera);
         return scene.lights.empty() || places.empty() ||
-               lightReaches(shown, scene.model.mesh, scene.lights, places, kPlainAmbient);
+               lightReaches(shown, scene.model.mesh, lightsOf(scene.lights), places, kPlainAmbient);
     }
 
     /// Beside the lights of the model, which light nothing that is seen.
     void lightBeside(Look look) {
         Scene& scene = out_.scene;
-        const std::vector<Light> own = std::move(scene.lights);
-        const std::vector<std::string> names = std::move(scene.lightNames);
+        const std::vector<SceneLight> own = std::exchange(scene.lights, {});
         lightByLook(look);
-        scene.lightNames.resize(scene.lights.size());
         scene.lights.insert(scene.lights.end(), own.begin(), own.end());
-        scene.lightNames.insert(scene.lightNames.end(), names.begin(), names.end());
-        scene.lightNotes.clear();
         warn({"its own lights reach nothing that is seen; other light was added"});
     }
 
@@ -567,7 +561,7 @@ class Loader {
         const KdTree shown = visibleTree(out_.tree, scene);
         const std::vector<SeenPlace> places = seenPlaces(shown, mesh, out_.camera);
         if (places.empty() || isOpen(shown, mesh, places) ||
-            lightReaches(shown, mesh, scene.lights, places, kPlainAmbient))
+            lightReaches(shown, mesh, lightsOf(scene.lights), places, kPlainAmbient))
             return;
         addHeadlight(scene, out_.tree.bounds, out_.camera);
         warn({"no light reaches what is seen; one beside the viewer was added"});
@@ -657,12 +651,12 @@ void lightAnew(const LoadedScene& loaded, Scene& scene) {
     LookLights look = lightsOfLook(loaded, scene);
     look.background = scene.background;
     look.ambient = scene.ambient;
-    const std::vector<Light> before = scene.lights;
+    const std::vector<SceneLight> before = scene.lights;
     const int environment = scene.activeEnvironment;
     lightBy(scene, look);
     scene.activeEnvironment = environment;
     if (scene.lights.size() != before.size()) return;
-    for (std::size_t i = 0; i < before.size(); ++i) scene.lights[i].on = before[i].on;
+    for (std::size_t i = 0; i < before.size(); ++i) scene.lights[i].light.on = before[i].light.on;
 }
 
 } // namespace

@@ -34,8 +34,8 @@ Colour lightOf(const Scene& scene, const Box3& bounds) {
     if (!isBlack(scene.background)) return scene.background;
     const Vec3 middle = bounds.empty() ? Vec3{} : bounds.centre();
     Colour irradiance;
-    for (const Light& light : scene.lights) {
-        if (light.on != 0) irradiance += irradianceNear(light, middle, bounds.diagonal());
+    for (const SceneLight& each : scene.lights) {
+        if (each.light.on != 0) irradiance += irradianceNear(each.light, middle, bounds.diagonal());
     }
     return isBlack(irradiance) ? kWhite : irradiance * (kFractionOfLights / kPi);
 }

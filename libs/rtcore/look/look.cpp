@@ -58,17 +58,15 @@ void addStudioLights(LookLights& look, const Box3& bounds, Vec3 up, Vec3 forward
     const Vec3 level = forward - up * dot(forward, up);
     const Vec3 side = up.x == 0 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 back = length(level) > 1e-3F * length(forward) ? -normalize(level) : side;
-    for (const StudioLight& each : kStudioLights) {
-        look.lights.push_back(studioLight(each, bounds, up, back));
-        look.names.emplace_back(each.name);
-    }
+    for (const StudioLight& each : kStudioLights)
+        look.lights.emplace_back(studioLight(each, bounds, up, back), each.name);
 }
 
-std::string roomLightName(std::size_t i) { return "ceiling " + std::to_string(i + 1); }
-
-void setRoomLights(LookLights& look, const KdTree& tree, const Mesh& mesh, const Survey& survey) {
-    look.lights = roomLights(tree, mesh, survey);
-    for (std::size_t i = 0; i < look.lights.size(); ++i) look.names.push_back(roomLightName(i));
+std::vector<SceneLight> namedRoomLights(const KdTree& tree, const Mesh& mesh, const Survey& survey) {
+    std::vector<SceneLight> lights;
+    for (const Light& light : roomLights(tree, mesh, survey))
+        lights.emplace_back(light, "ceiling " + std::to_string(lights.size() + 1));
+    return lights;
 }
 
 Sky skyOfView(const KdTree& tree, const Mesh& mesh, const Survey& survey, const Camera& camera) {
@@ -76,12 +74,6 @@ Sky skyOfView(const KdTree& tree, const Mesh& mesh, const Survey& survey, const 
     sky.date.reset();
     sky.direction = sunOfView(tree, mesh, survey, camera);
     return sky;
-}
-
-void addLight(Scene& scene, const Light& light, const std::string& name) {
-    scene.lightNames.resize(scene.lights.size());
-    scene.lights.push_back(light);
-    scene.lightNames.push_back(name);
 }
 
 std::vector<SettingAssignment> exposureBy(const char* mode, const char* toneMapping, float contrast,
@@ -112,11 +104,11 @@ LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Sur
     switch (look) {
     case Look::Sky:
         result.sky = sky ? *sky : skyOfView(tree, mesh, survey, camera);
-        setRoomLights(result, tree, mesh, survey);
+        result.lights = namedRoomLights(tree, mesh, survey);
         result.sky->ground = wantsGround(mesh, survey);
         break;
     case Look::Studio:
-        setRoomLights(result, tree, mesh, survey);
+        result.lights = namedRoomLights(tree, mesh, survey);
         if (result.lights.empty()) {
             result.sky = Sky{.ground = wantsGround(mesh, survey), .studio = true};
             addStudioLights(result, survey.subject.bounds, survey.axes.up, camera.forward);
@@ -125,8 +117,7 @@ LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Sur
         }
         break;
     case Look::Headlight:
-        result.lights = {defaultLight(camera, tree.bounds)};
-        result.names = {kHeadlightName};
+        result.lights.emplace_back(defaultLight(camera, tree.bounds), kHeadlightName);
         break;
     }
     return result;
@@ -134,13 +125,10 @@ LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Sur
 
 void lightBy(Scene& scene, const LookLights& look) {
     setSky(scene, std::nullopt);
-    scene.lights.clear();
-    scene.lightNames.clear();
-    scene.lightNotes.clear();
     scene.activeEnvironment = scene.environments.empty() ? 0 : kNoEnvironment;
     scene.background = look.background;
     scene.ambient = look.ambient;
-    for (std::size_t i = 0; i < look.lights.size(); ++i) addLight(scene, look.lights[i], look.names[i]);
+    scene.lights = look.lights;
     setSky(scene, look.sky);
     numberLights(scene);
 }
@@ -177,14 +165,14 @@ std::vector<SettingAssignment> exposureOf(Look look) {
 }
 
 bool isLitBy(const Scene& scene, const LookLights& look) {
-    std::vector<Light> lights = scene.lights;
+    std::vector<Light> lights = lightsOf(scene.lights);
     if (const auto sun = sunOf(scene)) lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*sun));
     for (Light& light : lights) light.on = 1;
-    return lights == look.lights && scene.sky == look.sky;
+    return lights == lightsOf(look.lights) && scene.sky == look.sky;
 }
 
 void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
-    addLight(scene, defaultLight(camera, bounds), kHeadlightName);
+    scene.lights.emplace_back(defaultLight(camera, bounds), kHeadlightName);
     numberLights(scene);
 }
 
@@ -193,7 +181,7 @@ std::optional<Colour> fillLight(const Scene& scene, const KdTree& tree, const Ca
     const Mesh& mesh = scene.model.mesh;
     const std::vector<SeenPlace> places = seenPlaces(tree, mesh, camera);
     if (places.empty()) return std::nullopt;
-    std::vector<float> sums = irradianceAt(tree, mesh, scene.lights, places);
+    std::vector<float> sums = irradianceAt(tree, mesh, lightsOf(scene.lights), places);
     for (float& sum : sums) sum += kPi * maxComponent(scene.ambient);
     std::ranges::sort(sums);
     const float usual = sums[sums.size() * 9 / 10];
@@ -204,8 +192,8 @@ std::optional<Colour> fillLight(const Scene& scene, const KdTree& tree, const Ca
 }
 
 void addRoomLights(Scene& scene, const KdTree& tree, const Survey& survey) {
-    const std::vector<Light> lights = roomLights(tree, scene.model.mesh, survey);
-    for (std::size_t i = 0; i < lights.size(); ++i) addLight(scene, lights[i], roomLightName(i));
+    const std::vector<SceneLight> lights = namedRoomLights(tree, scene.model.mesh, survey);
+    scene.lights.insert(scene.lights.end(), lights.begin(), lights.end());
     numberLights(scene);
 }
 

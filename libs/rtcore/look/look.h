@@ -28,8 +28,7 @@ inline constexpr Colour kPlainBackground{0.03F, 0.036F, 0.048F}, kPlainAmbient{0
 
 struct LookLights {
     std::optional<Sky> sky;
-    std::vector<Light> lights; ///< without the sun
-    std::vector<std::string> names;
+    std::vector<SceneLight> lights; ///< without the sun, and without ids
     Colour background = kPlainBackground, ambient = kPlainAmbient;
 };
 

@@ -36,15 +36,15 @@ std::vector<std::uint8_t> stoodFor(const Scene& scene) {
             return light.on != 0 && traitsOf(light).position && p.x >= low.x && p.y >= low.y &&
                    p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
         };
-        result[i] = std::ranges::any_of(scene.lights, inside) ? 1 : 0;
+        result[i] = std::ranges::any_of(scene.lights, inside, &SceneLight::light) ? 1 : 0;
     }
     return result;
 }
 
 /// The luminance that a light gives off, W; of a directional one what it throws on a disc of radius `reach`.
-double powerOf(const Light& light, double reach) {
+double powerWithin(const Light& light, double reach) {
     const double area = traitsOf(light).position ? 1 : kPi * reach * reach;
-    return powerFactor<double>(light) * area * luminance(light.intensity);
+    return powerOf<double>(light) * area;
 }
 
 } // namespace
@@ -56,7 +56,8 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     discs_.clear();
     mirrored_.clear();
     anyArea_ = false;
-    for (const Light& light : scene.lights) {
+    for (const SceneLight& each : scene.lights) {
+        const Light& light = each.light;
         if (light.on == 0 || isBlack(light.intensity)) continue;
         const auto number = static_cast<std::uint32_t>(lights_.size());
         if (isDisc(light)) discs_.push_back(number);
@@ -80,7 +81,7 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
 void LightSet::shareByPower(float reach) {
     const LightRows all = rows();
     std::vector<double> powers;
-    for (const Light& light : lights_) powers.push_back(powerOf(light, reach));
+    for (const Light& light : lights_) powers.push_back(powerWithin(light, reach));
     if (all.emitters) powers.push_back(emitters_.power());
     if (all.surroundings) powers.push_back(surroundings_.scalarIrradiance() * kPi * reach * reach);
     double sum = 0;

@@ -7,11 +7,10 @@
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/environment.h"
 #include "rtcore/scene/environment_source.h"
-#include "rtcore/scene/light.h"
-#include "rtcore/scene/light_notes.h"
 #include "rtcore/scene/material_override.h"
 #include "rtcore/scene/model.h"
 #include "rtcore/scene/part_list.h"
+#include "rtcore/scene/scene_light.h"
 #include "rtcore/scene/sky.h"
 #include "rtcore/scene/sky_ground.h"
 
@@ -67,9 +66,7 @@ struct Scene : SceneLook {
     /// The model's with the scene's overrides; indexed by ShadingTriangle::material.
     std::vector<Material> materials;
     std::vector<MaterialOverride> materialEdits; ///< made since it was loaded, one for a material, by number
-    std::vector<Light> lights;
-    std::vector<std::string> lightNames; ///< one per light, may be ""
-    std::vector<LightNotes> lightNotes;  ///< one per light, once numberLights() was called
+    std::vector<SceneLight> lights;
     int removedLightId = 0; ///< the highest of those that were removed: nextLightId() is above it
     std::vector<std::shared_ptr<const Environment>> environments; ///< of files, then that of `sky`
     std::vector<EnvironmentFile> environmentFiles; ///< what those of files were loaded from, where known
@@ -87,6 +84,8 @@ struct Scene : SceneLook {
     bool isClosed(std::uint32_t triangle) const {
         return closed != nullptr && triangle < closed->size() && (*closed)[triangle] != 0;
     }
+    /// How many of the environments are of files; the sky's stands behind them.
+    std::size_t fileEnvironments() const { return environments.size() - (sky ? 1 : 0); }
     /// Whether there is one, and the sky around it that it belongs to.
     bool showsGround() const {
         const bool underSky = sky && static_cast<std::size_t>(activeEnvironment) + 1 == environments.size();

@@ -15,13 +15,13 @@ void WaveLighting::begin(const FrameContext& frame, const FogWave& fog) {
 }
 
 void WaveLighting::addFog(const FrameContext& frame, const Wave& wave, SampleSums& sums) {
-    const std::vector<Light>& lights = frame.scene->lights;
+    const std::vector<SceneLight>& lights = frame.scene->lights;
     for (std::size_t light = 0; light < lights.size(); ++light) {
-        if (lights[light].on == 0 || frame.stopped()) continue;
+        if (lights[light].light.on == 0 || frame.stopped()) continue;
         if (frame.settings->fog.shafts > 0) {
             addShafts(frame, wave, light);
         } else {
-            addFogLight(*fog_, lights[light]);
+            addFogLight(*fog_, lights[light].light);
         }
     }
     const ArraysOf3& scattered = fog_->rays().scattered;
@@ -33,7 +33,7 @@ void WaveLighting::addFog(const FrameContext& frame, const Wave& wave, SampleSum
 }
 
 void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::size_t number) {
-    const Light& light = frame.scene->lights[number];
+    const Light& light = frame.scene->lights[number].light;
     const std::size_t count = wave.size();
     if (shifts_.size() < count + kWaveBlock) shifts_.resize(count + kWaveBlock);
     const auto ofLight = 0x9E3779B9U * static_cast<std::uint32_t>(number);
@@ -69,10 +69,10 @@ void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSu
     if (occlusion_.on()) addSurroundings(frame, occlusion_, wave, to);
     if (sky_.on()) addSurroundings(frame, sky_, wave, to);
     recall(frame, wave);
-    const std::vector<Light>& lights = frame.scene->lights;
+    const std::vector<SceneLight>& lights = frame.scene->lights;
     for (std::size_t light = 0; light < lights.size(); ++light) {
-        if (lights[light].on == 0 || frame.stopped()) continue;
-        if (isAreaLight(lights[light]) && frame.settings->areaLights.samples > 0) {
+        if (lights[light].light.on == 0 || frame.stopped()) continue;
+        if (isAreaLight(lights[light].light) && frame.settings->areaLights.samples > 0) {
             addAreaLight(frame, wave, light, to);
         } else {
             addPointLight(frame, wave, light, to);
@@ -99,7 +99,7 @@ void WaveLighting::addSurroundings(const FrameContext& frame, HemisphereWave& li
 void WaveLighting::addPointLight(const FrameContext& frame, Wave& wave, std::size_t light,
                                  const LightSums& to) {
     const KnownVisibility known = knownOf(light);
-    rtcore::addLight(frame.scene->lights[light], *frame.materials, wave.surfaces,
+    rtcore::addLight(frame.scene->lights[light].light, *frame.materials, wave.surfaces,
                      frame.settings->shadows ? &shadowRays_ : nullptr, remembers(light) ? &known : nullptr);
     addArriving(frame, wave, light, to);
 }
@@ -113,7 +113,7 @@ void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size
         [&](std::size_t i) { return wave.paths.bounces(i); });
     const KnownVisibility known = knownOf(light);
     for (int k = 0; k < settings.areaLights.samples && !frame.stopped(); ++k) {
-        rtcore::addLight(frame.scene->lights[light], areaLightSampler_.strata(k), *frame.materials,
+        rtcore::addLight(frame.scene->lights[light].light, areaLightSampler_.strata(k), *frame.materials,
                          wave.surfaces, settings.shadows ? &shadowRays_ : nullptr,
                          k > 0 && remembers(light) ? &known : nullptr);
         addArriving(frame, wave, light, to);
@@ -133,7 +133,7 @@ void WaveLighting::confirm(std::size_t light) {
 /// Adds what the light would add unshadowed, which surfaces.added holds, as far as it arrives.
 void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_t number,
                                const LightSums& to) {
-    const Light& light = frame.scene->lights[number];
+    const Light& light = frame.scene->lights[number].light;
     // Tinted shadow rays attenuate by fog themselves, segment by segment between panes.
     if (fog_->on() && !tracesTinted(frame)) fog_->dimLight(light, wave.surfaces);
     frame.clock->lap(Stage::Light);
@@ -164,7 +164,7 @@ void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_
             tint(i, map.arriving(surfaces.position.at(point[i]), surfaces.geometricNormal.at(point[i])));
         }
     } else if (shadows_.tinted()) {
-        const Light& light = frame.scene->lights[number];
+        const Light& light = frame.scene->lights[number].light;
         const std::vector<Colour>& arriving = shadows_.transmittance(rays, light, *frame.statistics);
         for (std::size_t i = 0; i < arriving.size(); ++i) tint(i, arriving[i]);
     } else {

@@ -26,7 +26,8 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     frame_.settings = &settings;
     frame_.materials = &materials;
     const auto anyLight = [&](auto&& is) {
-        return std::ranges::any_of(scene.lights, [&](const Light& each) { return each.on != 0 && is(each); });
+        return std::ranges::any_of(
+            scene.lights, [&](const SceneLight& each) { return each.light.on != 0 && is(each.light); });
     };
     frame_.discs = anyLight(isDisc);
     mirroredLights_ = anyLight(isMirrored);
@@ -39,7 +40,8 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
 
 bool WhittedIntegrator::needsSampleIds(const Scene& scene, const RenderSettings& settings) {
     const auto soft = [](const Light& light) { return light.on != 0 && isAreaLight(light); };
-    const bool areaLights = settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft);
+    const bool areaLights =
+        settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft, &SceneLight::light);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
     return settings.ambientOcclusion.on || settings.skyLight.on || areaLights || shafts;
 }
@@ -137,7 +139,8 @@ void WhittedIntegrator::addBackground() {
 /// The discs of directional lights, where rays leave the scene.
 void WhittedIntegrator::addDiscs() {
     const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
-    for (const Light& light : frame_.scene->lights) {
+    for (const SceneLight& each : frame_.scene->lights) {
+        const Light& light = each.light;
         if (light.on == 0 || !isDisc(light)) continue;
         const Colour radiance = HWY_NAMESPACE::radianceOf<LightKind::Directional>(light);
         for (std::size_t i = 0; i < wave_.size(); ++i) {
@@ -152,7 +155,8 @@ void WhittedIntegrator::addDiscs() {
 
 /// Lights that are seen in mirrors, before what the rays hit that were mirrored or bent.
 void WhittedIntegrator::addMirrored() {
-    for (const Light& light : frame_.scene->lights) {
+    for (const SceneLight& each : frame_.scene->lights) {
+        const Light& light = each.light;
         if (light.on == 0 || !isMirrored(light)) continue;
         const Colour radiance = radianceOfMirrored(light);
         for (std::size_t i = 0; i < wave_.size(); ++i) {

@@ -9,7 +9,8 @@ namespace rtcore {
 
 namespace {
 
-std::size_t filesOf(const Scene& scene) { return scene.environments.size() - (scene.sky ? 1 : 0); }
+/// Any light may be called that: SceneLight::ofSky tells which one the sky sets.
+constexpr const char* kSunName = "sun";
 
 /// Copies of scenes share environments.
 template <typename Change>
@@ -35,11 +36,8 @@ void giveGround(Scene& scene, const Sky& sky) {
 }
 
 void addSun(Scene& scene, const Light& sun) {
-    scene.lightNames.resize(scene.lights.size());
-    scene.lights.push_back(sun);
-    scene.lightNames.emplace_back(kSunName);
+    scene.lights.emplace_back(sun, kSunName).ofSky = true;
     numberLights(scene);
-    scene.lightNotes.back().ofSky = true;
 }
 
 void addSky(Scene& scene, const Sky& sky) {
@@ -62,9 +60,10 @@ void setSky(Scene& scene, const std::optional<Sky>& sky) {
     if (const auto sun = sunOf(scene); sun && !made.sun) {
         eraseLight(scene, *sun);
     } else if (sun) {
-        made.sun->on = scene.lights[*sun].on;
-        scene.lights[*sun] = *made.sun;
-        scene.lightNotes[*sun] = {.id = scene.lightNotes[*sun].id, .ofSky = true};
+        SceneLight& last = scene.lights[*sun];
+        made.sun->on = last.light.on;
+        last.light = *made.sun;
+        last.notes = {.id = last.notes.id};
     } else if (made.sun && scene.sky->studio) {
         addSun(scene, *made.sun);
     }
@@ -72,28 +71,29 @@ void setSky(Scene& scene, const std::optional<Sky>& sky) {
 }
 
 std::optional<std::size_t> skyEnvironmentOf(const Scene& scene) {
-    return scene.sky ? std::optional(scene.environments.size() - 1) : std::nullopt;
+    return scene.sky ? std::optional(scene.fileEnvironments()) : std::nullopt;
 }
 
 std::optional<std::size_t> sunOf(const Scene& scene) {
     if (!scene.sky) return std::nullopt;
-    const auto sun = std::ranges::find(scene.lightNotes, true, &LightNotes::ofSky);
-    if (sun == scene.lightNotes.end()) return std::nullopt;
-    return static_cast<std::size_t>(sun - scene.lightNotes.begin());
+    const auto sun = std::ranges::find(scene.lights, true, &SceneLight::ofSky);
+    if (sun == scene.lights.end()) return std::nullopt;
+    return static_cast<std::size_t>(sun - scene.lights.begin());
 }
 
 bool isSunEdited(const Scene& scene) {
     const auto sun = sunOf(scene);
     if (!sun) return false;
     Light made = sunOfSky(*scene.sky, scene.up);
-    made.on = scene.lights[*sun].on;
-    return scene.lights[*sun] != made || scene.lightNotes[*sun].temperature > 0;
+    const SceneLight& now = scene.lights[*sun];
+    made.on = now.light.on;
+    return now.light != made || now.notes.temperature > 0;
 }
 
 void replaceSun(Scene& scene, std::size_t light) {
     const auto own = sunOf(scene);
     numberLights(scene);
-    scene.lightNotes[light].ofSky = true;
+    scene.lights[light].ofSky = true;
     if (own && *own != light) eraseLight(scene, *own);
     moveSunBehind(scene);
 }
@@ -117,17 +117,13 @@ Scene withSkyMap(const Scene& scene, const Scene* like) {
 void moveSunBehind(Scene& scene) {
     const auto sun = sunOf(scene);
     if (!sun) return;
-    const auto turn = [from = static_cast<std::ptrdiff_t>(*sun)](auto& all) {
-        std::rotate(all.begin() + from, all.begin() + from + 1, all.end());
-    };
     numberLights(scene);
-    turn(scene.lights);
-    turn(scene.lightNames);
-    turn(scene.lightNotes);
+    const auto from = scene.lights.begin() + static_cast<std::ptrdiff_t>(*sun);
+    std::rotate(from, from + 1, scene.lights.end());
 }
 
 std::size_t addEnvironment(Scene& scene, const EnvironmentFile& file, Environment environment) {
-    const std::size_t i = filesOf(scene);
+    const std::size_t i = scene.fileEnvironments();
     environment.intensity = file.intensity;
     environment.turn(file.rotation, scene.up);
     scene.environmentFiles.resize(i);
@@ -149,7 +145,7 @@ void setEnvironmentRotation(Scene& scene, std::size_t environment, float degrees
 }
 
 void straightenSky(Scene& scene) {
-    for (std::size_t i = 0; i < filesOf(scene); ++i) {
+    for (std::size_t i = 0; i < scene.fileEnvironments(); ++i) {
         if (const float rotation = scene.environments[i]->rotation(); rotation != 0)
             changeEnvironment(scene, i, [&](Environment& e) { e.turn(rotation, scene.up); });
     }

@@ -9,8 +9,6 @@
 
 namespace rtcore {
 
-inline constexpr const char* kSunName = "sun";
-
 /// Gives the scene that sky in place of its last one, or none: its environment, which stands behind those of
 /// files and becomes the active one when there was no sky, and its light, named "sun", which stands behind
 /// the others and is switched as the last one was; its ground, when it has one. A studio has no sun. Edits of

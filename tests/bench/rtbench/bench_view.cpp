@@ -84,9 +84,9 @@ BenchView makeView(const rtcore::LoadedScene& loaded) {
     view.up = camera.up;
     view.fov = std::clamp(camera.horizontalFov, 1.0F, 120.0F);
     view.light = rtcore::defaultLight(camera, loaded.tree.bounds).position;
-    const auto placed = std::find_if(scene.lights.begin(), scene.lights.end(),
-                                     [](const rtcore::Light& light) { return traitsOf(light).position; });
-    if (loaded.sceneFile && placed != scene.lights.end()) view.light = placed->position;
+    const auto hasPosition = [](const rtcore::Light& light) { return traitsOf(light).position; };
+    const auto placed = std::ranges::find_if(scene.lights, hasPosition, &rtcore::SceneLight::light);
+    if (loaded.sceneFile && placed != scene.lights.end()) view.light = placed->light.position;
     return view;
 }
 

@@ -31,7 +31,6 @@ rtcore::Scene litScene(const rtcore::Scene& scene, const BenchView& view, float 
     rtcore::Light light = rtcore::defaultLight(view.camera(1), scene.mesh().bounds());
     light.position = view.light;
     lit.lights = {light};
-    lit.lightNames = {""};
     return lit;
 }
 

@@ -25,10 +25,9 @@ rtcore::Scene house() {
     b.parts = {{floor, 0, 1}, {box, 1, 1}, {ball, 2, 1}, {box, 3, 1}, {none, 4, 1}};
     rtcore::Scene scene;
     scene.model = makeModel(std::move(b));
-    scene.lights.resize(3);
-    scene.lights[1].on = 0;
-    scene.lightNames = {"sun", "", "desk"};
-    scene.lightNotes = {{.id = 1}, {.id = 7}, {.id = 3}};
+    scene.lights = {{{}, "sun"}, {{}, ""}, {{}, "desk"}};
+    for (std::size_t i = 0; const int id : {1, 7, 3}) scene.lights[i++].notes.id = id;
+    scene.lights[1].light.on = 0;
     return scene;
 }
 
@@ -51,7 +50,8 @@ Flags onBy(const std::string& list) {
     rtcore::Scene scene = house();
     app::selectLights(selectionOf({"--lights=" + list}), scene);
     Flags on;
-    for (const rtcore::Light& light : scene.lights) on.push_back(static_cast<std::uint8_t>(light.on));
+    for (const rtcore::SceneLight& each : scene.lights)
+        on.push_back(static_cast<std::uint8_t>(each.light.on));
     return on;
 }
 

@@ -42,32 +42,31 @@ TEST(SettingsMerge, ACameraSwitchesLights) {
     rtcore::CameraFile camera;
     camera.lights = std::vector<bool>{false, true};
     EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
-    EXPECT_EQ(scene.lights[0].on, 0U);
-    EXPECT_EQ(scene.lights[1].on, 1U);
-    EXPECT_EQ(scene.lights[2].on, 1U);
+    EXPECT_EQ(scene.lights[0].light.on, 0U);
+    EXPECT_EQ(scene.lights[1].light.on, 1U);
+    EXPECT_EQ(scene.lights[2].light.on, 1U);
     camera.lights->resize(4);
     EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene),
               "x.cam switches 4 lights, but the scene has 3; these stay as they are");
-    EXPECT_EQ(scene.lights[0].on, 0U);
-    EXPECT_EQ(scene.lights[1].on, 1U);
+    EXPECT_EQ(scene.lights[0].light.on, 0U);
+    EXPECT_EQ(scene.lights[1].light.on, 1U);
 }
 
 TEST(SettingsMerge, ACameraSwitchesLightsByTheirIds) {
     rtcore::Scene scene;
-    scene.lights.resize(3);
-    for (const int id : {7, 2, 5}) scene.lightNotes.push_back({.id = id});
+    for (const int id : {7, 2, 5}) scene.lights.emplace_back().notes.id = id;
     rtcore::CameraFile camera;
     camera.lightsOff = {7, 2};
     EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
-    EXPECT_EQ(scene.lights[0].on, 0U);
-    EXPECT_EQ(scene.lights[1].on, 0U);
-    EXPECT_EQ(scene.lights[2].on, 1U);
+    EXPECT_EQ(scene.lights[0].light.on, 0U);
+    EXPECT_EQ(scene.lights[1].light.on, 0U);
+    EXPECT_EQ(scene.lights[2].light.on, 1U);
     camera.lightsOn = {9, 2};
     camera.lightsOff = {1, 5};
     EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene),
               "x.cam names lights that the scene lacks (9, 1); these stay as they are");
-    EXPECT_EQ(scene.lights[1].on, 1U);
-    EXPECT_EQ(scene.lights[2].on, 0U);
+    EXPECT_EQ(scene.lights[1].light.on, 1U);
+    EXPECT_EQ(scene.lights[2].light.on, 0U);
 }
 
 TEST(SettingsMerge, ACameraPicksAnEnvironmentThatExists) {

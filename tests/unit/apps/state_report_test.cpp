@@ -32,6 +32,8 @@ TEST(StateReport, SurvivesTheRoundTrip) {
     app::StateReport other = state;
     other.up = {0, 0, -1};
     other.metresPerUnit = 0.0254F;
+    other.sun = 7;
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(other, 60000)), other);
     other.lights.clear();
     other.environments.clear();
     other.camera.kind = rtcore::CameraKind::Orthographic;

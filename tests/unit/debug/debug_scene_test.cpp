@@ -53,7 +53,7 @@ class DebugDrawing : public testing::Test {
         b.sphere({1, 1, 0}, 1, 12, material);
         b.scene.lights.push_back(test::pointLight({2, 6, 3}, 10));
         b.scene.lights.push_back(test::pointLight({-3, 4, 1}, 10));
-        b.scene.lights.back().on = 0;
+        b.scene.lights.back().light.on = 0;
         return b.finish();
     }
     DebugDrawing() {

@@ -41,7 +41,7 @@ TEST(Look, OfAnObjectIsASkyOrAStudioWithThreeLights) {
     EXPECT_TRUE(studio.sky->studio && studio.sky->ground);
     EXPECT_FALSE(sky.sky->studio);
     ASSERT_EQ(studio.lights.size(), 3U);
-    for (const rtcore::Light& light : studio.lights) {
+    for (const rtcore::Light& light : rtcore::lightsOf(studio.lights)) {
         EXPECT_GT(dot(light.direction, -light.position), 0) << "shines at the object";
         EXPECT_TRUE(isMirrored(light));
     }
@@ -70,7 +70,7 @@ TEST(FillLight, IsForWhatOwnLightsLeaveInTheDark) {
     EXPECT_FALSE(rtcore::fillLight(s.scene, s.tree, camera)) << "it has light from around";
     s.scene.ambient = {};
     s.scene.lights.push_back(above);
-    s.scene.lights.back().direction = camera.forward;
+    s.scene.lights.back().light.direction = camera.forward;
     EXPECT_FALSE(rtcore::fillLight(s.scene, s.tree, camera)) << "all that is seen is lit";
 }
 
@@ -93,7 +93,7 @@ TEST(Look, LetsRoomsBeAsBrightOnWideGroundAsWithout) {
 TEST(Look, OfARoomHasLightsUnderItsCeiling) {
     const test::TracedScene s(test::room().finish());
     EXPECT_EQ(lightsFor(Look::Sky, s).lights, lightsFor(Look::Studio, s).lights);
-    EXPECT_EQ(lightsFor(Look::Sky, s).names.front(), "ceiling 1");
+    EXPECT_EQ(lightsFor(Look::Sky, s).lights.front().name, "ceiling 1");
     EXPECT_FALSE(lightsFor(Look::Studio, s).sky) << "its walls are those of the room";
 }
 
@@ -101,23 +101,23 @@ TEST(Look, TakesThePlaceOfAllOtherLight) {
     test::TracedScene s(test::block().finish());
     rtcore::Scene& scene = s.scene;
     scene.lights = {test::pointLight({1, 2, 3}, 4)};
-    scene.lightNames = {"mine"};
+    scene.lights[0].name = "mine";
     rtcore::lightBy(scene, lightsFor(Look::Sky, s));
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(rtcore::sunOf(scene), 0U);
     EXPECT_NE(scene.environment(), nullptr);
     EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(Look::Sky, s)));
     EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(Look::Headlight, s)));
-    scene.lights[0].on = 0;
+    scene.lights[0].light.on = 0;
     EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(Look::Sky, s))) << "switched off is not edited";
 
     rtcore::lightBy(scene, lightsFor(Look::Headlight, s));
     EXPECT_FALSE(scene.sky);
     EXPECT_EQ(scene.environment(), nullptr);
     ASSERT_EQ(scene.lights.size(), 1U);
-    EXPECT_EQ(scene.lightNames[0], rtcore::kHeadlightName);
-    EXPECT_EQ(scene.lightNotes[0].id, 1);
-    scene.lights[0].intensity = {1, 2, 3};
+    EXPECT_EQ(scene.lights[0].name, rtcore::kHeadlightName);
+    EXPECT_EQ(scene.lights[0].notes.id, 1);
+    scene.lights[0].light.intensity = {1, 2, 3};
     EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(Look::Headlight, s)));
 }
 

@@ -152,7 +152,7 @@ TEST(DiscPaths, ManyLightsShareAlike) {
     test::SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 50, b.material(rough(0.2F)));
     b.scene.lights.assign(40, discFrom({0.5F, 1, 0}, 20));
-    for (Light& light : b.scene.lights) light.intensity = kWhite * 0.025F;
+    for (rtcore::SceneLight& each : b.scene.lights) each.light.intensity = kWhite * 0.025F;
     const double expected = reflected(rough(0.2F), 20);
     test::expectLight(test::PathScene(b.finish()), {-1, 2, 0}, normalize({1, -2, 0}), 40'000,
                       test::bouncesAlone(0), expected, "forty", 0.006 * expected);

@@ -106,7 +106,7 @@ TEST(PathEmission, LightsNothingWhereALightStandsForIt) {
     Scene flame = b.finish();
     const test::PathScene alone(flame, test::exactSettings(), EmitterLight::Automatic);
     flame.lights = {test::pointLight({0, 1, 0}, 1)};
-    flame.lights[0].radius = 0.2F;
+    flame.lights[0].light.radius = 0.2F;
     const test::PathScene both(flame, test::exactSettings(), EmitterLight::Automatic);
     const test::PathScene counted(flame, test::exactSettings(), EmitterLight::On);
     const auto floor = [](const test::PathScene& scene) {

@@ -298,7 +298,8 @@ std::vector<SampleId> allPixels(const RenderSettings& settings) {
 
 TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
     Scene scene = plainScene();
-    for (Light& light : scene.lights) light.kind = isAreaLight(light) ? LightKind::Point : light.kind;
+    for (auto& [light, name, notes, ofSky] : scene.lights)
+        light.kind = isAreaLight(light) ? LightKind::Point : light.kind;
     const test::TracedScene traced(scene);
     const RenderSettings settings = test::sampleSettings(101, 67);
     const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};

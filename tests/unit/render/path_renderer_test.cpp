@@ -67,7 +67,7 @@ TEST(PathRenderer, StopsWhenItIsTold) {
 
 TEST(PathRenderer, CountsWhatIsNotFiniteAndAddsNothingOfIt) {
     Scene scene = test::sampleScene();
-    scene.lights[0].intensity = {std::numeric_limits<float>::max(), 1e30F, 1e38F};
+    scene.lights[0].light.intensity = {std::numeric_limits<float>::max(), 1e30F, 1e38F};
     scene.materials[0].emission = {std::numeric_limits<float>::max(), 0, 0};
     const ImageSums sums = sumsOf(test::TracedScene(std::move(scene)), {{0, 4}});
     EXPECT_EQ(test::samplesOf(sums) + sums.dropped(), 70U * 41 * 4);

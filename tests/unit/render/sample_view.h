@@ -49,10 +49,10 @@ inline rtcore::Scene sampleScene() {
 /// The same under area lights.
 inline rtcore::Scene softlyLitScene() {
     rtcore::Scene scene = sampleScene();
-    rtcore::Light& sphere = scene.lights[2];
+    rtcore::Light& sphere = scene.lights[2].light;
     sphere.kind = rtcore::LightKind::Sphere;
     sphere.radius = 0.5F;
-    rtcore::Light& panel = scene.lights[1];
+    rtcore::Light& panel = scene.lights[1].light;
     panel.kind = rtcore::LightKind::Rectangle;
     panel.right = rtcore::basisAround(panel.direction).tangent;
     panel.width = 1;

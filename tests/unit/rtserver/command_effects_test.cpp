@@ -73,22 +73,20 @@ TEST_F(Commands, TurnTheViewOfAModelThatBringsNone) {
     room.ownCamera = false;
     room.look = rtcore::Look::Headlight;
     room.sceneFile.reset();
-    room.scene.lights.resize(1);
-    room.scene.lightNames.resize(1);
     room.camera = rtcore::defaultCamera(
         room.tree, room.scene.mesh(), rtcore::survey(room.tree, room.scene.mesh(), rtcore::Axes({0, 1, 0})));
-    room.scene.lights[0] = rtcore::defaultLight(room.camera, room.tree.bounds);
+    room.scene.lights = {rtcore::defaultLight(room.camera, room.tree.bounds)};
     state.show(test::worldOf(std::move(room)));
     const rtcore::Camera before = state.camera();
-    const rtcore::Light light = state.scene()->lights[0];
+    const rtcore::Light light = state.scene()->lights[0].light;
     answer("up +z");
     EXPECT_EQ(state.camera().up, (rtcore::Vec3{0, 0, 1}));
     EXPECT_NE(state.camera().eye, before.eye);
-    EXPECT_NE(state.scene()->lights[0], light);
+    EXPECT_NE(state.scene()->lights[0].light, light);
     EXPECT_TRUE(changes().has(Change::Light));
     answer("up +y");
     EXPECT_EQ(state.camera(), before);
-    EXPECT_EQ(state.scene()->lights[0], light);
+    EXPECT_EQ(state.scene()->lights[0].light, light);
 }
 
 TEST_F(Commands, EndTheOffersThatTheyDecide) {

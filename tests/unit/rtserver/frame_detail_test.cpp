@@ -86,7 +86,7 @@ TEST(FrameDetail, LookingShadowsUpCostsLess) {
     rtcore::Scene scene;
     scene.lights.resize(9);
     EXPECT_LT(workOf(dear(), scene, true), workOf(dear(), scene));
-    for (rtcore::Light& light : scene.lights) light.kind = rtcore::LightKind::Sphere;
+    for (rtcore::SceneLight& each : scene.lights) each.light.kind = rtcore::LightKind::Sphere;
     rtcore::RenderSettings settings;
     const double soft = workOf(settings, scene);
     scene.lights.assign(9, {});

@@ -31,7 +31,7 @@ class LightCommands : public test::CommandRoom {
     LightDescription light(int id) const { return describeLight(*state.scene(), state.lightOf(id)); }
     std::vector<int> ids() const {
         std::vector<int> all;
-        for (const rtcore::LightNotes& notes : state.scene()->lightNotes) all.push_back(notes.id);
+        for (const rtcore::SceneLight& each : state.scene()->lights) all.push_back(each.notes.id);
         return all;
     }
     void expectNear(Vec3 is, Vec3 expected, float error = 1e-4F) {
@@ -169,16 +169,16 @@ TEST_F(LightCommands, ColourAndTemperatureKeepThePower) {
     EXPECT_NEAR(light(1).light.intensity.r / light(1).light.intensity.b, 4, 1e-4);
     answer("light temperature 1 2700");
     EXPECT_NEAR(powerOf(light(1)), 50, 1e-3);
-    const Colour lit = state.scene()->lights[0].intensity, body = rtcore::blackbodyColour(2700);
+    const Colour lit = state.scene()->lights[0].light.intensity, body = rtcore::blackbodyColour(2700);
     EXPECT_NEAR(lit.r / lit.g, body.r / body.g, 1e-4);
     EXPECT_EQ(light(1).temperature, 2700);
     answer("light power 1 25");
     EXPECT_EQ(light(1).temperature, 2700);
     EXPECT_NEAR(powerOf(light(1)), 25, 1e-3);
-    const Colour before = state.scene()->lights[0].intensity;
+    const Colour before = state.scene()->lights[0].light.intensity;
     answer("light temperature 1 none");
     EXPECT_EQ(light(1).temperature, 0);
-    EXPECT_EQ(state.scene()->lights[0].intensity, before);
+    EXPECT_EQ(state.scene()->lights[0].light.intensity, before);
     answer("light temperature 1 5000");
     answer("light colour 1 1 1 1");
     EXPECT_EQ(light(1).temperature, 0);
@@ -303,7 +303,6 @@ TEST_F(LightCommands, AreTakenBackToTheSameBits) {
     drawFrame();
     const auto image = host.maker.image().pixels;
     const auto lights = state.scene()->lights;
-    const auto notes = state.scene()->lightNotes;
     for (const char* edit :
          {"light add sphere at 0 2 0", "light copy 3 at 1 2 0", "light remove 1", "light temperature 2 3000",
           "light colour 3 1 0 0", "light kind 2 spot", "light aim 2 seen 0.5 0.9", "light angles 2 10 30",
@@ -314,7 +313,6 @@ TEST_F(LightCommands, AreTakenBackToTheSameBits) {
     EXPECT_NE(host.maker.image().pixels, image);
     while (state.history().last() != nullptr) answer("undo");
     EXPECT_EQ(state.scene()->lights, lights);
-    EXPECT_EQ(state.scene()->lightNotes, notes);
     drawFrame();
     EXPECT_EQ(host.maker.image().pixels, image);
 }
@@ -328,8 +326,6 @@ TEST_F(LightCommands, AFileGivesThemBack) {
     rtcore::Scene scene;
     for (const LightDescription& each : file.lights) putLight(scene, scene.lights.size(), each);
     EXPECT_EQ(scene.lights, state.scene()->lights);
-    EXPECT_EQ(scene.lightNames, state.scene()->lightNames);
-    EXPECT_EQ(scene.lightNotes, state.scene()->lightNotes);
 }
 
 TEST_F(LightCommands, PrintALight) {

@@ -45,7 +45,6 @@ rtcore::LoadedScene furnished() {
     part("room/box", [&] { b.box({-0.5F, 0, -3}, {0.5F, 2, -2}, steel); });
     part("ball", [&] { b.sphere({2, 1, -3}, 1, 6, none); });
     b.scene.lights = room.scene.lights;
-    b.scene.lightNames = room.scene.lightNames;
     room.scene = b.finish();
     room.tree = rtcore::buildKdTree(room.scene.mesh(), {});
     room.sceneFile.reset();

@@ -45,7 +45,7 @@ class SavedEdits : public test::CommandRoom {
     }
     int sun() const {
         const auto light = rtcore::sunOf(*state.scene());
-        return light ? state.scene()->lightNotes[*light].id : 0;
+        return light ? state.scene()->lights[*light].notes.id : 0;
     }
     static std::vector<rtcore::Colour> imageOf(const ServerState& shown) {
         rtcore::RenderControl control;
@@ -68,12 +68,10 @@ class SavedEdits : public test::CommandRoom {
         const std::optional<rtcore::Sky>& sky = state.scene()->sky;
         if (sky && !sky->studio && !rtcore::sunOf(*state.scene())) {
             EXPECT_EQ(other.scene()->lights.size(), state.scene()->lights.size() + 1);
-            EXPECT_EQ(other.scene()->lights.back().on, 0U);
+            EXPECT_EQ(other.scene()->lights.back().light.on, 0U);
             return;
         }
         EXPECT_EQ(other.scene()->lights, state.scene()->lights);
-        EXPECT_EQ(other.scene()->lightNames, state.scene()->lightNames);
-        EXPECT_EQ(other.scene()->lightNotes, state.scene()->lightNotes);
     }
     /// As a file has it: with a date the direction says nothing.
     static std::optional<rtcore::Sky> skyOf(const ServerState& shown) {
@@ -87,7 +85,7 @@ class SavedEdits : public test::CommandRoom {
 TEST_F(SavedEdits, EachCommandOnTheSun) {
     const std::string number = std::to_string(sun());
     const auto before = imageOf(state);
-    EXPECT_EQ(state.scene()->lights[state.lightOf(sun())].discSine, rtcore::sineOfHalf(0.53));
+    EXPECT_EQ(state.scene()->lights[state.lightOf(sun())].light.discSine, rtcore::sineOfHalf(0.53));
     expectSaved("nothing");
     for (const char* edit : {"N off", "N on", "power N 1", "colour N 1 0.5 0.2", "temperature N 3000",
                              "temperature N none", "aim N along 1 -1 -0.5", "size N 4", "N off", "N on",
@@ -113,13 +111,33 @@ TEST_F(SavedEdits, AnEditOfTheSunIsToBeSavedAndTakenBack) {
     answer("undo");
     EXPECT_FALSE(modified());
     EXPECT_EQ(state.scene()->lights, before->lights);
-    EXPECT_EQ(state.scene()->lightNotes, before->lightNotes);
     answer("redo");
     EXPECT_EQ(state.scene()->lights, edited);
     expectSaved("redo");
     answer("sky hour 9"); // gives its own light back
     EXPECT_FALSE(rtcore::isSunEdited(*state.scene()));
     expectSaved("sky hour");
+}
+
+TEST_F(SavedEdits, TheSkyChangesNoOtherLightThatIsCalledSun) {
+    answer("light remove " + std::to_string(sun()));
+    const std::string number = answer("light add directional at 0 2 0");
+    answer("light name " + number + " sun");
+    const auto lights = state.scene()->lights;
+    for (const char* edit : {"sky hour 9", "sky direction -1 1 0", "sky turbidity 4"}) {
+        answer(edit);
+        EXPECT_EQ(state.scene()->lights, lights) << edit;
+        EXPECT_EQ(stateReportOf(state).sun, 0);
+        expectSaved(edit);
+    }
+    answer("sky off");
+    EXPECT_EQ(state.scene()->lights, lights);
+    expectSaved("sky off");
+    answer("sky on");
+    EXPECT_EQ(state.scene()->lights.size(), lights.size() + 1);
+    EXPECT_EQ(stateReportOf(state).sun, sun());
+    EXPECT_NE(std::to_string(sun()), number);
+    expectSaved("sky on");
 }
 
 TEST_F(SavedEdits, TheSunOfAFileGoesWithTheSkyOfTheFile) {
@@ -197,7 +215,7 @@ class RandomCommands {
         if (scene.lights.empty()) return "1";
         const bool wanted = sun && below(2) == 0;
         const std::size_t i = wanted ? *sun : below(static_cast<unsigned>(scene.lights.size()));
-        return std::to_string(scene.lightNotes[i].id);
+        return std::to_string(scene.lights[i].notes.id);
     }
     std::mt19937 random_;
 };

@@ -63,7 +63,7 @@ class SavingRounds : public test::CommandRoom {
     }
     /// All but the sun of a sky, which comes anew, and off where it was removed.
     static std::vector<rtcore::Light> lightsButTheSun(const rtcore::Scene& scene) {
-        std::vector<rtcore::Light> lights(scene.lights.begin(), scene.lights.end());
+        std::vector<rtcore::Light> lights = rtcore::lightsOf(scene.lights);
         if (const auto sun = rtcore::sunOf(scene))
             lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*sun));
         return lights;

@@ -47,7 +47,7 @@ TEST_F(Saving, TheSceneHasWhatEditsMadeOfIt) {
     ASSERT_EQ(file.lights.size(), 2U);
     EXPECT_EQ(file.lights[0].name, "left");
     EXPECT_EQ(file.lights[0].light.on, 0U);
-    EXPECT_EQ(file.lights[1].light, state.scene()->lights[1]);
+    EXPECT_EQ(file.lights[1].light, state.scene()->lights[1].light);
     EXPECT_FALSE(file.modelLights);
     EXPECT_FALSE(file.defaultLight) << "without lights it stays without";
     EXPECT_EQ(file.activeEnvironment, 1);

@@ -198,7 +198,7 @@ TEST_F(SceneUpkeepTest, ShadowMapsDieWithTheirScene) {
 }
 
 TEST(ShadowMapping, HoldsForLightsThatStandAlike) {
-    using Lights = std::vector<rtcore::Light>;
+    using Lights = std::vector<rtcore::SceneLight>;
     const rtcore::Light light = test::pointLight({1, 2, 3}, 4);
     rtcore::Light off = light, red = light, moved = light, wide = light;
     off.on = 0;

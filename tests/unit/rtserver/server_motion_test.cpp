@@ -61,7 +61,7 @@ ipc::KeyState restrainedKeys(std::initializer_list<int> down, std::size_t restra
 // Whatever they are bound to by now.
 TEST_F(ServerMotion, RestrainedKeysMoveAndEditNothing) {
     const int radius = state.settings().bloom.radius;
-    const bool light = state.scene()->lights[0].on != 0;
+    const bool light = state.scene()->lights[0].light.on != 0;
     state.setBindings(rtcore::KeyBindings(
         std::vector<rtcore::KeyBinding>{{'K', rtcore::Action::ToggleBloom},
                                         {'L', rtcore::Action::ToggleLight, rtcore::KeyNone, 1},
@@ -69,13 +69,13 @@ TEST_F(ServerMotion, RestrainedKeysMoveAndEditNothing) {
     state.move(1ms, restrainedKeys({'K', 'L', 'W'}, 2));
     state.move(50ms, {});
     EXPECT_EQ(state.settings().bloom.radius, radius);
-    EXPECT_EQ(state.scene()->lights[0].on != 0, light);
+    EXPECT_EQ(state.scene()->lights[0].light.on != 0, light);
     EXPECT_EQ(state.history().last(), nullptr);
     EXPECT_TRUE(changes().has(Change::View)) << "but it moves";
     state.move(1ms, restrainedKeys({'K', 'L'}, 1));
     state.move(1ms, {});
     EXPECT_EQ(state.settings().bloom.radius, radius);
-    EXPECT_NE(state.scene()->lights[0].on != 0, light) << "bloom alone is withheld";
+    EXPECT_NE(state.scene()->lights[0].light.on != 0, light) << "bloom alone is withheld";
     ipc::KeyState both = restrainedKeys({'K'}, 2); // and another client's
     both.presses['K'] += 1;
     state.move(1ms, both);

@@ -77,8 +77,8 @@ TEST_F(ServerStateTest, AnEditPublishesAnotherSceneAndLeavesTheLastAsItWas) {
     state.switchLight(1, false);
     EXPECT_NE(state.scene(), last);
     EXPECT_FALSE(lightIsOn(0));
-    EXPECT_EQ(last->lights.at(0).on, 1U);
-    EXPECT_EQ(state.world().loaded.scene.lights.at(0).on, 1U) << "as the files say";
+    EXPECT_EQ(last->lights.at(0).light.on, 1U);
+    EXPECT_EQ(state.world().loaded.scene.lights.at(0).light.on, 1U) << "as the files say";
     EXPECT_EQ(state.scene()->mesh().triangles.data(), last->mesh().triangles.data()) << "shared";
     EXPECT_EQ(state.scene()->environments, last->environments) << "shared";
 }

@@ -28,8 +28,7 @@ inline rtcore::LoadedScene makeRoom(float albedo = 0.5F) {
     b.square({0, 0, 0}, {0, 1, 0}, 10, grey);
     b.box({-0.5F, 0, -3}, {0.5F, 1, -2}, grey);
     b.buffers.parts = {{b.buffers.addName("box"), 2, 12}};
-    b.scene.lights = {pointLight({0, 4, 0}, 20), pointLight({3, 4, 0}, 20)};
-    b.scene.lightNames = {"left", ""};
+    b.scene.lights = {{pointLight({0, 4, 0}, 20), "left"}, pointLight({3, 4, 0}, 20)};
     for (const char* name : {"noon", "dusk"}) {
         b.scene.environments.push_back(std::make_shared<const rtcore::Environment>(
             rtcore::Environment::fromEquirectangular(rtcore::HdrImage(4, 2, {1, 1, 1}), name)));
@@ -79,7 +78,7 @@ class ShownRoom : public testing::Test {
         if (full) throw rtcore::FileError(rtcore::FailureKind::TryAgain, "", "no room for that");
         reserved.emplace_back(settings.width, settings.height);
     }
-    bool lightIsOn(std::size_t light) const { return state.scene()->lights.at(light).on != 0; }
+    bool lightIsOn(std::size_t light) const { return state.scene()->lights.at(light).light.on != 0; }
     int environment() const { return state.scene()->activeEnvironment; }
 
     rtserver::Options options;

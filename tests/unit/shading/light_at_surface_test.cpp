@@ -80,7 +80,7 @@ TEST(LightAtSurface, LightsAddAndCanBeOff) {
     SceneBuilder b = litFloor(test::matte(0.5F));
     b.scene.lights.push_back(test::pointLight(atAngle(-60) * 4, 100));
     b.scene.lights.push_back(test::pointLight(atAngle(0) * 1, 100));
-    b.scene.lights.back().on = 0;
+    b.scene.lights.back().light.on = 0;
     const TracedScene s(b.finish());
     EXPECT_NEAR(s.see({0, 3, 0}, {}), 1.989437 * 1.25, 2e-5);
 }
@@ -91,7 +91,7 @@ TEST(LightAtSurface, FallsOffWithTheSquareOfTheDistance) {
     b.scene.lights.push_back(test::pointLight({0, 1, 0}, 1));
     TracedScene s(b.finish());
     for (const float d : {0.01F, 1.0F, 7.0F, 3000.0F}) {
-        s.scene.lights[0].position = {0, d, 0};
+        s.scene.lights[0].light.position = {0, d, 0};
         EXPECT_NEAR(s.see({1, 1, 0}, {}) * d * d, 1 / test::kPi, 1e-5) << d;
     }
 }
@@ -99,7 +99,7 @@ TEST(LightAtSurface, FallsOffWithTheSquareOfTheDistance) {
 TEST(LightAtSurface, TheSideThatIsSeenIsLit) {
     TracedScene s(litFloor(test::matte(0.5F)).finish());
     EXPECT_EQ(s.see({0, -3, 0}, {}), 0);
-    s.scene.lights[0].position = atAngle(120) * 2; // the same from below
+    s.scene.lights[0].light.position = atAngle(120) * 2; // the same from below
     EXPECT_NEAR(s.see({0, -3, 0}, {}), 1.989437, 2e-5);
     EXPECT_EQ(s.see({0, 3, 0}, {}), 0);
 }
@@ -126,9 +126,9 @@ TEST(LightAtSurface, SmoothNormalsFadeBeforeTheRealSurfaceTurnsAway) {
     TracedScene s(b.finish());
     s.scene.lights.push_back(test::pointLight(atAngle(89.9) * 10, 100));
     EXPECT_NEAR(s.see({0, 3, 0}, {}), 0, 0.01);
-    s.scene.lights[0].position = atAngle(45) * 10;
+    s.scene.lights[0].light.position = atAngle(45) * 10;
     EXPECT_NEAR(s.see({0, 3, 0}, {}), 1 / test::kPi, 1e-5);
-    s.scene.lights[0].position = atAngle(90.1) * 10;
+    s.scene.lights[0].light.position = atAngle(90.1) * 10;
     EXPECT_EQ(s.see({0, 3, 0}, {}), 0);
 }
 

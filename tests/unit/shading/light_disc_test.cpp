@@ -75,7 +75,7 @@ TEST(LightDisc, WithoutSamplesItIsThatSunToTheBit) {
     b.scene.lights = {sunFrom({1, 2, 0.5F}, 0.53)};
     Scene scene = b.finish();
     const float soft = TracedScene(scene).see({0, 1, 0.2F}, {}, sampled(0));
-    scene.lights[0].discSine = 0;
+    scene.lights[0].light.discSine = 0;
     EXPECT_EQ(TracedScene(scene).see({0, 1, 0.2F}, {}, sampled(0)), soft);
     EXPECT_EQ(TracedScene(scene).see({0, 1, 0.2F}, {}, sampled(8)), soft) << "and a sun without a size";
 }
@@ -129,10 +129,10 @@ TEST(LightDisc, CountsOnceWhereAHighlightStandsForIt) {
 
 TEST(LightDisc, BlackOrSwitchedOffIsNotSeen) {
     TracedScene scene = facing(test::mirror(1), 5);
-    scene.scene.lights[0].on = 0;
+    scene.scene.lights[0].light.on = 0;
     EXPECT_EQ(seen(scene), 0);
     TracedScene black = facing(test::mirror(1), 5);
-    black.scene.lights[0].intensity = {};
+    black.scene.lights[0].light.intensity = {};
     EXPECT_EQ(seen(black), 0);
 }
 

@@ -51,7 +51,7 @@ RenderSettings sampled(int samples = 64) {
 TracedScene facing(const Material& material, std::vector<Light> lights) {
     SceneBuilder b;
     b.square({0, 0, 0}, {0, 0, 1}, 5, b.material(material));
-    b.scene.lights = std::move(lights);
+    b.scene.lights.assign(lights.begin(), lights.end());
     return TracedScene(b.finish());
 }
 float seen(const TracedScene& scene, Vec3 direction = {0, 0, -1}, int samples = 64) {
@@ -122,7 +122,7 @@ TEST(MirroredLight, LightsMatteSurfacesAsBefore) {
             b.scene.lights = {light};
             Scene scene = b.finish();
             const float expected = TracedScene(scene).see({0.01F, 1, 0.02F}, {}, sampled(20'000));
-            scene.lights[0].mirrored = 1;
+            scene.lights[0].light.mirrored = 1;
             const TracedScene mirrored(scene);
             EXPECT_NEAR(mirrored.see({0.01F, 1, 0.02F}, {}, sampled(20'000)), expected, 2e-3F * kRadiance)
                 << tilt << ", " << height;

@@ -260,9 +260,9 @@ TEST(AmbientLight, ComesFromWhatTheSceneHas) {
     Light light = test::pointLight({10, 0, 0}, 100);
     scene.lights = {light};
     EXPECT_NEAR(red(), 0.25 / test::kPi, 1e-6);
-    scene.lights[0].position = {0, 0, 0}; // counts as a quarter of the diagonal away
+    scene.lights[0].light.position = {0, 0, 0}; // counts as a quarter of the diagonal away
     EXPECT_NEAR(red(), 0.25 / test::kPi * 100 / 0.75, 1e-4);
-    scene.lights[0].on = 0;
+    scene.lights[0].light.on = 0;
     EXPECT_EQ(red(), 1);
     light.kind = LightKind::Directional;
     light.intensity = {4, 4, 4};

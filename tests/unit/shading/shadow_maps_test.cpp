@@ -87,7 +87,7 @@ TEST(ShadowMaps, AreTintedByGlass) {
     RayWave wave;
     wave.push({{2, 0.01F, 0.1F}, 0, kUp, 100});
     RayStatistics statistics;
-    const Colour traced = rays.transmittance(wave, s.scene.lights[0], statistics)[0];
+    const Colour traced = rays.transmittance(wave, s.scene.lights[0].light, statistics)[0];
     const Colour found = maps->of(0).arriving({2, 0, 0.1F}, kUp);
     EXPECT_NEAR(found.r, traced.r, 0.003);
     EXPECT_NEAR(found.g, traced.g, 0.003);

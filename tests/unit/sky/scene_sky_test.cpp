@@ -24,10 +24,15 @@ Environment brightAhead() {
 
 Scene litScene() {
     Scene scene;
-    scene.lights.resize(1);
-    scene.lightNames = {"left"};
+    scene.lights = {{{}, "left"}};
     addEnvironment(scene, {.files = {"spot.hdr"}, .parts = {}, .name = "spot"}, brightAhead());
     return scene;
+}
+
+std::vector<std::string> namesOf(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const rtcore::SceneLight& each : scene.lights) names.push_back(each.name);
+    return names;
 }
 
 TEST(SceneSky, TurnsAnEnvironmentAndItsLightAlike) {
@@ -64,8 +69,7 @@ TEST(SceneSky, OfAStudioHasNoSun) {
     setSky(scene, Sky{});
     ASSERT_EQ(sunOf(scene), 1U) << "the sun rises with the sky";
     setSky(scene, Sky{.studio = true});
-    EXPECT_EQ(scene.lightNames, std::vector<std::string>{"left"});
-    EXPECT_EQ(scene.lightNotes.size(), 1U);
+    EXPECT_EQ(namesOf(scene), std::vector<std::string>{"left"});
     setSky(scene, Sky{});
     rtcore::eraseLight(scene, *sunOf(scene));
     setSky(scene, Sky{.turbidity = 5});
@@ -79,33 +83,54 @@ TEST(SceneSky, ComesAndGoesWithItsLight) {
     EXPECT_EQ(skyEnvironmentOf(scene), 1U);
     EXPECT_EQ(scene.activeEnvironment, 1);
     ASSERT_EQ(sunOf(scene), 1U);
-    EXPECT_EQ(scene.lightNames[1], "sun");
-    scene.lights[1].on = 0;
+    EXPECT_EQ(scene.lights[1].name, "sun");
+    scene.lights[1].light.on = 0;
     Sky evening;
     evening.date->second = 18 * 3600;
-    const Vec3 noon = scene.lights[1].direction;
+    const Vec3 noon = scene.lights[1].light.direction;
     setSky(scene, evening);
     EXPECT_EQ(scene.lights.size(), 2U);
-    EXPECT_NE(scene.lights[1].direction, noon);
-    EXPECT_EQ(scene.lights[1].on, 0U) << "stays switched off";
+    EXPECT_NE(scene.lights[1].light.direction, noon);
+    EXPECT_EQ(scene.lights[1].light.on, 0U) << "stays switched off";
     EXPECT_EQ(addEnvironment(scene, {.files = {"b.hdr"}, .parts = {}, .name = "b"}, brightAhead()), 1U);
     EXPECT_EQ(scene.activeEnvironment, 2) << "still the sky";
     setSky(scene, std::nullopt);
     EXPECT_EQ(scene.environments.size(), 2U);
-    EXPECT_EQ(scene.lightNames, std::vector<std::string>{"left"});
+    EXPECT_EQ(namesOf(scene), std::vector<std::string>{"left"});
     EXPECT_EQ(scene.activeEnvironment, 0);
     EXPECT_FALSE(sunOf(scene));
+}
+
+TEST(SceneSky, LeavesOtherLightsAloneThatAreCalledSun) {
+    Scene scene = litScene();
+    rtcore::Light own;
+    own.kind = rtcore::LightKind::Directional;
+    scene.lights.emplace_back(own, "sun");
+    setSky(scene, Sky{});
+    ASSERT_EQ(sunOf(scene), 2U);
+    rtcore::eraseLight(scene, 2);
+    Sky evening;
+    evening.date->second = 18 * 3600;
+    setSky(scene, evening);
+    EXPECT_FALSE(sunOf(scene));
+    EXPECT_FALSE(isSunEdited(scene));
+    EXPECT_EQ(scene.lights[1].light, own);
+    setSky(scene, std::nullopt);
+    EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"left", "sun"}));
+    setSky(scene, Sky{});
+    EXPECT_EQ(sunOf(scene), 2U) << "a new sky brings its own";
+    setSky(scene, std::nullopt);
+    EXPECT_EQ(scene.lights[1].light, own);
 }
 
 TEST(SceneSky, ASunThatWasTakenAwayStaysAway) {
     Scene scene = litScene();
     setSky(scene, Sky{});
     scene.lights.pop_back();
-    scene.lightNames.pop_back();
     setSky(scene, Sky{.turbidity = 5});
     EXPECT_EQ(scene.lights.size(), 1U);
     setSky(scene, std::nullopt);
-    EXPECT_EQ(scene.lightNames, std::vector<std::string>{"left"});
+    EXPECT_EQ(namesOf(scene), std::vector<std::string>{"left"});
 }
 
 } // namespace

@@ -107,8 +107,8 @@ void sketchLights(const Scene& scene, const Box3& bounds, ObjSketch& sketch) {
     for (const bool on : {true, false}) {
         sketch.object(on ? "lights_on" : "lights_off",
                       on ? Colour{1, 0.85F, 0.2F} : Colour{0.3F, 0.3F, 0.3F});
-        for (const Light& light : scene.lights) {
-            if ((light.on != 0) == on) sketchLight(light, bounds, sketch);
+        for (const SceneLight& each : scene.lights) {
+            if ((each.light.on != 0) == on) sketchLight(each.light, bounds, sketch);
         }
     }
 }

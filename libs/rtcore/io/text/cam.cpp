@@ -3,7 +3,7 @@
 #include "rtcore/io/text/camera_section.h"
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
-#include "rtcore/scene/light_notes.h"
+#include "rtcore/scene/scene_light.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>

@@ -66,24 +66,21 @@ Light tintedLight(const LightDescription& description) {
 }
 
 LightDescription describeLight(const Scene& scene, std::size_t i) {
-    const LightNotes& notes = scene.lightNotes[i];
-    LightDescription result{scene.lightNames[i], scene.lights[i], notes.id, notes.temperature};
+    const auto& [light, name, notes, ofSky] = scene.lights[i];
+    LightDescription result{name, light, notes.id, notes.temperature};
     if (notes.temperature > 0) result.light.intensity = notes.untinted;
     result.light.nameOffset = 0;
     return result;
 }
 
 void putLight(Scene& scene, std::size_t i, const LightDescription& description) {
-    const std::size_t count = std::max(scene.lights.size(), i + 1);
-    scene.lights.resize(count);
-    scene.lightNames.resize(count);
-    scene.lightNotes.resize(count);
-    const bool isSun = scene.lightNotes[i].ofSky && description.name == scene.lightNames[i] &&
-                       description.light.kind == scene.lights[i].kind;
-    scene.lights[i] = tintedLight(description);
-    scene.lightNames[i] = description.name;
-    scene.lightNotes[i] = {description.id, description.temperature,
-                           description.temperature > 0 ? description.light.intensity : Colour{}, isSun};
+    scene.lights.resize(std::max(scene.lights.size(), i + 1));
+    SceneLight& to = scene.lights[i];
+    to.ofSky = to.ofSky && description.name == to.name && description.light.kind == to.light.kind;
+    to.light = tintedLight(description);
+    to.name = description.name;
+    to.notes = {description.id, description.temperature,
+                description.temperature > 0 ? description.light.intensity : Colour{}};
 }
 
 LightDescription readLight(StrictTable& table) {

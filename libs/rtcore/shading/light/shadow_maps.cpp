@@ -146,8 +146,8 @@ std::unique_ptr<const ShadowMaps> ShadowMaps::make(const Scene& scene, const Ray
     ShadowTracer shadows;
     shadows.begin(scene, tracer, settings, materials.clear());
     const std::size_t texels = std::min(kTexels, kAllTexels / std::max<std::size_t>(1, scene.lights.size()));
-    for (const Light& light : scene.lights) {
-        maps->maps_.emplace_back(ShadowMap(light, tracer.bounds(), texels));
+    for (const SceneLight& each : scene.lights) {
+        maps->maps_.emplace_back(ShadowMap(each.light, tracer.bounds(), texels));
         if (!maps->maps_.back().fill(shadows, cancel)) return nullptr;
     }
     return maps;

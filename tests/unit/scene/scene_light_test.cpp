@@ -1,6 +1,6 @@
 /// Ids of lights.
-#include "rtcore/scene/light_notes.h"
 #include "rtcore/scene/scene.h"
+#include "rtcore/scene/scene_light.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,13 @@ namespace {
 
 rtcore::Scene sceneOf(const std::vector<int>& ids) {
     rtcore::Scene scene;
-    scene.lights.resize(ids.size());
-    for (const int id : ids) scene.lightNotes.push_back({.id = id});
+    for (const int id : ids) scene.lights.emplace_back().notes.id = id;
     return scene;
 }
 
 std::vector<int> idsOf(const rtcore::Scene& scene) {
     std::vector<int> ids;
-    for (const rtcore::LightNotes& notes : scene.lightNotes) ids.push_back(notes.id);
+    for (const rtcore::SceneLight& each : scene.lights) ids.push_back(each.notes.id);
     return ids;
 }
 
@@ -32,7 +31,6 @@ TEST(LightIds, AreTheOrderWhereNoneIsGiven) {
     scene.lights.resize(3);
     numberLights(scene);
     EXPECT_EQ(idsOf(scene), (std::vector<int>{1, 2, 3}));
-    EXPECT_EQ(scene.lightNames.size(), 3U);
 }
 
 TEST(LightIds, OfFilesStay) {
@@ -59,6 +57,22 @@ TEST(LightIds, OfNewLightsAreAboveAll) {
     rtcore::Scene scene = sceneOf({7, 3});
     scene.removedLightId = 9;
     EXPECT_EQ(nextLightId(scene), 10);
+}
+
+TEST(SceneLights, ShineAlikeWhateverTheyAreCalled) {
+    rtcore::Light bright;
+    bright.intensity = {2, 2, 2};
+    const std::vector<rtcore::SceneLight> lights{{bright, "bulb"}, rtcore::Light()};
+    std::vector<rtcore::SceneLight> others{bright, {{}, "sun"}};
+    others[1].notes.id = 7;
+    others[1].ofSky = true;
+    EXPECT_NE(lights, others);
+    EXPECT_TRUE(shineAlike(lights, others));
+    EXPECT_EQ(rtcore::lightsOf(others), (std::vector<rtcore::Light>{bright, {}}));
+    others[1].light.on = 0;
+    EXPECT_FALSE(shineAlike(lights, others));
+    others.pop_back();
+    EXPECT_FALSE(shineAlike(lights, others));
 }
 
 } // namespace

@@ -1,10 +1,9 @@
-#include "rtcore/scene/light_notes.h"
+#include "rtcore/scene/scene_light.h"
 
 #include "rtcore/scene/scene.h"
 
 #include <algorithm>
 #include <set>
-#include <vector>
 
 namespace rtcore {
 
@@ -16,25 +15,29 @@ int leastFree(const std::set<int>& taken, int from) {
     return id;
 }
 
-template <typename T>
-void eraseAt(std::vector<T>& list, std::size_t i) {
-    if (i < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
-}
-
 std::set<int> idsOf(const Scene& scene) {
     std::set<int> ids;
-    for (const LightNotes& notes : scene.lightNotes) ids.insert(notes.id);
+    for (const SceneLight& each : scene.lights) ids.insert(each.notes.id);
     return ids;
 }
 
 } // namespace
 
+std::vector<Light> lightsOf(std::span<const SceneLight> lights) {
+    std::vector<Light> all;
+    all.reserve(lights.size());
+    for (const SceneLight& each : lights) all.push_back(each.light);
+    return all;
+}
+
+bool shineAlike(std::span<const SceneLight> a, std::span<const SceneLight> b) {
+    return std::ranges::equal(a, b, {}, &SceneLight::light, &SceneLight::light);
+}
+
 void numberLights(Scene& scene) {
-    scene.lightNames.resize(scene.lights.size());
-    scene.lightNotes.resize(scene.lights.size());
     std::set<int> taken = idsOf(scene);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        int& id = scene.lightNotes[i].id;
+        int& id = scene.lights[i].notes.id;
         if (id > 0) continue;
         id = leastFree(taken, static_cast<int>(i) + 1);
         taken.insert(id);
@@ -42,15 +45,14 @@ void numberLights(Scene& scene) {
 }
 
 std::optional<std::size_t> lightWithId(const Scene& scene, int id) {
-    const auto found = std::ranges::find(scene.lightNotes, id, &LightNotes::id);
-    if (found == scene.lightNotes.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - scene.lightNotes.begin());
+    const auto found =
+        std::ranges::find(scene.lights, id, [](const SceneLight& each) { return each.notes.id; });
+    if (found == scene.lights.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - scene.lights.begin());
 }
 
 void eraseLight(Scene& scene, std::size_t light) {
-    eraseAt(scene.lights, light);
-    eraseAt(scene.lightNames, light);
-    eraseAt(scene.lightNotes, light);
+    scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(light));
 }
 
 int nextLightId(const Scene& scene) {
