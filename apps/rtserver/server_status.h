@@ -14,10 +14,10 @@ namespace rtserver {
 struct Activity {
     float progress = 1; ///< of a scene that is being loaded, 0..1; 1 when there is none
     double framesPerSecond = 0;
-    double wholeSeconds = 0;    ///< see FrameDrawing::wholeSeconds()
+    double wholeSeconds = 0;         ///< see FrameDrawing::wholeSeconds()
     std::uint64_t stateRevision = 0; ///< see StateRevision
-    std::uint32_t messages = 0; ///< so far
-    bool idle = false;          ///< see FrameDrawing::idle()
+    std::uint32_t messages = 0;      ///< so far
+    bool idle = false;               ///< see FrameDrawing::idle()
 };
 
 /// The camera is that of the state, which the last frame may not show yet; what a frame took and its exposure

@@ -181,10 +181,11 @@ void LightFields::addPlace() {
     direction_ = vectorFields(tr("Direction"), 1);
     directionRow_ = rowBelow(tr("Direction"), direction_);
     onVector(direction_, "light aim", command::lightAim, &rtcore::Light::direction);
-    directionButtons_ = row(
-        {}, {button(tr("Along view"), tr("Let it shine as the camera looks"), "light aim", command::lightAimAhead),
-             button(tr("Aim at view centre"), tr("Let it shine to what is in the middle of the image"),
-                    "light aim", command::lightAimSeen)});
+    directionButtons_ =
+        row({}, {button(tr("Along view"), tr("Let it shine as the camera looks"), "light aim",
+                        command::lightAimAhead),
+                 button(tr("Aim at view centre"), tr("Let it shine to what is in the middle of the image"),
+                        "light aim", command::lightAimSeen)});
 }
 
 void LightFields::addColour() {

@@ -33,7 +33,7 @@ struct ServerStatus {
     bool paused = false; ///< no frame comes until the server is told to resume
     bool recording = false;
     quint64 stateRevision = 0; ///< grows when `state` would answer something else
-    quint64 messages = 0; ///< number of messages so far; grows
+    quint64 messages = 0;      ///< number of messages so far; grows
     friend bool operator==(const ServerStatus&, const ServerStatus&) = default;
 };
 

@@ -12,8 +12,8 @@ class QRect;
 namespace gui {
 
 /// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels. Does
-/// the camera stand still, more pixels follow: "sharpening". `rendering`: what the Renderer does with the view,
-/// such as "refined"; empty = nothing. It takes the place of "complete". `sharing`: "shared", or empty.
+/// the camera stand still, more pixels follow: "sharpening". `rendering`: what the Renderer does with the
+/// view, such as "refined"; empty = nothing. It takes the place of "complete". `sharing`: "shared", or empty.
 /// `orbits`: the model is in the hand.
 QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering,
                     const QString& sharing = {}, bool orbits = false);

@@ -225,8 +225,8 @@ std::vector<Setting> makeTable() {
             .called("Ambient light")
             .usedBy(Integrator::Whitted),
         row<&S::skyLight, &SkyLightSettings::on>(
-            "skyLight.on",
-            "light surfaces from the sky or environment map, with shadows (image-based lighting); ambient light only with ambientOcclusion.on")
+            "skyLight.on", "light surfaces from the sky or environment map, with shadows (image-based "
+                           "lighting); ambient light only with ambientOcclusion.on")
             .usedBy(Integrator::Whitted),
         row<&S::skyLight, &SkyLightSettings::samples>("skyLight.samples", {1, 4096}, "rays",
                                                       "rays per point for the light of the sky")
