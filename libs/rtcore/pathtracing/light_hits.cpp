@@ -113,7 +113,7 @@ HWY_EXPORT(densitiesOf);
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave) {
     PathQueue& queue = batch.queue;
     const HitRays hits{*wave.rays, wave.hits.t.data(), wave.surfaces.traits, queue.weights()};
-    HWY_DYNAMIC_DISPATCH(meetLights)(lights, finding, batch.scattered(), hits, wave.surfaces.added);
+    HWY_DYNAMIC_DISPATCH(meetLights)(lights, finding, batch.scattered(), hits, wave.surfaces.contribution);
 }
 
 void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities) {

@@ -10,7 +10,7 @@
 
 namespace rtcore {
 
-/// Sets surfaces.added to what each ray of the wave meets of area lights that have a place before its
+/// Sets surfaces.contribution to what each ray of the wave meets of area lights that have a place before its
 /// surface, weighted by the power heuristic against next event. The wave is that of the batch.
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave);
 

@@ -12,7 +12,7 @@
 #include "rtcore/lights/environment_draw-inl.h"
 #include "rtcore/lights/light_draw-inl.h"
 #include "rtcore/pathtracing/light_shares-inl.h"
-#include "rtcore/pathtracing/lobes-inl.h"
+#include "rtcore/pathtracing/path_lobes-inl.h"
 #include "rtcore/pathtracing/path_numbers-inl.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
 
@@ -149,12 +149,14 @@ std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightF
         const Mask used = hasTrait(load(s.traits + i), traits::kPoint) &
                           (load(from.group + i) != Uint(LightSamples::kNone));
         if (none(used)) {
-            storeAt(Float3{}, s.added, i);
+            storeAt(Float3{}, s.contribution, i);
             continue;
         }
-        const PointLobes lobes = lobesOf(rows, s, i, used);
+        const PointNormals normals = normalsAt(s, i);
+        const PointLobes lobes = lobesOf(rows, s, i, used, normals);
+        const MirrorChoice mirror = mirrorChoiceOf(lobes);
         const Float3 toLight = loadAt(from.toLight, i);
-        const Scattered scattered = scatteredFrom(lobes, toLight);
+        const Scattered scattered = scatteredFrom(lobes, mirror, toLight);
         const Float density = load(from.density + i);
         const Mask byBoth = used & (density > 0.0F) & (scattered.density > 0.0F);
         const Float weight = select(
@@ -164,10 +166,10 @@ std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightF
         Float3 added = loadAt(s.weight, i) * scattered.value * loadAt(from.irradiance, i);
         if (!apart) added = added * weight;
         const Mask lit = without(used, isZero(added));
-        storeAt(selectOrZero(lit, added), s.added, i);
+        storeAt(selectOrZero(lit, added), s.contribution, i);
         const Compressor some(lit);
         const Float clearance = load(s.clearance + i);
-        storeAt(loadAt(s.position, i) + lobes.geometricNormal * clearance, some, shadows.origin, count);
+        storeAt(loadAt(s.position, i) + normals.geometric * clearance, some, shadows.origin, count);
         storeAt(toLight, some, shadows.direction, count);
         some.store(max(load(from.free + i) - clearance, 0.0F), shadows.tMax + count);
         some.store(iota(i), shadows.point + count);

@@ -47,8 +47,8 @@ class NextEvents {
     /// Samples a light from each point with the trait kPoint, with the numbers of its path.
     void sample(const NextEventTask& task, const Wave& wave);
     const LightSamples& samples() const { return samples_; }
-    /// Sets surfaces.added to what the samples add unshadowed, weighted by the power heuristic against the
-    /// lobes (lobes-inl.h) unless task.apart, and `shadows` to a ray for each that adds something.
+    /// Sets surfaces.contribution to what the samples add unshadowed, weighted by the power heuristic against
+    /// the lobes (path_lobes-inl.h) unless task.apart, and `shadows` to a ray for each that adds something.
     void add(const NextEventTask& task, const MaterialTable& materials, SurfaceWave& surfaces,
              ShadowRays& shadows) const;
 

@@ -4,7 +4,6 @@
 #include "rtcore/pathtracing/light_hits.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
 #include "rtcore/pathtracing/scatter_wave.h"
-#include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/surface/emission.h"
 #include "rtcore/shading/surface/medium.h"
 
@@ -83,6 +82,7 @@ void PathIntegrator::step() {
         fog_.dimWeights(wave_.surfaces);
     }
     addFound();
+    division_.divide({*frame_.scene, *frame_.materials, wave_.hits, Mirroring::Exact}, wave_.surfaces);
     clock_.lap(Stage::Surfaces);
     if (frame_.stopped()) return;
     sampleLights();
@@ -118,7 +118,7 @@ void PathIntegrator::addFound() {
     if (paths_ != nullptr && lights_->anyArea()) {
         addLightHits(rows_, finding_, *paths_, wave_);
         for (std::size_t i = 0; i < wave_.size(); ++i) {
-            const Colour met = wave_.surfaces.added.colourAt(i);
+            const Colour met = wave_.surfaces.contribution.colourAt(i);
             if (!isBlack(met)) addTo(i, met);
         }
     }
@@ -219,21 +219,18 @@ void PathIntegrator::addMirrored() {
 }
 
 void PathIntegrator::addEmission() {
+    if (!frame_.materials->anyEmission()) return;
     const SurfaceWave& surfaces = wave_.surfaces;
-    if (frame_.materials->anyEmission()) {
-        const ArraysOf3& emitted = surfaces.added;
-        for (float* const array : {emitted.x, emitted.y, emitted.z}) std::fill_n(array, wave_.size(), 0.0F);
-        emissionOf(*frame_.materials, surfaces, emitted);
-        const std::span<const std::uint32_t> special = surfaces.notPlain();
-        for (std::size_t k = 0; k < special.size(); ++k) emitted.set(special[k], points_.emitted()[k]);
-        for (std::size_t i = 0; i < wave_.size(); ++i) {
-            const Colour light = emitted.colourAt(i);
-            if (!wave_.hits.isHit(i) || isBlack(light)) continue;
-            addTo(i, light * weightOfEmission(i));
-        }
+    const ArraysOf3& emitted = surfaces.contribution;
+    for (float* const array : {emitted.x, emitted.y, emitted.z}) std::fill_n(array, wave_.size(), 0.0F);
+    emissionOf(*frame_.materials, surfaces, emitted);
+    const std::span<const std::uint32_t> special = surfaces.notPlain();
+    for (std::size_t k = 0; k < special.size(); ++k) emitted.set(special[k], points_.emitted()[k]);
+    for (std::size_t i = 0; i < wave_.size(); ++i) {
+        const Colour light = emitted.colourAt(i);
+        if (!wave_.hits.isHit(i) || isBlack(light)) continue;
+        addTo(i, light * weightOfEmission(i));
     }
-    if (frame_.materials->anyMirror()) splitAtMirrors(*frame_.materials, surfaces, nullptr);
-    if (frame_.materials->anyMetallic()) metallic_.complete(frame_, wave_, Mirroring::Exact, {}, nullptr);
 }
 
 float PathIntegrator::weightOfEmission(std::size_t i) const {
@@ -267,21 +264,22 @@ void PathIntegrator::sampleLights() {
     events_.add(task, *frame_.materials, wave_.surfaces, shadowRays_);
     clock_.lap(Stage::Light);
     if (frame_.settings->shadows && !shadowRays_.rays.empty()) takeShadows();
-    clampAdded();
+    clampContribution();
     sums_.add(wave_);
     clock_.lap(Stage::Shadows);
 }
 
 /// What one bounce after the first adds.
-void PathIntegrator::clampAdded() {
+void PathIntegrator::clampContribution() {
     if (!(limits_.clampIndirect > 0) || paths_ == nullptr) return;
     for (std::size_t i = 0; i < wave_.size(); ++i) {
         if ((paths_->scattered().state[i] & path_state::kScatters) == 0) continue;
-        wave_.surfaces.added.set(i, clampedTo(limits_.clampIndirect, wave_.surfaces.added.colourAt(i)));
+        const ArraysOf3& contribution = wave_.surfaces.contribution;
+        contribution.set(i, clampedTo(limits_.clampIndirect, contribution.colourAt(i)));
     }
 }
 
-/// Takes from surfaces.added what does not arrive.
+/// Takes from surfaces.contribution what does not arrive.
 void PathIntegrator::takeShadows() {
     if (fog_.on()) {
         for (std::uint32_t group = 0; group <= rows_.surroundingGroup(); ++group) {
@@ -291,7 +289,7 @@ void PathIntegrator::takeShadows() {
     } else if (!shadows_.tinted()) {
         const std::vector<std::uint8_t>& occluded = shadows_.occluded(shadowRays_.rays, statistics_);
         for (std::size_t i = 0; i < occluded.size(); ++i) {
-            if (occluded[i] != 0) wave_.surfaces.added.set(shadowRays_.point[i], Colour{});
+            if (occluded[i] != 0) wave_.surfaces.contribution.set(shadowRays_.point[i], Colour{});
         }
     } else if (limits_.caustics) {
         takePart([&](std::uint32_t of) { return !isSurrounding(of); });
@@ -337,21 +335,21 @@ void PathIntegrator::tint(std::uint32_t group) {
         const float left = light != nullptr
                                ? fogLightTransmittance(fog_.medium(), *light, ray.origin)
                                : fogTransmittance(fog_.medium(), ray.origin, ray.direction, ray.tMax);
-        const Colour added = wave_.surfaces.added.colourAt(part_.point[i]);
-        wave_.surfaces.added.set(part_.point[i], added * left);
+        const ArraysOf3& contribution = wave_.surfaces.contribution;
+        contribution.set(part_.point[i], contribution.colourAt(part_.point[i]) * left);
     }
 }
 
 /// Takes from the light of part_ what does not arrive, and what scattered rays find of it: nothing of what
 /// passes solids of glass, which bend them.
 void PathIntegrator::tintBy(const ShadowTracer& tracer, const std::vector<Colour>& arriving) {
-    const ArraysOf3& added = wave_.surfaces.added;
+    const ArraysOf3& contribution = wave_.surfaces.contribution;
     const bool apart = shadows_.tinted();
     for (std::size_t i = 0; i < arriving.size(); ++i) {
         const std::uint32_t point = part_.point[i];
         Colour left = arriving[i];
         if (apart) left = (left - tracer.unbent()[i]) + tracer.unbent()[i] * events_.samples().weight[point];
-        added.set(point, added.colourAt(point) * left);
+        contribution.set(point, contribution.colourAt(point) * left);
     }
 }
 

@@ -17,9 +17,9 @@
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
 #include "rtcore/shading/light/shadows.h"
-#include "rtcore/shading/metallic_points.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/surface/light_division.h"
 #include "rtcore/shading/wave.h"
 #include "rtcore/shading/wave_lighting.h"
 
@@ -77,7 +77,7 @@ class PathIntegrator {
     float weightOfEmission(std::size_t point) const;
     void sampleLights();
     void takeShadows();
-    void clampAdded();
+    void clampContribution();
     template <typename Wanted>
     void takePart(Wanted&& wanted);
     void tint(std::uint32_t group);
@@ -102,7 +102,7 @@ class PathIntegrator {
     FogWave fog_;
     WaveLighting fogLighting_;
     PathPoints points_;
-    MetallicPoints metallic_;
+    LightDivision division_;
     NextEvents events_;
     ShadowTracer shadows_;
     ShadowTracer opaqueGlass_; ///< where caustics count, they are the light of what rays see behind glass

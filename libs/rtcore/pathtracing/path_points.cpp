@@ -41,7 +41,7 @@ void PathPoints::complete(const Task& task, Wave& wave, SampleSums& sums, PathBa
     materials_.visit(
         task.frame, wave,
         [&](std::uint32_t k, std::uint32_t i, Colour albedo) {
-            surfaces.diffuse.set(i, albedo / kPi);
+            surfaces.diffuseBrdf.set(i, albedo / kPi);
             emitted_[k] =
                 surfaces.weight.colourAt(i) * task.frame.scene->material(surfaces.material[i]).emission;
         },
@@ -89,7 +89,7 @@ Colour PathPoints::completeGeneral(const Task& task, Wave& wave, std::size_t i, 
         kept = 1 - passes;
     }
     surfaces.shadingNormal.set(i, s.shadingNormal);
-    surfaces.diffuse.set(i, s.diffuse / kPi);
+    surfaces.diffuseBrdf.set(i, s.diffuse / kPi);
     if (surfaces.tint.x != nullptr) surfaces.tint.set(i, s.specularTint);
     surfaces.weight.set(i, path.weight * split.scattered / kept);
     if (!isBlack(split.mirrored)) {

@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/pathtracing/scatter_wave.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/pathtracing/lobes-inl.h"
+#include "rtcore/pathtracing/path_lobes-inl.h"
 #include "rtcore/pathtracing/path_numbers-inl.h"
 #include "rtcore/shading/paths/path_length-inl.h"
 
@@ -76,22 +76,24 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         const Mask shown = rows.limits.caustics ? looking : without(looking, matte);
         const Mask open = points & (within | shown);
         if (none(open)) continue;
-        const PointLobes lobes = lobesOf(rows.materials, s, i, open);
-        if (none(lobes.drawable)) continue;
+        const PointNormals normals = normalsAt(s, i);
+        const PointLobes lobes = lobesOf(rows.materials, s, i, open, normals);
+        const MirrorChoice mirror = mirrorChoiceOf(lobes);
+        if (none(mirror.possible)) continue;
         const PathName name = pathName(rows.names, paths == nullptr ? nullptr : paths->sample, i, open);
         const Visit<Uint> visit = visitOf(scatters, past.bounces);
         const PathNumbers lobe = numbersFor(name, SampleDimension::Lobe, visit);
         const PathNumbers place = numbersFor(name, SampleDimension::Direction, visit);
-        const DrawnWay way = drawWay(lobes, lobe.u, {place.u, place.v});
+        const BsdfSample sample = sampleBsdf(lobes, mirror, lobe.u, {place.u, place.v});
 
         // Mirrored: the weight of mirrored light over the chance of it.
-        const Mask mirrored =
-            way.mirrored & (toInt(past.bounces & Uint(0xFFFFU)) < static_cast<std::int32_t>(rows.maxDepth));
-        const Mask scattered = without(lobes.drawable & (toInt(scatters) < mostScatters), way.mirrored);
-        const Scattered light = scatteredFrom(lobes, way.direction);
+        const Mask mirrored = sample.mirrored & (toInt(past.bounces & Uint(0xFFFFU)) <
+                                                 static_cast<std::int32_t>(rows.maxDepth));
+        const Mask scattered = without(mirror.possible & (toInt(scatters) < mostScatters), sample.mirrored);
+        const Scattered light = scatteredFrom(lobes, mirror, sample.direction);
         const Mask kept = scattered & (light.density > 0.0F);
         const Float3 lobeWeight = loadAt(s.weight, i) * light.value / select(kept, light.density, Float(1));
-        const Float3 mirrorWeight = loadAt(s.specular, i) / select(mirrored, lobes.mirror, Float(1));
+        const Float3 mirrorWeight = loadAt(s.specular, i) / select(mirrored, mirror.probability, Float(1));
         Float3 weight = select(mirrored, mirrorWeight, lobeWeight);
         Mask going = (mirrored | kept) & (maxComponent(weight) > 0.0F) & isFinite(maxComponent(weight));
 
@@ -103,12 +105,12 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         weight = weight / select(going, chance, Float(1));
 
         const Compressor some(going);
-        const Float3 normal = loadAt(s.geometricNormal, i);
+        const Float3 normal = normals.geometric;
         const Float3 origin = loadAt(s.position, i) + normal * load(s.clearance + i);
         const Float distance = loadDistances(rows.distance + i, s.size() - i);
-        const Mask flat = mirrored & isFlat<Float>(lobes.normal, normal);
+        const Mask flat = mirrored & isFlat<Float>(normals.shading, normal);
         storeAt(origin, some, next.origin, count);
-        storeAt(way.direction, some, next.direction, count);
+        storeAt(sample.direction, some, next.direction, count);
         storeAt(weight, some, next.weight, count);
         storeAt(past.extinction, some, next.extinction, count);
         some.store(past.sample, next.sample + count);
@@ -119,10 +121,10 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         const Uint afterMatte =
             past.state | Uint(rows.limits.caustics ? path_state::kWhole : path_state::kDropped);
         const Uint afterMirror = select(matte, afterMatte, past.state);
-        const Uint afterLobe = (scatters + 1U) | selectOrZero(way.matte, Uint(path_state::kMatte));
+        const Uint afterLobe = (scatters + 1U) | selectOrZero(sample.matte, Uint(path_state::kMatte));
         some.store(select(mirrored, afterMirror, afterLobe), next.state + count);
         storeAt(origin, some, next.point, count);
-        storeAt(lobes.normal, some, next.normal, count);
+        storeAt(normals.shading, some, next.normal, count);
         some.store(rows.totals != nullptr ? load(rows.totals + i) : Float(0), next.total + count);
         some.store(selectOrZero(kept, light.density), next.density + count);
         count += some.count();

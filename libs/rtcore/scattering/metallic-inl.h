@@ -105,20 +105,51 @@ HWY_INLINE F glossProbability(const MetallicLobes<F>& lobes) {
     return selectOrZero(all > 0.0F, gloss / all);
 }
 
-/// `toViewer` as liftedViewer() gives it, that of the lobes.
+/// What the lobes do with light from one direction, not summed up yet.
+template <typename F>
+struct MetallicTerms {
+    Vec3Of<F> gloss; ///< f_r of the GGX lobe
+    F glossDensity;  ///< of drawGgx()
+    F wide;          ///< furtherFactor()
+};
+/// `toViewer` as liftedViewer() gives it, that of the lobes; `glossLeft`: a factor on the GGX lobe.
+template <typename F>
+HWY_INLINE MetallicTerms<F> metallicTerms(const MetallicLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
+                                          Vec3Of<F> toLight, F glossLeft) {
+    const GgxScattering<F> gloss = scatterGgx<F>(normal, toViewer, toLight, lobes.alpha);
+    const Vec3Of<F> factor = glossFactor<F>(lobes.straight, lobes.grazing, gloss.fresnelCosine);
+    return {
+        factor * (gloss.lobe * glossLeft), gloss.density,
+        furtherFactor<F>(lobes.shape, dot(normal, toViewer), dot(normal, toLight), dot(toViewer, toLight))};
+}
+
+/// f_r of all lobes; of light above the surface.
+template <typename F>
+HWY_INLINE Vec3Of<F> metallicReflectance(const MetallicLobes<F>& lobes, const MetallicTerms<F>& terms) {
+    return (lobes.diffuse + lobes.further * terms.wide) * F(kLambertLobe) + terms.gloss;
+}
+/// The same but for rounding, with `diffuse` for lobes.diffuse / pi.
+template <typename F>
+HWY_INLINE Vec3Of<F> metallicReflectance(const MetallicLobes<F>& lobes, const MetallicTerms<F>& terms,
+                                         Vec3Of<F> diffuse) {
+    return diffuse + (terms.gloss + lobes.further * (terms.wide * kLambertLobe));
+}
+/// The density of drawMetallic() by solid angle. `cosine`: of the light with the normal.
+template <typename F>
+HWY_INLINE F metallicDensity(const MetallicLobes<F>& lobes, const MetallicTerms<F>& terms, F cosine) {
+    const F probability = glossProbability<F>(lobes);
+    return (1.0F - probability) * lambertDensity<F>(cosine) + probability * terms.glossDensity;
+}
+
+/// `toViewer` as for metallicTerms().
 template <typename F>
 HWY_INLINE Scattering<F> scatterMetallic(const MetallicLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
                                          Vec3Of<F> toLight) {
-    const GgxScattering<F> gloss = scatterGgx<F>(normal, toViewer, toLight, lobes.alpha);
+    const MetallicTerms<F> terms = metallicTerms<F>(lobes, normal, toViewer, toLight, F(1));
     const F cosine = dot(normal, toLight);
-    const Vec3Of<F> factor = glossFactor<F>(lobes.straight, lobes.grazing, gloss.fresnelCosine);
-    const F wideFactor = furtherFactor<F>(lobes.shape, dot(normal, toViewer), cosine, dot(toViewer, toLight));
-    const Vec3Of<F> wide = lobes.diffuse + lobes.further * wideFactor;
-    const F probability = glossProbability<F>(lobes);
     const auto above = cosine > 0.0F;
-    return {
-        selectOrZero(above, wide * F(kLambertLobe) + factor * gloss.lobe),
-        selectOrZero(above, (1.0F - probability) * lambertDensity<F>(cosine) + probability * gloss.density)};
+    return {selectOrZero(above, metallicReflectance<F>(lobes, terms)),
+            selectOrZero(above, metallicDensity<F>(lobes, terms, cosine))};
 }
 
 /// A direction of unit length with the density of scatterMetallic(). `lobe`: a random number in 0..1.

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 /// A point's lobes, in the terms of phong-inl.h.
 template <typename F>
 struct PhongLobes {
-    Vec3Of<F> diffuse; ///< albedo / pi
+    Vec3Of<F> diffuseBrdf; ///< albedo / pi
     Vec3Of<F> specular;
     F shininess;  ///< at least kLeastShininess
     F lobeScale;  ///< (n + 2) / 2 pi times the Phong lobe's fraction of `specular`
@@ -33,7 +33,7 @@ HWY_INLINE F phongProbability(const PhongLobes<F>& lobes, F cosine) {
     const F albedo = c + rest * rest * (0.399F / sqrt(lobes.shininess + 0.56F));
     const F specular = luminance<F>(lobes.specular) * (2.0F * kPi);
     const F gloss = specular * (lobes.lobeScale / (lobes.shininess + 2.0F)) * albedo;
-    const F all = gloss + luminance<F>(lobes.diffuse) * kPi + specular * lobes.roughScale;
+    const F all = gloss + luminance<F>(lobes.diffuseBrdf) * kPi + specular * lobes.roughScale;
     return selectOrZero(all > 0.0F, gloss / all);
 }
 
@@ -49,11 +49,12 @@ HWY_INLINE Scattering<F> scatterPhong(const PhongLobes<F>& lobes, Vec3Of<F> norm
     // Most surfaces are matte: this saves the power for them.
     const F power = none(seen) ? F(0) : phongLobe<F>(select(seen, lobe, F(1)), lobes.shininess, F(1));
     const F gloss = selectOrZero(seen, lobes.lobeScale * power);
-    const F rough = roughLobe<F>(max(cosine, F(0)), viewer, lobes.roughScale);
+    const auto isRough = lobes.roughScale > 0.0F;
+    const F rough = none(isRough) ? F(0) : roughLobe<F>(max(cosine, F(0)), viewer, lobes.roughScale);
     const F probability = phongProbability<F>(lobes, viewer);
     const F density = (1.0F - probability) * lambertDensity<F>(cosine) +
                       probability * selectOrZero(seen, phongDensityScale<F>(lobes.shininess) * power);
-    return {selectOrZero(above, lobes.diffuse + lobes.specular * gloss + lobes.specular * rough),
+    return {selectOrZero(above, lobes.diffuseBrdf + lobes.specular * gloss + lobes.specular * rough),
             selectOrZero(above, density)};
 }
 

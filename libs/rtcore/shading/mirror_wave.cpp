@@ -36,33 +36,6 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// splitLight() (shading/surface/surface_split.h), of opaque mirrors
-void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* emitted) {
-    const Float3 white = broadcast(kWhite);
-    for (std::size_t i = 0; i < s.size(); i += lanes()) {
-        const Uint traits = load(s.traits + i);
-        const Mask mirrors = hasTrait(traits, traits::kMirror);
-        if (none(mirrors)) continue;
-        const Rows row(rows, s.material + i, mirrors);
-        Float3 mirrored = row.get(&MaterialRow::mirror);
-        const Mask fresnel = mirrors & hasTrait(traits, traits::kFresnel);
-        if (any(fresnel)) {
-            const Float cosine = max(dot(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i)), 0.0F);
-            mirrored = select(fresnel, fresnelSchlick<Float>(mirrored, cosine), mirrored);
-        }
-        mirrored *= row.get(&MaterialRow::mirrorScale);
-        const Float3 scattered = white - mirrored;
-        const Float3 weight = loadAt(s.weight, i);
-        storeAt(select(mirrors, weight * mirrored, loadAt(s.specular, i)), s.specular, i);
-        storeAt(select(mirrors, weight * scattered, weight), s.weight, i);
-        store(select(mirrors, traits | traits::kSpecular, traits), s.traits + i);
-        if (emitted == nullptr) continue;
-        const Float3 own =
-            weight * (row.get(&MaterialRow::emission) + row.get(&MaterialRow::ambient) * scattered);
-        storeAt(select(mirrors, own, loadAt(*emitted, i)), *emitted, i);
-    }
-}
-
 /// The first of `count` values, as many as there are.
 HWY_INLINE Float loadFew(const float* values, std::size_t count) {
     if (count >= lanes()) return load(values);
@@ -130,7 +103,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(splitAll);
 HWY_EXPORT(mirrorAll);
 
 namespace {
@@ -141,10 +113,6 @@ PathArrays pathsFrom(PathQueue& queue, std::size_t first) {
 }
 
 } // namespace
-
-void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* emitted) {
-    HWY_DYNAMIC_DISPATCH(splitAll)(materials.rows(), surfaces, emitted);
-}
 
 void addMirroredRays(const FrameContext& frame, const Wave& wave, PathQueue& queue) {
     const RenderSettings& settings = *frame.settings;

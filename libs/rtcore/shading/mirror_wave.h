@@ -3,16 +3,9 @@
 
 #include "rtcore/shading/frame_context.h"
 #include "rtcore/shading/paths/path_queue.h"
-#include "rtcore/shading/surface/material_table.h"
-#include "rtcore/shading/surface/surface_wave.h"
 #include "rtcore/shading/wave.h"
 
 namespace rtcore {
-
-/// Divides the light at points with the trait kMirror, whose `weight` is what it would be were all scattered:
-/// sets `specular` and the trait kSpecular, and lowers `weight`. Sets `emitted` of these points, unless it is
-/// null.
-void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* emitted);
 
 /// Appends a mirrored ray to `queue` for each point with the trait kSpecular whose ray was mirrored or
 /// refracted less than settings.maxDepth times and matters (minContribution). The direction is bent back

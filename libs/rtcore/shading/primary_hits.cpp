@@ -25,7 +25,7 @@ Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
         const Colour rest = kWhite - scattered - mirrored;
         through = {std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
     }
-    Colour albedo = surfaces.diffuse.colourAt(i) * kPi;
+    Colour albedo = surfaces.diffuseBrdf.colourAt(i) * kPi;
     if ((point & traits::kMetallic) != 0) albedo += surfaces.gloss.colourAt(i);
     return {albedo * scattered, mirrored, through};
 }
@@ -130,7 +130,7 @@ void PrimaryHits::forEachPresent(const Wave& wave, Use&& use) {
 
 void PrimaryHits::addLight(const Wave& wave, bool areaLight) {
     forEachPresent(wave, [&](std::size_t i, PrimaryHit& hit) {
-        const Colour added = wave.surfaces.added.colourAt(i);
+        const Colour added = wave.surfaces.contribution.colourAt(i);
         if (areaLight) hit.soft += added;
         hit.direct += added;
     });
@@ -138,7 +138,7 @@ void PrimaryHits::addLight(const Wave& wave, bool areaLight) {
 
 void PrimaryHits::addSurroundings(const Wave& wave, const HemisphereWave& light) {
     forEachPresent(wave, [&](std::size_t i, PrimaryHit& hit) {
-        const Colour added = wave.surfaces.added.colourAt(i);
+        const Colour added = wave.surfaces.contribution.colourAt(i);
         hit.soft += added;
         hit.arriving += luminance(added);
         hit.whole += luminance(light.unoccluded(wave.surfaces, i));

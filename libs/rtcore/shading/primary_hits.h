@@ -56,7 +56,7 @@ class PrimaryHits {
     void take(const Wave& wave, const Mesh& mesh, const MaterialTable& materials);
     /// Takes the light of the hits that the wave taken last found: all that the sums have by now.
     void takeOwnLight(const Wave& wave, const SampleSums& sums);
-    /// Adds surfaces.added, the light of one light, at the hits that the wave taken last found.
+    /// Adds surfaces.contribution, the light of one light, at the hits that the wave taken last found.
     void addLight(const Wave& wave, bool areaLight);
     /// The same of ambient light as far as it is not occluded, or of the sky's.
     void addSurroundings(const Wave& wave, const HemisphereWave& light);

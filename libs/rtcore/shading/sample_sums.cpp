@@ -24,7 +24,7 @@ void startAll(Colour background, const SurfaceWave& s, const ArraysOf3& radiance
 
 void addAll(const SurfaceWave& s, const ArraysOf3& radiance) {
     for (std::size_t i = 0; i < s.size(); i += lanes())
-        storeAt(loadAt(radiance, i) + loadAt(s.added, i), radiance, i);
+        storeAt(loadAt(radiance, i) + loadAt(s.contribution, i), radiance, i);
 }
 
 } // namespace HWY_NAMESPACE
@@ -51,7 +51,8 @@ void SampleSums::add(const Wave& wave) {
         HWY_DYNAMIC_DISPATCH(addAll)(surfaces, radiance_);
         return;
     }
-    for (std::size_t i = 0; i < surfaces.size(); ++i) add(wave.paths.sample(i), surfaces.added.colourAt(i));
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        add(wave.paths.sample(i), surfaces.contribution.colourAt(i));
 }
 
 } // namespace rtcore

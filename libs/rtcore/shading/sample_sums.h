@@ -18,7 +18,7 @@ class SampleSums {
     /// samples' hits, and surfaces.weight to 1.
     void start(Colour background, Wave& wave);
 
-    /// Adds surfaces.added.
+    /// Adds surfaces.contribution.
     void add(const Wave& wave);
     void add(std::size_t sample, Colour radiance) {
         radiance_.set(sample, radiance_.colourAt(sample) + radiance);

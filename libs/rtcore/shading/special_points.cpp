@@ -20,7 +20,7 @@ void SpecialPoints::complete(const FrameContext& frame, Colour ambient, Wave& wa
 
 Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) const {
     const SurfaceWave& surfaces = task.wave.surfaces;
-    surfaces.diffuse.set(i, albedo / kPi);
+    surfaces.diffuseBrdf.set(i, albedo / kPi);
     if (!task.frame.materials->anyEmission()) return {};
     const Material& m = task.frame.scene->material(surfaces.material[i]);
     if (hasRoughness(m)) return surfaces.weight.colourAt(i) * m.emission;
@@ -54,7 +54,7 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     if (path.depth == 0) task.sums.setHit(path.sample, true);
     const SurfaceSplit split = splitLight(s, settings);
     surfaces.shadingNormal.set(i, s.shadingNormal);
-    surfaces.diffuse.set(i, s.diffuse / kPi);
+    surfaces.diffuseBrdf.set(i, s.diffuse / kPi);
     surfaces.weight.set(i, path.weight * split.scattered);
     if (surfaces.tint.x != nullptr) surfaces.tint.set(i, s.specularTint);
     if (!isBlack(split.mirrored)) {

@@ -130,7 +130,7 @@ void WaveLighting::confirm(std::size_t light) {
     }
 }
 
-/// Adds what the light would add unshadowed, which surfaces.added holds, as far as it arrives.
+/// Adds what the light would add unshadowed, which surfaces.contribution holds, as far as it arrives.
 void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_t number,
                                const LightSums& to) {
     const Light& light = frame.scene->lights[number].light;
@@ -149,14 +149,14 @@ void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_
     frame.clock->lap(Stage::Light);
 }
 
-/// Takes from surfaces.added what does not arrive.
+/// Takes from surfaces.contribution what does not arrive.
 void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_t number) {
     const SurfaceWave& surfaces = wave.surfaces;
     const std::uint32_t* const point = shadowRays_.point.data();
     const RayWave& rays = shadowRays_.rays;
     const auto tint = [&](std::size_t ray, Colour arriving) {
         note(number, point[ray], arriving);
-        surfaces.added.set(point[ray], surfaces.added.colourAt(point[ray]) * arriving);
+        surfaces.contribution.set(point[ray], surfaces.contribution.colourAt(point[ray]) * arriving);
     };
     if (frame.shadowMaps != nullptr) {
         const ShadowMap& map = frame.shadowMaps->of(number);
@@ -171,7 +171,7 @@ void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_
         const std::vector<std::uint8_t>& occluded = shadows_.occluded(rays, *frame.statistics);
         for (std::size_t i = 0; i < occluded.size(); ++i) {
             note(number, point[i], occluded[i] != 0 ? Colour{} : kWhite);
-            if (occluded[i] != 0) surfaces.added.set(point[i], Colour{});
+            if (occluded[i] != 0) surfaces.contribution.set(point[i], Colour{});
         }
     }
 }

@@ -3,7 +3,6 @@
 #include "rtcore/lights/ambient_light.h"
 #include "rtcore/lights/light_hit-inl.h"
 #include "rtcore/lights/mirrored_light.h"
-#include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/surface/emission.h"
 #include "rtcore/shading/surface/medium.h"
 
@@ -85,7 +84,7 @@ void WhittedIntegrator::traceWave() {
     if (frame_.discs) addDiscs();
     if (mirroredLights_ && !wave_.paths.primary()) addMirrored();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
-    addEmission();
+    divideLight(findEmission());
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh(), *frame_.materials);
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
@@ -174,23 +173,26 @@ void WhittedIntegrator::addMirrored() {
     }
 }
 
-/// Emission and unoccluded ambient light; on the way, mirrors take their part of all light. Primary rays'
-/// goes to their sums directly.
-void WhittedIntegrator::addEmission() {
+/// Emission and the ambient light that nothing occludes, of which metal's lobes are yet to reflect theirs.
+/// Those of primary rays lie in their sums; null: there are none.
+const ArraysOf3* WhittedIntegrator::findEmission() {
+    if (!frame_.materials->anyEmission()) return nullptr;
     const SurfaceWave& surfaces = wave_.surfaces;
-    const MaterialTable& materials = *frame_.materials;
-    const bool any = materials.anyEmission(), primary = wave_.paths.primary();
-    const ArraysOf3& emitted = primary ? sums_.radiance() : surfaces.added;
-    if (any && !primary) {
+    const bool primary = wave_.paths.primary();
+    const ArraysOf3& emitted = primary ? sums_.radiance() : surfaces.contribution;
+    if (!primary) {
         for (float* const array : {emitted.x, emitted.y, emitted.z}) std::fill_n(array, wave_.size(), 0.0F);
     }
-    if (any) emissionOf(materials, surfaces, emitted);
-    if (materials.anyMirror()) splitAtMirrors(materials, surfaces, any ? &emitted : nullptr);
+    emissionOf(*frame_.materials, surfaces, emitted);
     const std::span<const std::uint32_t> special = surfaces.notPlain();
-    for (std::size_t i = 0; any && i < special.size(); ++i) emitted.set(special[i], special_.emitted()[i]);
-    if (materials.anyMetallic())
-        metallic_.complete(frame_, wave_, Mirroring::Faded, ambient_, any ? &emitted : nullptr);
-    if (any && !primary) sums_.add(wave_);
+    for (std::size_t i = 0; i < special.size(); ++i) emitted.set(special[i], special_.emitted()[i]);
+    return &emitted;
+}
+
+void WhittedIntegrator::divideLight(const ArraysOf3* emitted) {
+    division_.divide({*frame_.scene, *frame_.materials, wave_.hits, Mirroring::Faded, ambient_, emitted},
+                     wave_.surfaces);
+    if (emitted != nullptr && !wave_.paths.primary()) sums_.add(wave_);
 }
 
 } // namespace rtcore

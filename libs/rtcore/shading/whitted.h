@@ -9,12 +9,12 @@
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
-#include "rtcore/shading/metallic_points.h"
 #include "rtcore/shading/primary_hits.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/secondary_rays.h"
 #include "rtcore/shading/special_points.h"
 #include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/surface/light_division.h"
 #include "rtcore/shading/wave.h"
 #include "rtcore/shading/wave_lighting.h"
 
@@ -74,7 +74,8 @@ class WhittedIntegrator {
     void addBackground();
     void addDiscs();
     void addMirrored();
-    void addEmission();
+    const ArraysOf3* findEmission();
+    void divideLight(const ArraysOf3* emitted);
 
     FrameContext frame_;
     MaterialTable ownMaterials_;  ///< when no frame shares its table
@@ -87,7 +88,7 @@ class WhittedIntegrator {
     SampleSums sums_;
     FogWave fog_;
     SpecialPoints special_;
-    MetallicPoints metallic_;
+    LightDivision division_;
     WaveLighting lighting_;
     SecondaryRays secondary_;
     PrimaryHitParts hitParts_ = PrimaryHitParts::None;

@@ -110,7 +110,7 @@ TEST(PhongScattering, IsWhatTheLightsShow) {
             continue;
         }
         const float lobe = dot(test::kTilted * (2 * cosine) - light, viewer);
-        float f = lobes.diffuse.x;
+        float f = lobes.diffuseBrdf.x;
         if (lobe > 0) f += 0.5F * formulas::phongLobe<float>(lobe, lobes.shininess, lobes.lobeScale);
         f += 0.5F * formulas::roughLobe<float>(cosine, dot(viewer, test::kTilted), lobes.roughScale);
         ASSERT_EQ(s.reflectance.x, f);

@@ -79,9 +79,9 @@ void dimLightOf(const FogMedium& medium, const Light& light, const SurfaceWave& 
         }
         const Float length = fogLength<Float>(medium.exponential, medium, position, toLight, distance);
         const Float left = fastExp(-(medium.density * length));
-        const Float3 added = loadAt(s.added, i);
+        const Float3 all = loadAt(s.contribution, i);
         // Where there is no point, the position may be anything.
-        storeAt(select(isZero(added), added, added * left), s.added, i);
+        storeAt(select(isZero(all), all, all * left), s.contribution, i);
     }
 }
 

@@ -43,7 +43,7 @@ class FogWave {
 
     /// weight *= transmittance, where there is a point.
     void dimWeights(SurfaceWave& surfaces) const;
-    /// added *= what is left of one stratum in the whole light at each point.
+    /// contribution *= what is left of one stratum in the whole light at each point.
     void dimLight(const Light& light, SurfaceWave& surfaces) const;
 
   private:

@@ -39,7 +39,7 @@ Colour HemisphereWave::scattered(const SurfaceWave& surfaces, std::size_t point)
     Colour specular =
         metallic ? surfaces.gloss.colourAt(point) : Colour{row.specular[0], row.specular[1], row.specular[2]};
     if (!metallic && surfaces.tint.x != nullptr) specular *= surfaces.tint.colourAt(point);
-    return surfaces.weight.colourAt(point) * (surfaces.diffuse.colourAt(point) * kPi + specular);
+    return surfaces.weight.colourAt(point) * (surfaces.diffuseBrdf.colourAt(point) * kPi + specular);
 }
 
 bool HemisphereWave::takes(const SurfaceWave& surfaces, std::size_t point) const {
@@ -59,7 +59,7 @@ void HemisphereWave::add(const SurfaceWave& surfaces, std::size_t point, SampleI
 }
 
 void HemisphereWave::light(SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop) {
-    for (float* const array : {surfaces.added.x, surfaces.added.y, surfaces.added.z}) {
+    for (float* const array : {surfaces.contribution.x, surfaces.contribution.y, surfaces.contribution.z}) {
         std::fill_n(array, surfaces.size(), 0.0F);
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -30,8 +30,8 @@ class HemisphereWave {
     virtual Colour unoccluded(const SurfaceWave& surfaces, std::size_t point) const = 0;
     /// Has a point lit by the next light(). `bounce` differs where a path meets points one after another.
     void add(const SurfaceWave& surfaces, std::size_t point, SampleId sample, std::uint32_t bounce);
-    /// Sets surfaces.added to the contribution of the light to the samples: zero at points that were not
-    /// added. Forgets the points. Returns soon, with `added` undefined, when `stop` (may be null) becomes
+    /// Sets surfaces.contribution to the contribution of the light to the samples: zero at points that were
+    /// not added. Forgets the points. Returns soon, with `added` undefined, when `stop` (may be null) becomes
     /// true.
     void light(SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop);
 
@@ -58,7 +58,7 @@ class HemisphereWave {
     /// Adds to their sums what rays() bring: those of all points in one direction, then in the next; so many
     /// directions.
     virtual void gather(std::size_t directions, RayStatistics& statistics) = 0;
-    /// Sets surfaces.added at the points: of so many directions, all are gathered.
+    /// Sets surfaces.contribution at the points: of so many directions, all are gathered.
     virtual void finish(std::span<const Point> points, std::size_t directions, SurfaceWave& surfaces) = 0;
 
     /// The fraction of such light at the point that reaches its sample.

@@ -32,7 +32,7 @@ struct KnownVisibility {
     std::uint32_t bit;
 };
 
-/// Sets surfaces.added to what `light` adds unshadowed to each point, zero where it adds nothing, and
+/// Sets surfaces.contribution to what `light` adds unshadowed to each point, zero where it adds nothing, and
 /// `shadows` to one ray for each point where it adds something and is not `known`, unless it is null. Keeps
 /// the memory of `shadows`.
 void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows,

@@ -42,7 +42,7 @@ void OcclusionWave::finish(std::span<const Point> points, std::size_t directions
     const Colour light = light_.radiance / static_cast<float>(directions);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t point = points[i].index;
-        surfaces.added.set(point, scattered(surfaces, point) * light * visible_[i]);
+        surfaces.contribution.set(point, scattered(surfaces, point) * light * visible_[i]);
     }
 }
 

@@ -85,7 +85,7 @@ void SkyWave::finish(std::span<const Point> points, std::size_t directions, Surf
         const std::size_t point = points[i].index;
         Colour light = arriving(i, directions, surfaces.shadingNormal.at(point));
         if (around_) light += around_->radiance * (near_[i] / static_cast<float>(directions));
-        surfaces.added.set(point, scattered(surfaces, point) * light);
+        surfaces.contribution.set(point, scattered(surfaces, point) * light);
     }
 }
 

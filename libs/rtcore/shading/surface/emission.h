@@ -6,8 +6,9 @@
 
 namespace rtcore {
 
-/// Sets `emitted` to what reaches the sample of each point's emission and reflected ambient light, as if the
-/// point were no mirror; leaves it as it is where there is no point.
+/// Sets `emitted` to what reaches the sample of each point's emission, and of the ambient light that it
+/// reflects, but for points with the trait kMetallic, whose part of that comes with their lobes
+/// (light_division.h); leaves it as it is where there is no point. Before the light is divided.
 void emissionOf(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3& emitted);
 
 } // namespace rtcore

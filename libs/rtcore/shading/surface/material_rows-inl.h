@@ -1,7 +1,7 @@
 // Values of the materials of consecutive points. Included once for each instruction set, inside
 // foreach_target.h's loop.
 #include "rtcore/math/float3-inl.h"
-#include "rtcore/shading/surface/material_table.h"
+#include "rtcore/shading/surface/material_row.h"
 
 #if defined(RTCORE_SHADING_SURFACE_MATERIAL_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_SHADING_SURFACE_MATERIAL_ROWS_INL_H_

@@ -54,7 +54,7 @@ HWY_INLINE Found lookUp(const SurfaceSources& from, std::uint32_t t) {
     const auto normal = [&](std::size_t i) { return broadcast(from.normals[shading.v[i]]); };
     return {{vertex(0), vertex(1), vertex(2)},
             {normal(0), normal(1), normal(2)},
-            broadcast(row.diffuse),
+            broadcast(row.diffuseBrdf),
             row.traits,
             shading.material};
 }
@@ -97,7 +97,7 @@ std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std:
         const Uint traits = selectOrZero(used, found.traits);
         store(traits, wave.traits + at);
         store(found.material, wave.material + at);
-        storeAt(found.diffuse, wave.diffuse, at);
+        storeAt(found.diffuse, wave.diffuseBrdf, at);
         const Float u = load(rays.u + i);
         const Float v = load(rays.v + i);
         storeAt(interpolate<Float>(found.position, u, v), wave.position, at);
@@ -162,8 +162,8 @@ class LastRays {
 void SurfaceWave::resize(std::size_t count, const MaterialTable& materials) {
     size_ = count;
     const bool metallic = materials.anyMetallic(), tinted = materials.anyTint();
-    ArraysOf3* const always[] = {&position, &geometricNormal, &shadingNormal, &toViewer,
-                                 &diffuse,  &weight,          &specular,      &added};
+    ArraysOf3* const always[] = {&position,    &geometricNormal, &shadingNormal, &toViewer,
+                                 &diffuseBrdf, &weight,          &specular,      &contribution};
     ArraysOf3* const ofMetal[] = {&straight, &grazing, &gloss, &further, &furtherShape};
     const std::size_t vectors = std::size(always) + (metallic ? std::size(ofMetal) : 0) + (tinted ? 1 : 0);
     memory_.resize(3 * vectors + (metallic ? 2 : 1), count);

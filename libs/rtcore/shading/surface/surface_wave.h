@@ -19,9 +19,9 @@ namespace rtcore {
 /// its memory.
 class SurfaceWave {
   public:
-    /// Fills everything down to `diffuse` from the hits of `rays` (directions of unit length). Of points with
-    /// a trait of kNotPlain, `diffuse` and `shadingNormal` are those of the material and mesh without
-    /// textures; `notPlain()` lists them in ascending order.
+    /// Fills everything down to `diffuseBrdf` from the hits of `rays` (directions of unit length). Of points
+    /// with a trait of kNotPlain, `diffuseBrdf` and `shadingNormal` are those of the material and mesh
+    /// without textures; `notPlain()` lists them in ascending order.
     void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
 
     std::size_t size() const { return size_; }
@@ -34,17 +34,23 @@ class SurfaceWave {
     ArraysOf3 geometricNormal;  ///< unit, on the side of the viewer
     ArraysOf3 shadingNormal;    ///< unit, as in Surface
     ArraysOf3 toViewer;         ///< unit
-    ArraysOf3 diffuse;          ///< albedo / pi
-    /// Where traits have kMetallic: factors on the GGX lobe, the albedo of all gloss beside what is mirrored,
-    /// which part of it is scattered further and with what shape, and alpha (MetallicLobes). Null where no
-    /// material is of that model.
+    /// f_r of the diffuse lobe, albedo / pi. Where traits have kMetallic it is the base colour / pi until the
+    /// light is divided (light_division.h).
+    ArraysOf3 diffuseBrdf;
+    /// Set there, where traits have kMetallic: factors on the GGX lobe, the albedo of all gloss beside what
+    /// is mirrored, which part of it is scattered further and with what shape, and alpha (MetallicLobes).
+    /// Null where no material is of that model.
     ArraysOf3 straight, grazing, gloss, further, furtherShape;
     float* alpha = nullptr;
-    ArraysOf3 tint;   ///< factor on the Phong lobes; null where no material has a texture of it
-    ArraysOf3 weight; ///< throughput of the path up to here: the fraction of scattered light that reaches the
-                      ///< sample
+    ArraysOf3 tint; ///< factor on the Phong lobes; null where no material has a texture of it
+    /// Throughput of the path up to here: the fraction of scattered light that reaches the sample; of all
+    /// light that leaves the point until it is divided.
+    ArraysOf3 weight;
     ArraysOf3 specular; ///< weight of the mirrored ray, where traits have kSpecular
-    ArraysOf3 added;    ///< radiance that the present light, emission or background adds to the sample
+    /// Scratch of one step at a time: the radiance that it adds to the sample of each ray. In turn those are
+    /// the lights that rays meet, emission, ambient light or the sky's, and each light or next event, first
+    /// unshadowed and then as far as it arrives. SampleSums::add() takes it; the next step overwrites it.
+    ArraysOf3 contribution;
 
   private:
     void resize(std::size_t count, const MaterialTable& materials);

@@ -1,0 +1,171 @@
+// How surfaces scatter light: the one place where the lobes of a material are put together, for all
+// integrators. Included once for each instruction set, inside the loop of foreach_target.h.
+#include "rtcore/math/constants.h"
+#include "rtcore/scattering/metallic-inl.h"
+#include "rtcore/scattering/phong_scattering-inl.h"
+#include "rtcore/shading/surface/material_rows-inl.h"
+#include "rtcore/shading/surface/surface_wave.h"
+
+#if defined(RTCORE_SHADING_SURFACE_LOBES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_SHADING_SURFACE_LOBES_INL_H_
+#undef RTCORE_SHADING_SURFACE_LOBES_INL_H_
+#else
+#define RTCORE_SHADING_SURFACE_LOBES_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// As in SurfaceWave.
+struct PointNormals {
+    Float3 geometric, shading;
+};
+HWY_INLINE PointNormals normalsAt(const SurfaceWave& s, std::size_t i) {
+    return {loadAt(s.geometricNormal, i), loadAt(s.shadingNormal, i)};
+}
+
+/// Cosines of the light with the normals.
+struct Incidence {
+    Float geometric, shading;
+    Mask above; ///< the surface; no other light is scattered
+};
+HWY_INLINE Incidence incidenceOf(const PointNormals& normals, Float3 toLight) {
+    const Float geometric = dot(normals.geometric, toLight), shading = dot(normals.shading, toLight);
+    return {geometric, shading, (geometric > 0.0F) & (shading > 0.0F)};
+}
+
+/// Consecutive points, and which lobes they have. What the lobes need is looked up where they are asked:
+/// most points have none beside the diffuse one.
+struct PointLobes {
+    const MaterialRow* rows;
+    const SurfaceWave& s;
+    std::size_t i; ///< of the first point
+    const PointNormals& normals;
+    Mask used;     ///< one at least
+    Mask glossy;   ///< these have Phong's lobes beside the diffuse one
+    Mask metallic; ///< these have the lobes of metallic-inl.h in place of all of those
+    bool anyGlossy, anyMetallic;
+};
+HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std::size_t i, Mask used,
+                              const PointNormals& normals) {
+    const Uint traits = load(s.traits + i);
+    const Mask glossy = used & hasTrait(traits, traits::kGlossy | traits::kRough);
+    const Mask metallic = used & hasTrait(traits, traits::kMetallic);
+    return {rows, s, i, normals, used, glossy, metallic, any(glossy), any(metallic)};
+}
+
+/// Of points that are not metallic; undefined of others.
+HWY_INLINE PhongLobes<Float> phongOf(const PointLobes& points) {
+    const Float3 diffuse = loadAt(points.s.diffuseBrdf, points.i);
+    if (!points.anyGlossy) return {diffuse, Float3{}, Float(kLeastShininess), Float(0), Float(0)};
+    const Rows row(points.rows, points.s.material + points.i, points.glossy);
+    Float3 specular = selectOrZero(points.glossy, row.get(&MaterialRow::specular));
+    if (points.s.tint.x != nullptr) specular = specular * loadAt(points.s.tint, points.i);
+    return {diffuse, specular,
+            select(points.glossy, row.get(&MaterialRow::shininess), Float(kLeastShininess)),
+            selectOrZero(points.glossy, row.get(&MaterialRow::lobeScale)),
+            selectOrZero(points.glossy, row.get(&MaterialRow::roughScale))};
+}
+
+/// Of metallic points; undefined of others.
+HWY_INLINE MetallicLobes<Float> metalOf(const PointLobes& points) {
+    const SurfaceWave& s = points.s;
+    const std::size_t i = points.i;
+    const Float3 further = loadAt(s.further, i);
+    return {loadAt(s.diffuseBrdf, i) * kPi,
+            loadAt(s.straight, i),
+            loadAt(s.grazing, i),
+            loadAt(s.gloss, i) - further,
+            further,
+            loadAt(s.furtherShape, i),
+            load(s.alpha + i)};
+}
+
+/// The fraction of light that all lobes scatter.
+HWY_INLINE Float3 albedoOf(const PointLobes& points) {
+    const Float3 diffuse = loadAt(points.s.diffuseBrdf, points.i) * kPi;
+    Float3 albedo = diffuse;
+    if (points.anyGlossy) albedo = albedo + phongOf(points).specular;
+    if (points.anyMetallic)
+        albedo = select(points.metallic, diffuse + loadAt(points.s.gloss, points.i), albedo);
+    return albedo;
+}
+
+/// What a light changes of highlights.
+struct Highlights {
+    Float spread;    ///< solid angle over pi of the light's stratum that is looked at: they are no narrower,
+                     ///< else they are undersampled
+    Float metalLeft; ///< fraction of metal's that counts; mirrored rays show the rest
+};
+
+/// In which order the lobes of metal are summed up. Each integrator keeps its own, and so the bits of its
+/// images.
+enum class SumOrder { OfRays, OfPaths };
+
+struct Scattered {
+    Float3 value;  ///< f cos theta, with the terminator's factor
+    Float density; ///< 1/sr; of sampleLobes()
+};
+
+/// Light from `toLight`, of unit length; undefined where it is not above the surface. `widens`: highlights
+/// are no narrower than highlights.spread. What is not used of the result costs nothing.
+template <bool widens, SumOrder order>
+HWY_INLINE Scattered scatteredFrom(const PointLobes& points, Float3 toLight, const Incidence& incidence,
+                                   const Highlights& highlights) {
+    const Float3 normal = points.normals.shading;
+    const Float3 diffuse = loadAt(points.s.diffuseBrdf, points.i);
+    Scattering<Float> all{diffuse, lambertDensity<Float>(incidence.shading)};
+    if (points.anyGlossy) {
+        PhongLobes<Float> lobes = phongOf(points);
+        if constexpr (widens) widenLobe(highlights.spread, lobes.shininess, lobes.lobeScale);
+        all = scatterPhong<Float>(lobes, normal, loadAt(points.s.toViewer, points.i), toLight);
+    }
+    if (points.anyMetallic) {
+        MetallicLobes<Float> lobes = metalOf(points);
+        if constexpr (widens) lobes.alpha = widenedAlpha<Float>(lobes.alpha, highlights.spread);
+        const Float3 viewer = liftedViewer<Float>(loadAt(points.s.toViewer, points.i), normal);
+        const MetallicTerms<Float> terms =
+            metallicTerms<Float>(lobes, normal, viewer, toLight, highlights.metalLeft);
+        const Float3 metal = order == SumOrder::OfPaths ? metallicReflectance<Float>(lobes, terms)
+                                                        : metallicReflectance<Float>(lobes, terms, diffuse);
+        all = {select(points.metallic, metal, all.reflectance),
+               select(points.metallic, metallicDensity<Float>(lobes, terms, incidence.shading), all.density)};
+    }
+    const Float factor = incidence.shading * terminatorFactor<Float>(points.normals.geometric, normal,
+                                                                     incidence.geometric, incidence.shading);
+    return {all.reflectance * factor, all.density};
+}
+
+struct LobeSample {
+    Float3 direction; ///< unit; may be below the surface, where nothing is scattered
+    Mask matte;       ///< it was sampled for a lobe without a highlight
+};
+
+/// A direction with the density of scatteredFrom(), by the random numbers `lobe` and `point`, each 0..1,
+/// without 1.
+HWY_INLINE LobeSample sampleLobes(const PointLobes& points, Float lobe, SquarePointOf<Float> point) {
+    const Float3 normal = points.normals.shading, toViewer = loadAt(points.s.toViewer, points.i);
+    LobeSample sample{Float3{}, points.used};
+    if (any(without(points.used, points.metallic))) {
+        const PhongLobes<Float> lobes = phongOf(points);
+        sample.direction = drawPhongScattering<Float>(lobes, normal, toViewer, lobe, point);
+        sample.matte = !(lobe < phongProbability<Float>(lobes, dot(normal, toViewer)));
+    }
+    if (points.anyMetallic) {
+        const MetallicLobes<Float> lobes = metalOf(points);
+        const Float3 viewer = liftedViewer<Float>(toViewer, normal);
+        const Float3 direction = drawMetallic<Float>(lobes, normal, viewer, lobe, point);
+        sample.direction = select(points.metallic, direction, sample.direction);
+        // What metal scatters further is sampled as matte surfaces are, and is none.
+        const Mask matte = without(!(lobe < glossProbability<Float>(lobes)), isZero(lobes.diffuse));
+        sample.matte = (points.metallic & matte) | without(sample.matte, points.metallic);
+    }
+    return sample;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif
