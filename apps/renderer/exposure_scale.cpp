@@ -45,18 +45,17 @@ bool hasRecordedExposure(const rtcore::CameraFile& camera,
            });
 }
 
-float exposureScale(const rtcore::View& view, rtcore::RenderControl& control, rtcore::FrameRenderer& whitted,
-                    rtcore::PathRenderer& paths) {
+float exposureScale(const rtcore::View& view, rtcore::RenderControl& control,
+                    rtcore::ImageRenderers& images) {
     rtcore::Frame frame;
-    const auto mean = [&](auto& renderer, rtcore::Integrator integrator) {
+    const auto mean = [&](rtcore::Integrator integrator) {
         const rtcore::RenderSettings small = smallSettings(view.settings, integrator);
-        if (!renderer.render({view.scene, view.tracer, view.camera, small}, control, frame))
+        if (!images.of(integrator).render({view.scene, view.tracer, view.camera, small}, control, {}, frame))
             throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
         return meanLuminance(frame.radiance);
     };
-    whitted.collectAovs(false);
-    const double straight = mean(whitted, rtcore::Integrator::Whitted);
-    const double all = mean(paths, rtcore::Integrator::Path);
+    const double straight = mean(rtcore::Integrator::Whitted);
+    const double all = mean(view.settings.integrator);
     return straight > 0 && all > 0 ? static_cast<float>(all / straight) : 1.0F;
 }
 

@@ -1,9 +1,8 @@
-/// How much brighter an image is by paths than by Whitted's rays, for which a recording's exposures are.
+/// How much brighter an image is than by Whitted's rays, for which a recording's exposures are.
 #pragma once
 
 #include "rtcore/io/text/cam.h"
-#include "rtcore/render/frame_renderer.h"
-#include "rtcore/render/path_renderer.h"
+#include "rtcore/render/image_renderer.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <span>
@@ -14,11 +13,10 @@ namespace renderer {
 bool hasRecordedExposure(const rtcore::CameraFile& camera,
                          std::span<const rtcore::SettingAssignment> commandLine);
 
-/// The mean luminance of the view by paths over that by Whitted's rays, of small images: what the constant
-/// of a recorded exposure is multiplied by. 1 where one of the images is black. A function of the view alone:
-/// the same bits for any number of threads and any instruction set. Throws rtcore::FileError Stopped when
-/// control.cancel was set.
-float exposureScale(const rtcore::View& view, rtcore::RenderControl& control, rtcore::FrameRenderer& whitted,
-                    rtcore::PathRenderer& paths);
+/// The mean luminance of the view by the integrator of its settings over that by Whitted's rays, of small
+/// images: what the constant of a recorded exposure is multiplied by. 1 where one of the images is black. A
+/// function of the view alone: the same bits for any number of threads and any instruction set. Throws
+/// rtcore::FileError Stopped when control.cancel was set.
+float exposureScale(const rtcore::View& view, rtcore::RenderControl& control, rtcore::ImageRenderers& images);
 
 } // namespace renderer

@@ -7,6 +7,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/scene/closed_surfaces.h"
+#include "rtcore/settings/integrator_traits.h"
 
 #include <fmt/core.h>
 
@@ -101,7 +102,7 @@ std::uint64_t knownRays(const RendererOptions& options) {
     if (options.list || options.camera || options.settingsFile || options.scene.extension() == ".scn")
         return 0;
     const rtcore::RenderSettings s = app::mergeSettings({.commandLine = options.settings});
-    if (s.integrator == rtcore::Integrator::Path) return 0;
+    if (rtcore::traitsOf(s.integrator).samplesAllLight) return 0; // the rays from the camera are the fewest
     return static_cast<std::uint64_t>(s.width) * static_cast<std::uint64_t>(s.height) *
            static_cast<std::uint64_t>(s.antialiasing) * static_cast<std::uint64_t>(s.antialiasing);
 }

@@ -126,7 +126,7 @@ PictureMaker::Shot PictureMaker::prepare(const FrameTask& task) {
     rtcore::ExposureSettings& exposure = shot.settings.exposure;
     if (exposure.recorded == rtcore::RecordedExposure::Automatic) exposure.mode = measured();
     const bool scaled = exposure.recorded == rtcore::RecordedExposure::Scaled &&
-                        shot.settings.integrator == rtcore::Integrator::Path;
+                        shot.settings.integrator != rtcore::Integrator::Whitted;
     if (scaled) exposure.value = exposure.value * recordedScale(task.camera);
     return shot;
 }
@@ -150,7 +150,7 @@ float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
     const app::ProgressScope scope(
         progress_, {"measuring the light", [&control] { return control.fraction(); }, &control.cancel});
     const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
-    scale_ = exposureScale({loaded_.scene, *tracer, shot.camera, shot.settings}, control, renderer_, paths_);
+    scale_ = exposureScale({loaded_.scene, *tracer, shot.camera, shot.settings}, control, images_);
     if (options_.verbose)
         progress_.print(fmt::format(
             "recorded exposures are scaled by {:.4g}: the mean of {} by paths over that by Whitted's rays",
@@ -185,82 +185,31 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
                                           settings.width, settings.height, rtcore::kMaxImagePixels));
     }
     rtcore::RenderControl control{.threads = options_.threads};
-    const auto fraction = [this, &control] {
-        return preview_ != nullptr ? preview_->fraction(control) : control.fraction();
-    };
+    rtcore::ImageRenderer& images = images_.of(settings.integrator);
+    const auto fraction = [&images, &control] { return images.fraction(control); };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
     const bool aovs = options_.aovs || rtcore::effectsNeedAovs(settings);
-    renderer_.collectAovs(aovs);
     const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
     const rtcore::View view{loaded_.scene, *tracer, camera, settings};
     white_.reset();
     if (settings.exposure.mode == rtcore::ExposureMode::Incident) white_ = meter_.white(view, control);
     if (preview_ != nullptr) preview_->meter(white_);
-    bool whole = false;
-    if (settings.integrator == rtcore::Integrator::Path) {
-        whole = renderPaths(view, control, aovs);
-    } else {
-        whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
-                                    : preview_->render(renderer_, view, control, frame_);
-    }
+    const bool whole = preview_ == nullptr ? images.render(view, control, {.aovs = aovs}, frame_)
+                                           : preview_->render({images, view, control, frame_}, aovs);
     if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
+    tell(images.remarks());
     app::throwIfStopped();
 }
 
-bool PictureMaker::renderPaths(const rtcore::View& view, rtcore::RenderControl& control, bool aovs) {
-    bool whole = false;
-    if (preview_ == nullptr) {
-        whole = paths_.render(view, control, frame_);
-    } else {
-        whole = findSurfaces(view, control.threads, 1) &&
-                preview_->render(paths_, view, control, frame_, aovFrame_.aovs);
+/// Details where --verbose asks, those of the scene once a run; the rest always.
+void PictureMaker::tell(const std::vector<rtcore::ImageRemark>& remarks) {
+    for (const rtcore::ImageRemark& remark : remarks) {
+        if (remark.detail && (!options_.verbose || (remark.ofScene && toldOfScene_))) continue;
+        progress_.print(remark.text);
     }
-    if (!whole) return false;
-    tellOfPaths(paths_);
-    if (!aovs) return true;
-    constexpr int kSamples = 4; // each way: edges are as smooth as those of the image
-    if (!findSurfaces(view, control.threads, kSamples)) return false;
-    std::swap(frame_.aovs, aovFrame_.aovs);
-    return true;
-}
-
-/// AOVs of paths are those of rays, which see the same first.
-bool PictureMaker::findSurfaces(const rtcore::View& view, int threads, int samples) {
-    rtcore::RenderSettings rays = view.settings;
-    rays.integrator = rtcore::Integrator::Whitted;
-    rays.antialiasing = samples;
-    rays.adaptive = 0;
-    rays.ambientOcclusion.on = rays.skyLight.on = false;
-    rtcore::RenderControl quietly{.threads = threads};
-    renderer_.collectAovs(true);
-    return renderer_.render({view.scene, view.tracer, view.camera, rays}, quietly, aovFrame_);
-}
-
-/// What light there is by paths, once a run, where --verbose asks; and what was lost, always.
-void PictureMaker::tellOfPaths(const rtcore::PathRenderer& paths) {
-    const std::uint64_t dropped = paths.sums().dropped();
-    if (dropped > 0) {
-        progress_.print(fmt::format("warning: {} samples were not finite and do not count; the scene has "
-                                    "numbers that are too large",
-                                    dropped));
-    }
-    const std::uint64_t clipped = paths.sums().clipped();
-    if (clipped > 0 && options_.verbose) {
-        progress_.print(
-            fmt::format("{} samples are brighter than {:.3g} and count as that: the image has less light "
-                        "than the scene",
-                        clipped, paths.sums().largest()));
-    }
-    if (!options_.verbose || std::exchange(toldOfPaths_, true)) return;
-    progress_.print(fmt::format("paths are lit by {} lights, {} emissive triangles{}",
-                                paths.lights().lights().size(), paths.lights().emitters().size(),
-                                paths.lights().surroundings().empty() ? "" : ", and the surroundings"));
-    for (std::size_t i = 0; i < paths.lights().dark().size(); ++i) {
-        if (paths.lights().dark()[i] == 0) continue;
-        progress_.print(fmt::format("material {} is seen to emit light, but lights nothing", i));
-    }
+    toldOfScene_ = true;
 }
 
 float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radiance,

@@ -11,9 +11,8 @@
 #include "rtcore/io/text/cam.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
-#include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/image_renderer.h"
 #include "rtcore/render/light_meter.h"
-#include "rtcore/render/path_renderer.h"
 
 #include <filesystem>
 #include <optional>
@@ -65,14 +64,12 @@ class PictureMaker {
     /// The same for a frame, with the noise and the exposure that its list gives it.
     Shot prepare(const FrameTask& task);
     rtcore::ExposureMode measured() const;
-    /// What a recorded exposure is multiplied by, for images by paths of that camera or of its list.
+    /// What a recorded exposure is multiplied by, for images of that camera or of its list.
     float recordedScale(const std::filesystem::path& cameraFile);
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
-    bool renderPaths(const rtcore::View& view, rtcore::RenderControl& control, bool aovs);
-    bool findSurfaces(const rtcore::View& view, int threads, int samples);
-    void tellOfPaths(const rtcore::PathRenderer& paths);
+    void tell(const std::vector<rtcore::ImageRemark>& remarks);
     /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
                   const rtcore::RenderSettings& settings);
@@ -89,15 +86,13 @@ class PictureMaker {
     std::filesystem::path firstOfList_;
     std::optional<float> white_;  ///< the light on what the frame shows, where its exposure is by that
     std::optional<float> scale_;  ///< of recorded exposures, once it is known
-    bool toldOfPaths_ = false;    ///< which lights they have
+    bool toldOfScene_ = false;    ///< what there is to tell in detail
     bool warned_ = false;         ///< that a .cam is of another scene
     bool warnedOfUnused_ = false; ///< of settings
     rtcore::KdTree tree_;         ///< of what is shown
     std::shared_ptr<const rtcore::KdRayTracer> surfaces_;
     // Kept, so that their memory is reused.
-    rtcore::FrameRenderer renderer_;
-    rtcore::PathRenderer paths_;
-    rtcore::Frame aovFrame_;
+    rtcore::ImageRenderers images_;
     rtcore::LightMeter meter_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;

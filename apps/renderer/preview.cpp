@@ -6,6 +6,7 @@
 
 #include "ipc/layout/frame_info.h"
 
+#include "rtcore/settings/integrator_traits.h"
 #include "rtcore/upsample/upsample.h"
 
 #include <algorithm>
@@ -47,37 +48,12 @@ Preview::~Preview() {
     thread_.join();
 }
 
-bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::View& view,
-                     rtcore::RenderControl& control, rtcore::Frame& frame) {
-    Work work{view, control, frame};
-    byPaths_ = false;
-    return during(work, [&] {
-        return refinement_.render(renderer, view, control, frame,
-                                  [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) {
-                                      const int samples = pass.antialiasing * pass.antialiasing;
-                                      showPass(pass.block, static_cast<std::uint32_t>(samples), picture);
-                                  });
-    });
-}
-
-bool Preview::render(rtcore::PathRenderer& paths, const rtcore::View& view, rtcore::RenderControl& control,
-                     rtcore::Frame& frame, const rtcore::Aovs& surfaces) {
-    Work work{view, control, frame};
-    byPaths_ = true;
-    return during(work, [&] {
-        return paths.render(view, control, frame, [&](std::uint32_t samples, const rtcore::Frame& picture) {
-            const rtcore::Frame& shown =
-                filter_.apply(picture, surfaces, view.settings, samples, control.threads, control.cancel);
-            if (!control.cancel) showPass(1, samples, shown);
-        });
-    });
-}
-
-template <typename Render>
-bool Preview::during(Work& work, Render&& render) {
+bool Preview::render(const Work& work, bool aovs) {
     begin(work);
     try {
-        const bool whole = render();
+        const bool whole = work.images.render(
+            work.view, work.control,
+            {.aovs = aovs, .show = [this](const rtcore::ImagePass& pass) { showPass(pass); }}, work.frame);
         end();
         return whole;
     } catch (...) {
@@ -86,7 +62,7 @@ bool Preview::during(Work& work, Render&& render) {
     }
 }
 
-void Preview::begin(Work& work) {
+void Preview::begin(const Work& work) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     const rtcore::RenderSettings& settings = work.view.settings;
@@ -94,8 +70,7 @@ void Preview::begin(Work& work) {
     picture_ = rtcore::LdrImage(settings.width, settings.height);
     effects_ = {};
     samples_ = 0;
-    allSamples_ = static_cast<std::uint32_t>(byPaths_ ? settings.path.samples
-                                                      : settings.antialiasing * settings.antialiasing);
+    allSamples_ = static_cast<std::uint32_t>(rtcore::samplesPerPixel(settings));
     status_ = {};
     status_.polygons = work.view.scene.model.mesh.triangles.size();
     app::setView(work.view.camera, settings.width, settings.height, status_);
@@ -129,12 +104,19 @@ void Preview::linger() {
     }
 }
 
-void Preview::showPass(int block, std::uint32_t samples, const rtcore::Frame& frame) {
+void Preview::showPass(const rtcore::ImagePass& pass) {
+    const Work& work = *work_; // only this thread changes it
+    const rtcore::RenderSettings& settings = work.view.settings;
+    const int block = pass.block;
+    const rtcore::Frame& frame = pass.surfaces == nullptr
+                                     ? pass.frame
+                                     : filter_.apply(pass.frame, *pass.surfaces, settings, pass.samples,
+                                                     work.control.threads, work.control.cancel);
+    if (pass.surfaces != nullptr && work.control.cancel) return;
     const std::lock_guard lock(mutex_);
     throwIfFailed();
-    const rtcore::RenderSettings& settings = work_->view.settings;
     // A small image is developed sooner than several threads have met: on a busy machine they wait long.
-    const int threads = block > 1 ? 1 : work_->control.threads;
+    const int threads = block > 1 ? 1 : work.control.threads;
     status_.exposure = developer_.exposure(frame, settings, white_, threads);
     effects_.beginRows(rtcore::EffectStage::Radiance, frame.radiance, block,
                        {.settings = settings, .threads = threads, .exposure = status_.exposure});
@@ -145,7 +127,7 @@ void Preview::showPass(int block, std::uint32_t samples, const rtcore::Frame& fr
         for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = 0; // until it has a sample of its own
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
-        samples_ = samples;
+        samples_ = pass.samples;
     }
     publish(picture_, tagUnderWay());
     pace_.shown(Clock::now(), Clock::now());
@@ -156,7 +138,7 @@ void Preview::showPass(int block, std::uint32_t samples, const rtcore::Frame& fr
 void Preview::showTiles() {
     const Clock::time_point start = Clock::now();
     if (!pace_.due(start)) return;
-    const std::vector<rtcore::PixelArea> tiles = refinement_.finishedTiles().take();
+    const std::vector<rtcore::PixelArea> tiles = work_->images.takeFinishedTiles();
     if (tiles.empty()) return;
     const rtcore::Development how = rtcore::developmentOf(work_->view.settings, status_.exposure);
     for (const rtcore::PixelArea& tile : tiles) {
@@ -168,7 +150,7 @@ void Preview::showTiles() {
 
 // All may be rendered, but is not yet developed and written: only the last frame says that all is done.
 std::uint64_t Preview::tagUnderWay() const {
-    const double parts = fraction(work_->control) * static_cast<double>(ipc::kPreviewDone);
+    const double parts = work_->images.fraction(work_->control) * static_cast<double>(ipc::kPreviewDone);
     return std::min(static_cast<std::uint64_t>(parts), ipc::kPreviewDone - 1);
 }
 
@@ -203,7 +185,7 @@ void Preview::serve() {
     if (work_ == nullptr) return;
     server_->reserveFrame(status_.width, status_.height); // now, while the first pass is rendered
     showTiles();
-    status_.progress = static_cast<float>(std::min(fraction(work_->control), 0.999999));
+    status_.progress = static_cast<float>(std::min(work_->images.fraction(work_->control), 0.999999));
     status_.frameSeconds = app::secondsSince(begun_);
     server_->setStatus(status_);
 }

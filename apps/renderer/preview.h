@@ -9,8 +9,7 @@
 #include "ipc/endpoint/server.h"
 
 #include "rtcore/post/develop.h"
-#include "rtcore/render/path_renderer.h"
-#include "rtcore/render/refinement.h"
+#include "rtcore/render/image_renderer.h"
 
 #include <atomic>
 #include <chrono>
@@ -39,18 +38,17 @@ class Preview {
     /// The light on what images to come show, by rtcore::LightMeter.
     void meter(std::optional<float> white) { white_ = white; }
 
-    /// As rtcore::FrameRenderer::render, and with its result, which is not shown yet. Throws ipc::Error when
-    /// there is no memory for frames, or the instance was lost.
-    bool render(rtcore::FrameRenderer& renderer, const rtcore::View& view, rtcore::RenderControl& control,
-                rtcore::Frame& frame);
-    /// The same by paths, whose image is shown after each round of samples, with less noise (PreviewFilter)
-    /// where `surfaces` has the view's AOVs.
-    bool render(rtcore::PathRenderer& paths, const rtcore::View& view, rtcore::RenderControl& control,
-                rtcore::Frame& frame, const rtcore::Aovs& surfaces);
-    /// Of render(). Any thread.
-    double fraction(const rtcore::RenderControl& control) const {
-        return byPaths_ ? control.fraction() : refinement_.fraction(control);
-    }
+    /// What is rendered.
+    struct Work {
+        rtcore::ImageRenderer& images;
+        const rtcore::View& view;
+        rtcore::RenderControl& control;
+        rtcore::Frame& frame;
+    };
+    /// As rtcore::ImageRenderer::render, and with its result, which is not shown yet. What is shown before it
+    /// has less noise than it has (PreviewFilter). Throws ipc::Error when there is no memory for frames, or
+    /// the instance was lost.
+    bool render(const Work& work, bool aovs);
 
     /// Shows the image that render() gave, developed with `exposure`: the last one of the run, when its
     /// files stand.
@@ -61,19 +59,9 @@ class Preview {
   private:
     using Clock = std::chrono::steady_clock;
 
-    /// What is being rendered.
-    struct Work {
-        const rtcore::View& view;
-        rtcore::RenderControl& control;
-        const rtcore::Frame& frame;
-    };
-
-    /// Calls `render` while `work` is under way.
-    template <typename Render>
-    bool during(Work& work, Render&& render);
-    void begin(Work& work);
+    void begin(const Work& work);
     void end();
-    void showPass(int block, std::uint32_t samples, const rtcore::Frame& frame);
+    void showPass(const rtcore::ImagePass& pass);
     void showTiles();
     std::uint64_t tagUnderWay() const;
     void publish(const rtcore::LdrImage& picture, std::uint64_t tag);
@@ -82,9 +70,7 @@ class Preview {
     void throwIfFailed() const;
 
     const PreviewOptions options_;
-    std::atomic<bool> byPaths_{false};
     std::uint32_t allSamples_ = 1; ///< of each pixel of the whole image
-    rtcore::Refinement refinement_;
     rtcore::PictureDeveloper developer_;
     std::optional<float> white_;
     PreviewFilter filter_;
@@ -94,7 +80,7 @@ class Preview {
     std::condition_variable_any wake_;
     std::unique_ptr<ipc::Server> server_;
     ipc::Status status_;
-    Work* work_ = nullptr; ///< null: nothing is being rendered
+    const Work* work_ = nullptr; ///< null: nothing is being rendered
     rtcore::LdrImage picture_;
     rtcore::EffectChain effects_; ///< for parts, by the last whole pass
     std::uint32_t samples_ = 0;   ///< that each pixel of picture_ has at least; 0: not even one of its own

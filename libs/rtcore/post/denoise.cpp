@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/threads.h"
 #include "rtcore/post/denoise_tap.h"
+#include "rtcore/settings/integrator_traits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -295,12 +296,13 @@ const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const
     const bool whole = aovs.width() == picture.width && aovs.height() == picture.height;
     if (passes <= 0 || aovs.empty() || !whole) return picture;
     stop_ = run.stop;
-    // Behind a lens the albedos of a pixel are mixed; of paths all light is sampled.
-    const bool all = run.settings.depthOfField.on || run.settings.integrator == Integrator::Path;
+    const bool noisy = traitsOf(run.settings.integrator).samplesAllLight;
+    // Behind a lens the albedos of a pixel are mixed.
+    const bool all = noisy || run.settings.depthOfField.on;
     resize(picture.width, picture.height);
     fillGuides(aovs, all, run.threads);
     if (!fillLight(picture, aovs, all, run.threads)) return picture;
-    if (run.settings.integrator == Integrator::Path) dropSpikes(run.threads);
+    if (noisy) dropSpikes(run.threads);
     if (!stopped()) fillSlopes(run.threads);
     if (!stopped()) measureNoise(run.threads);
     for (int pass = 0; pass < passes && !stopped(); ++pass) filter(pass, run.threads);

@@ -1,5 +1,6 @@
 #include "rtcore/render/adaptive_sampler.h"
 
+#include "rtcore/settings/integrator_traits.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ bool isFirstSample(std::uint32_t sub, int n) {
 int firstSamples(int n) { return ((n + 1) / 2) * ((n + 1) / 2); }
 
 bool samplesAdaptively(const RenderSettings& settings) {
-    return settings.integrator == Integrator::Whitted && settings.adaptive > 0 && settings.antialiasing > 1;
+    return !traitsOf(settings.integrator).samplesAllLight && settings.adaptive > 0 &&
+           settings.antialiasing > 1;
 }
 
 void AdaptiveSampler::begin(const RenderSettings& settings) {

@@ -42,10 +42,9 @@ bool LightMeter::findSurfaces(const View& view, RenderControl& control) {
 
 /// frame_ has the light, and surfaces_.aovs what it falls on.
 bool LightMeter::render(const View& view, RenderControl& control) {
-    if (view.settings.integrator == Integrator::Path)
-        return paths_.render(view, control, frame_) && findSurfaces(view, control);
-    rays_.collectAovs(true);
-    if (!rays_.render(view, control, frame_)) return false;
+    ImageRenderer& images = images_.of(view.settings.integrator);
+    if (!images.render(view, control, {.aovs = images.rendersAovs()}, frame_)) return false;
+    if (!images.rendersAovs()) return findSurfaces(view, control);
     std::swap(surfaces_.aovs, frame_.aovs);
     return true;
 }

@@ -3,7 +3,7 @@
 
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
-#include "rtcore/render/path_renderer.h"
+#include "rtcore/render/image_renderer.h"
 #include "rtcore/render/view.h"
 
 #include <optional>
@@ -36,8 +36,8 @@ class LightMeter {
     /// Of what was rendered last.
     std::optional<float> whiteOn(Metered what);
 
-    FrameRenderer rays_;
-    PathRenderer paths_;
+    ImageRenderers images_;
+    FrameRenderer rays_; ///< for AOVs that do not come with the image
     Frame frame_, surfaces_;
     std::vector<float> whites_; ///< of the pixels that count
 };

@@ -1,0 +1,24 @@
+/// Images by Whitted's ray tracing, shown from coarse to fine.
+#pragma once
+
+#include "rtcore/render/image_renderer.h"
+#include "rtcore/render/refinement.h"
+
+#include <atomic>
+
+namespace rtcore {
+
+class RayImages : public ImageRenderer {
+  public:
+    bool render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) override;
+    bool rendersAovs() const override { return true; }
+    double fraction(const RenderControl& control) const override;
+    std::vector<PixelArea> takeFinishedTiles() override { return refinement_.finishedTiles().take(); }
+
+  private:
+    FrameRenderer renderer_;
+    Refinement refinement_;
+    std::atomic<bool> refines_{false}; ///< the image is shown meanwhile
+};
+
+} // namespace rtcore
