@@ -1,5 +1,6 @@
 #include "rtcore/scene/material_override.h"
 
+#include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/material_textures.h"
 
 #include <algorithm>
@@ -51,10 +52,8 @@ void MaterialOverride::applyTo(Material& material, const TextureMeans& means) co
     apply(reflectivity, material.mirror);
     if (reflectivity) material.mirrorScale = 1;
     apply(fresnel, material.fresnel);
-    apply(opacity, material.opacity);
     apply(transmission, material.transmission);
-    apply(attenuationDistance, material.attenuationDistance);
-    apply(indexOfRefraction, material.indexOfRefraction);
+    for (const MaterialNumber& each : kMaterialNumbers) apply(this->*each.change, material.*each.field);
     apply(emission, material.emission);
 }
 
@@ -75,9 +74,7 @@ void MaterialOverride::add(const MaterialOverride& later) {
     replace(emission, later.emission);
     replace(reflectivity, later.reflectivity);
     replace(shininess, later.shininess);
-    replace(opacity, later.opacity);
-    replace(attenuationDistance, later.attenuationDistance);
-    replace(indexOfRefraction, later.indexOfRefraction);
+    for (const MaterialNumber& each : kMaterialNumbers) replace(this->*each.change, later.*each.change);
     replace(roughness, later.roughness);
     replace(metallic, later.metallic);
     replace(fresnel, later.fresnel);

@@ -1,9 +1,11 @@
 #include "rtcore/io/bsp/model_check.h"
 
+#include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/material_textures.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rtcore {
@@ -29,9 +31,13 @@ bool isSwitch(std::uint32_t value) { return value <= 1; }
 bool isPlace(Vec3 v) { return within(v, -kLargestNumber, kLargestNumber); }
 bool isUnit(Vec3 v) { return isPlace(v) && std::fabs(length(v) - 1) < kRounding; }
 
+std::string outside(const MaterialNumber& number) {
+    if (number.maximum == kUnlimitedNumber) return fmt::format("{} is out of range", number.key);
+    return fmt::format("{} is not in {}..{}", number.key, number.minimum, number.maximum);
+}
+
 const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.diffuse, 0, 1)) return "diffuse is not in 0..1";
-    if (!within(m.opacity, 0, 1)) return "opacity is not in 0..1";
     if (!within(m.specular, 0, 1)) return "specular is not in 0..1";
     if (!hasRoughness(m) && !within(m.diffuse + m.specular, 0, 1 + kRounding))
         return "diffuse and specular together exceed 1";
@@ -39,9 +45,7 @@ const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.mirror, 0, 1)) return "mirror is not in 0..1";
     if (!within(m.mirrorScale, 0, 1)) return "mirrorScale is not in 0..1";
     if (!within(m.transmission, 0, 1)) return "transmission is not in 0..1";
-    if (!within(m.attenuationDistance, 0, kLargestNumber)) return "attenuationDistance is out of range";
     if (!within(m.emission, 0, kLargestNumber)) return "emission is out of range";
-    if (!within(m.indexOfRefraction, 1, 5)) return "indexOfRefraction is not in 1..5";
     if (!isSwitch(m.fresnel) || !isSwitch(m.alphaFromAlpha)) return "a switch is neither 0 nor 1";
     if (!within(m.alphaCutoff, 0, 1)) return "alphaCutoff is not in 0..1";
     if (!within(m.roughness, 0, 1) && m.roughness != kNoRoughness) return "roughness is not in 0..1";
@@ -120,6 +124,13 @@ Finding checkEach(const char* section, std::span<const Record> records, const Mo
 } // namespace
 
 std::optional<std::string> checkMaterials(const Model& model) {
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        for (const MaterialNumber& number : kMaterialNumbers) {
+            const float maximum = std::min(number.maximum, kLargestNumber);
+            if (within(model.materials[i].*number.field, number.minimum, maximum)) continue;
+            return fmt::format("materials: element {}: {}", i, outside(number));
+        }
+    }
     return checkEach("materials", model.materials, model);
 }
 std::optional<std::string> checkTextures(const Model& model) {

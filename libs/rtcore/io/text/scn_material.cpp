@@ -1,13 +1,13 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/text_file.h"
+#include "rtcore/scene/material_numbers.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <system_error>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rtcore {
 
@@ -26,22 +26,29 @@ struct MaterialKey {
     int version = 1;         ///< of files that have it
 };
 
+std::vector<MaterialKey> makeKeys() {
+    std::vector<MaterialKey> keys{{"diffuse", &Override::diffuse},
+                                  {"specular", &Override::specular},
+                                  {"shininess", &Override::shininess, {.minimum = 0, .maximum = 100'000}},
+                                  {"roughness", &Override::roughness, kShare, false, 2},
+                                  {"metallic", &Override::metallic, kShare, false, 2},
+                                  {"reflectivity", &Override::reflectivity, kShare, true},
+                                  {"fresnel", &Override::fresnel},
+                                  {"transmission", &Override::transmission}};
+    for (const MaterialNumber& each : kMaterialNumbers)
+        keys.push_back(
+            {each.key, each.change, {.minimum = each.minimum, .maximum = each.maximum}, false, each.version});
+    keys.insert(keys.end(), {{"emission", &Override::emission, kNotNegative},
+                             {"textures", &Override::textures, kShare, false, 2},
+                             {"flipTextures", &Override::flipTextures, kShare, false, 2}});
+    return keys;
+}
+
 /// In the order in which they are written.
-const std::array<MaterialKey, 14> kKeys{
-    {{"diffuse", &Override::diffuse},
-     {"specular", &Override::specular},
-     {"shininess", &Override::shininess, {.minimum = 0, .maximum = 100'000}},
-     {"roughness", &Override::roughness, kShare, false, 2},
-     {"metallic", &Override::metallic, kShare, false, 2},
-     {"reflectivity", &Override::reflectivity, kShare, true},
-     {"fresnel", &Override::fresnel},
-     {"opacity", &Override::opacity},
-     {"transmission", &Override::transmission},
-     {"attenuationDistance", &Override::attenuationDistance, kNotNegative},
-     {"indexOfRefraction", &Override::indexOfRefraction, {.minimum = 1, .maximum = 5}},
-     {"emission", &Override::emission, kNotNegative},
-     {"textures", &Override::textures, kShare, false, 2},
-     {"flipTextures", &Override::flipTextures, kShare, false, 2}}};
+const std::vector<MaterialKey>& keys() {
+    static const std::vector<MaterialKey> all = makeKeys();
+    return all;
+}
 
 struct Reader {
     StrictTable& table;
@@ -61,7 +68,7 @@ struct Reader {
 };
 
 void readChanges(StrictTable& table, const std::filesystem::path& folder, MaterialOverride& material) {
-    for (const MaterialKey& key : kKeys) std::visit(Reader{table, key, material}, key.member);
+    for (const MaterialKey& key : keys()) std::visit(Reader{table, key, material}, key.member);
     material.diffuseTexture = table.path("diffuseTexture", folder);
 }
 
@@ -87,8 +94,8 @@ TextValue valueOf(std::span<const std::string> words) {
 
 std::span<const std::string_view> materialKeys() {
     static const auto names = [] {
-        std::array<std::string_view, kKeys.size()> all;
-        std::ranges::transform(kKeys, all.begin(), &MaterialKey::name);
+        std::vector<std::string_view> all;
+        for (const MaterialKey& key : keys()) all.push_back(key.name);
         return all;
     }();
     return names;
@@ -128,7 +135,7 @@ MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& f
     const NameOrNumber which = readNameOrNumber(table, "a material");
     MaterialOverride material;
     readChanges(table, folder, material);
-    for (const MaterialKey& key : kKeys)
+    for (const MaterialKey& key : keys())
         if (key.version > 1) table.needVersion(key.version, key.name);
     table.finish();
 
@@ -147,7 +154,7 @@ void writeMaterial(TomlWriter& writer, const MaterialOverride& material,
                    const std::filesystem::path& folder) {
     writer.section("[[material]]");
     material.number ? writer.add("number", *material.number) : writer.add("name", material.pattern);
-    for (const MaterialKey& key : kKeys)
+    for (const MaterialKey& key : keys())
         std::visit([&](const auto member) { writer.add(key.name, material.*member); }, key.member);
     if (material.diffuseTexture)
         writer.add("diffuseTexture", pathToUtf8(pathSeenFrom(folder, *material.diffuseTexture)));

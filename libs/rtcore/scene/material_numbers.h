@@ -1,0 +1,31 @@
+/// Numbers of a material that scene files and edits set as they are, one row each: .scn files are read and
+/// written, materials changed and .bsp files checked by it.
+#pragma once
+
+#include "rtcore/scene/material.h"
+#include "rtcore/scene/material_override.h"
+
+#include <limits>
+#include <optional>
+
+namespace rtcore {
+
+struct MaterialNumber {
+    const char* key;
+    std::optional<float> MaterialOverride::*change;
+    float Material::*field;
+    float minimum, maximum;
+    int version; ///< of .scn files, in which the key came
+};
+
+inline constexpr float kUnlimitedNumber = std::numeric_limits<float>::max();
+
+/// In the order in which they are written.
+inline constexpr MaterialNumber kMaterialNumbers[] = {
+    {"opacity", &MaterialOverride::opacity, &Material::opacity, 0, 1, 1},
+    {"attenuationDistance", &MaterialOverride::attenuationDistance, &Material::attenuationDistance, 0,
+     kUnlimitedNumber, 1},
+    {"indexOfRefraction", &MaterialOverride::indexOfRefraction, &Material::indexOfRefraction, 1, 5, 1},
+};
+
+} // namespace rtcore
