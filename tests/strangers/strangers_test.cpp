@@ -8,7 +8,6 @@
 #include "rtcore/render/light_meter.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/up_axis.h"
-#include "rtcore/sky/scene_sky.h"
 
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
@@ -304,7 +303,6 @@ TEST_F(Strangers, LightsThatReachNothingAreNotAlone) {
     EXPECT_NE(saidOf(scene).find("own lights reach nothing"), std::string::npos);
     EXPECT_TRUE(scene.scene.sky);
     EXPECT_EQ(scene.scene.lights.back().name, "Bulb") << "it is kept";
-    EXPECT_TRUE(rtcore::sunOf(scene.scene)) << "the sky moves its sun";
     const rtcore::LoadedScene lit = loadNamed("room_lamp.glb");
     EXPECT_FALSE(lit.scene.sky);
     EXPECT_EQ(lit.scene.lights.size(), 1U);

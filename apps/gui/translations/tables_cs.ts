@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>light surfaces from the sky or environment map, with shadows (image-based lighting); ambient light only with ambientOcclusion.on</source>
-        <translation>okolí osvětluje místa, odkud je vidět; okolní světlo jen s ambientOcclusion.on</translation>
+        <translation>osvětluje plochy oblohou nebo mapou prostředí, se stíny; okolní světlo jen s ambientOcclusion.on</translation>
     </message>
     <message>
         <source>rays per point for the light of the sky</source>

@@ -110,6 +110,6 @@ static_assert(offsetof(ControlBlock, header) == 0 && offsetof(ControlHeader, mag
 static_assert(sizeof(ControlHeader) == 576 && sizeof(ServerPulse) == 64 && sizeof(KeyBoard) == 1088 &&
               sizeof(ReplyRing) == 128 + kReplyBytes &&
               sizeof(ClientSlot) == 128 + 64 + 1088 + 128 + kReplyBytes &&
-              sizeof(ControlBlock) == 576 + 64 + 64 + 128 + kMaxClients * sizeof(ClientSlot));
+              sizeof(ControlBlock) == 576 + 64 + 64 + 192 + kMaxClients * sizeof(ClientSlot));
 
 } // namespace ipc

@@ -544,11 +544,13 @@ class Loader {
                lightReaches(shown, scene.model.mesh, lightsOf(scene.lights), places, kPlainAmbient);
     }
 
-    /// Beside the lights of the model, which light nothing that is seen.
+    /// Beside the lights of the model, which light nothing that is seen. The sun becomes a light like the
+    /// others: files put that of a sky behind all, where it has other samples and gives other images.
     void lightBeside(Look look) {
         Scene& scene = out_.scene;
         const std::vector<SceneLight> own = std::exchange(scene.lights, {});
         lightByLook(look);
+        for (SceneLight& each : scene.lights) each.ofSky = false;
         scene.lights.insert(scene.lights.end(), own.begin(), own.end());
         warn({"its own lights reach nothing that is seen; other light was added"});
     }

@@ -10,9 +10,9 @@ namespace rtcore {
 namespace {
 
 constexpr int kBands = 64;
-constexpr float kFlat = 0.99F;    ///< cosine of the normal to the axis
-constexpr double kContact = 0.01; ///< of the height: what touches the ground
-constexpr std::size_t kMostTriangles = 400'000;
+constexpr float kFlat = 0.99F;                     ///< cosine of the normal to the axis
+constexpr double kContact = 0.01;                  ///< of the height: what touches the ground
+constexpr std::size_t kSampledTriangles = 400'000; ///< about so many are looked at
 
 /// Area by height.
 struct Bands {
@@ -52,7 +52,7 @@ ModelShape shapeOf(const Mesh& mesh) {
     const Vec3 size = bounds.size();
     std::array<Bands, 3> bands;
     double flat = 0, all = 0;
-    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kMostTriangles);
+    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kSampledTriangles);
     for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
         const auto id = static_cast<std::uint32_t>(t);
         const Vec3 a = mesh.position(id, 0), b = mesh.position(id, 1), c = mesh.position(id, 2);
