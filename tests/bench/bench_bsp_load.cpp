@@ -3,6 +3,7 @@
 #include "rtcore/io/bsp/bsp_checksum.h"
 #include "rtcore/io/bsp/bsp_file.h"
 #include "support/sample_tree.h"
+#include "support/temporary_folder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -81,9 +82,9 @@ int main(int argc, char** argv) {
             measure(argv[1]);
             return 0;
         }
-        const rtcore::TemporaryFile file("rtsuite-bench-");
-        makeFile(file.path());
-        measure(file.path());
+        const test::TemporaryFolder folder;
+        makeFile(folder / "model.bsp");
+        measure(folder / "model.bsp");
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_bsp_load: %s\n", error.what());

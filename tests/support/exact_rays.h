@@ -8,8 +8,8 @@
 #include "rtcore/kernels/one_surface.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/rounding.h"
-#include "rtcore/kernels/watertight.h"
 #include "rtcore/scene/mesh.h"
+#include "support/mesh_triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore:
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
             rtcore::Hit one;
             one.t = ray.tMax;
-            if (rtcore::testTriangle<kz>(mesh, i, ray, shear, one)) all.push_back(one);
+            if (testTriangle<kz>(mesh, i, ray, shear, one)) all.push_back(one);
         }
     });
     if (all.empty()) return false;

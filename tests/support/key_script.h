@@ -36,6 +36,7 @@ template <typename NextFrame>
 std::vector<rtcore::Camera> playKeys(rtcore::Player& player, const std::vector<KeyEvent>& events,
                                      std::int64_t until, NextFrame&& nextFrame) {
     std::vector<rtcore::Camera> cameras;
+    rtcore::ActionSet held;
     std::int64_t now = 0, frame = nextFrame(), look = kSecond / 10;
     auto event = events.begin();
     while (now < until) {
@@ -43,9 +44,8 @@ std::vector<rtcore::Camera> playKeys(rtcore::Player& player, const std::vector<K
         if (event != events.end()) next = std::min(next, event->at);
         player.advance(std::chrono::nanoseconds(next - now));
         now = next;
-        for (; event != events.end() && event->at == now; ++event) {
-            event->down ? player.press(event->action) : player.release(event->action);
-        }
+        for (; event != events.end() && event->at == now; ++event) held.set(event->action, event->down);
+        player.hold(held);
         if (now == frame) frame += nextFrame();
         if (now == look) {
             cameras.push_back(player.camera());

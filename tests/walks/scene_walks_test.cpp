@@ -219,11 +219,13 @@ void SceneWalk::toggleAnywhere(int count) {
     test::Random random(21);
     rtcore::Camera camera;
     const test::Obstacles all(mesh(), frame());
+    rtcore::ActionSet held;
     int walking = 0;
     for (int i = 0; i < count; ++i) {
         camera.eye = frame().toScene(anywhere(random));
         player.setCamera(camera);
-        player.press(static_cast<rtcore::Action>(random.index(14)));
+        held.set(static_cast<rtcore::Action>(random.index(14)));
+        player.hold(held);
         const bool walks = player.setMode(rtcore::MotionMode::Walk);
         EXPECT_EQ(player.mode() == rtcore::MotionMode::Walk, walks);
         player.advance(std::chrono::milliseconds(random.index(200)));
@@ -234,7 +236,7 @@ void SceneWalk::toggleAnywhere(int count) {
             EXPECT_GE(all.clearance({frame().toMetres(eye), 0}, 0.1), 0.05) << i;
         }
         if (random.coin()) player.setMode(rtcore::MotionMode::View);
-        if (random.coin()) player.hold({});
+        if (random.coin()) held = {};
     }
     EXPECT_GT(walking, count / 10);
 }

@@ -37,7 +37,6 @@ class ReplyWriter {
 /// The client's end.
 class ReplyReader {
   public:
-    void reset() { tail_ = 0; }
     RingResult read(ReplyRing& ring, ReplyRecord& reply);
 
   private:

@@ -27,7 +27,6 @@ class Publication {
     std::uint64_t epoch() const { return epoch_; }
     FrameRingWriter& frames() { return frames_->ring; }
     const Segment& frameMemory() const { return frames_->segment; }
-    std::uint64_t generation() const { return frames_->generation; }
 
     /// Shows the last frame of another segment, which has the number that comes next here; nothing when that
     /// has none.

@@ -18,8 +18,6 @@ struct KeyState {
     /// Of these the presses by clients of a restraint of 1 at least, and of 2: the higher, the less their
     /// keys may do. What that is the server says.
     std::array<Presses, kKeyRestraints> restrained{};
-    bool held(int key) const { return down[static_cast<std::size_t>(key)]; }
-    std::uint32_t pressed(int key) const { return presses[static_cast<std::size_t>(key)]; }
 };
 
 } // namespace ipc

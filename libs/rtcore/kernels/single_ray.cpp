@@ -203,8 +203,10 @@ std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* 
     search.ray.tMin = hit.t;
     search.ray.tMax = std::min(hit.t + tieOf(scene, ray), ray.tMax);
     const auto eachTie = [&](auto&& use) {
-        search.eachHitAlong(search.ray.tMax, search.ray.tMax,
-                            [&](const Hit& found) { return use(found), false; });
+        search.eachHitAlong(search.ray.tMax, search.ray.tMax, [&](const Hit& found) {
+            use(found);
+            return false;
+        });
     };
     FewHits ties;
     Hit nearest;

@@ -95,15 +95,6 @@ inline float noiseByCorners(const TriangleCorners& corners) {
     return narrowNoise(corners.a.position(), corners.b.position(), corners.c.position());
 }
 
-/// The same for triangle `index` of a mesh.
-template <int Kz>
-[[gnu::always_inline]] inline bool testTriangle(const Mesh& mesh, std::uint32_t index, const Ray& ray,
-                                                const RayShear& shear, Hit& hit) {
-    const Triangle& t = mesh.triangles[index];
-    return testTriangle<Kz>({mesh.vertices[t.v[0]], mesh.vertices[t.v[1]], mesh.vertices[t.v[2]], index}, ray,
-                            shear, hit, noiseByCorners);
-}
-
 /// Calls `work` with the ray's dominant axis as a constant.
 template <typename Work>
 decltype(auto) alongAxis(int kz, Work&& work) {

@@ -19,7 +19,6 @@ class Body {
         : triangles_(triangles), shape_(&shape), height_(height) {}
 
     const WalkShape& shape() const { return *shape_; }
-    double height() const { return height_; }
     double reach() const { return shape_->radius + shape_->skin; }
     /// The middle of the lower sphere.
     Vec3d lowCentre(Vec3d feet) const { return feet + Vec3d{0, 0, reach()}; }
@@ -40,8 +39,6 @@ class Body {
         bool walkable = false;
     };
     std::optional<Floor> floorBelow(Vec3d from, double distance) const;
-
-    std::span<const SolidTriangle> triangles() const { return triangles_; }
 
   private:
     std::span<const SolidTriangle> triangles_;

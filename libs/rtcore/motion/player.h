@@ -53,10 +53,7 @@ class Player {
     /// Walks beside the model, where nothing is below: on a floor at its lowest point that is not seen.
     bool onUnseenFloor() const { return mode_ == MotionMode::Walk && walker_.onUnseenFloor(); }
 
-    /// What goes on (isHeld) until it is released.
-    void press(Action action) { held_.set(action); }
-    void release(Action action) { held_.set(action, false); }
-    /// All at once, in place of what was pressed.
+    /// What goes on (isHeld) until the next call.
     void hold(const ActionSet& actions) { held_ = actions; }
     /// Acts for one step at least, even if it is over before the step begins.
     void tap(Action action) { tapped_.set(action); }
@@ -74,8 +71,6 @@ class Player {
 
     /// Nothing will move until something is pressed.
     bool atRest() const;
-
-    double metresPerUnit() const { return frame_.metresPerUnit(); }
 
   private:
     /// What is drawn: between the last two steps.

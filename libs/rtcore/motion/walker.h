@@ -78,7 +78,6 @@ class Walker {
     Vec3d eye() const;
     /// Without input nothing would change any more.
     bool atRest() const;
-    const WalkShape& shape() const { return shape_; }
 
   private:
     struct Pose {

@@ -109,20 +109,6 @@ void removeTemporaryFiles() noexcept;
 /// machine is writing. Does not throw; what cannot be removed stays.
 void removeForgottenFiles(const std::filesystem::path& folder, std::int64_t seconds = 3600);
 
-/// A new empty file of this process' own (mode 0600) in the folder for temporary files.
-/// The destructor removes it.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& prefix);
-    ~TemporaryFile();
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 /// The folder that holds the running program.
 std::filesystem::path programFolder();
 

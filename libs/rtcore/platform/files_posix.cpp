@@ -106,18 +106,6 @@ std::optional<FileIdentity> identityOf(const fs::path& path) {
     return FileIdentity{status.st_dev, status.st_ino};
 }
 
-TemporaryFile::TemporaryFile(const std::string& prefix) {
-    std::error_code error;
-    const fs::path folder = fs::temp_directory_path(error);
-    if (error) failWriting("folder for temporary files", error.value());
-    std::string name = (folder / (prefix + "XXXXXX")).string();
-    const Descriptor created(::mkostemp(name.data(), O_CLOEXEC));
-    if (!created.valid()) failWriting(name, errno);
-    path_ = name;
-}
-
-TemporaryFile::~TemporaryFile() { ::unlink(path_.c_str()); }
-
 fs::path programFolder() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);

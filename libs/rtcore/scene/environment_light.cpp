@@ -193,11 +193,6 @@ EnvironmentLight::EnvironmentLight(std::span<const EnvironmentCell> cells) : sid
     spreadOpen_ = openOf(energies, directions);
 }
 
-Colour EnvironmentLight::radiance(Vec3 direction) const {
-    const auto i = static_cast<std::size_t>(HWY_NAMESPACE::octahedronTexel<float>(direction, side_));
-    return {radiance_[0][i], radiance_[1][i], radiance_[2][i]};
-}
-
 Colour EnvironmentLight::lookUp(const std::vector<Colour>& byNormal, Vec3 normal) const {
     if (side_ == 1) return kWhite;
     const auto point = HWY_NAMESPACE::octahedronPoint<float>(normal);

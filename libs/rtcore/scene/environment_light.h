@@ -35,8 +35,6 @@ class EnvironmentLight {
     int side() const { return side_; }
     /// The spread radiance of each texel: side() x side() values for red, green or blue (0, 1, 2).
     const float* radiance(int channel) const { return radiance_[channel].data(); }
-    /// The same in one direction.
-    Colour radiance(Vec3 direction) const;
 
     /// Irradiance over pi of a surface with that unit normal that sees all directions before it.
     Colour open(Vec3 normal) const { return lookUp(open_, normal); }

@@ -82,9 +82,6 @@ class Subscription {
         return revisions.since(std::exchange(seen_, revisions.revision()));
     }
 
-    /// What that will be.
-    Changes pending(const Revisions& revisions) const { return revisions.since(seen_); }
-
   private:
     std::uint64_t seen_ = 0;
 };

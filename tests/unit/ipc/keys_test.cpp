@@ -18,11 +18,11 @@ TEST(Keys, ATapBetweenTwoLooksIsNotLost) {
     writer.release(&board, 65);
     KeyState state;
     reader.collect(board, state);
-    EXPECT_FALSE(state.held(65));
-    EXPECT_EQ(state.pressed(65), 2u);
+    EXPECT_FALSE(state.down[65]);
+    EXPECT_EQ(state.presses[65], 2u);
     KeyState next;
     reader.collect(board, next);
-    EXPECT_EQ(next.pressed(65), 0u);
+    EXPECT_EQ(next.presses[65], 0u);
 }
 
 TEST(Keys, UniteOverClients) {
@@ -36,9 +36,9 @@ TEST(Keys, UniteOverClients) {
     KeyState state;
     readerOne.collect(one, state);
     readerTwo.collect(two, state);
-    EXPECT_TRUE(state.held(0));
-    EXPECT_TRUE(state.held(255));
-    EXPECT_EQ(state.pressed(0), 2u);
+    EXPECT_TRUE(state.down[0]);
+    EXPECT_TRUE(state.down[255]);
+    EXPECT_EQ(state.presses[0], 2u);
     EXPECT_EQ(state.down.count(), 2u);
 }
 
@@ -50,7 +50,7 @@ TEST(Keys, OfRestrainedClientsAreToldApart) {
         writer.press(&boards[restraint], 7);
         KeyReader().collect(boards[restraint], state, restraint);
     }
-    EXPECT_EQ(state.pressed(7), 3U);
+    EXPECT_EQ(state.presses[7], 3U);
     EXPECT_EQ(state.restrained[0][7], 2U) << "of the first level and more";
     EXPECT_EQ(state.restrained[1][7], 1U);
     EXPECT_EQ(state.restrained[1][8], 0U);
@@ -79,8 +79,8 @@ TEST(Keys, ANewBoardHoldsWhatIsDown) {
     KeyState state;
     KeyReader().collect(fresh, state);
     EXPECT_EQ(state.down.count(), 2u);
-    EXPECT_TRUE(state.held(5) && state.held(200));
-    EXPECT_EQ(state.pressed(5), 0u);
+    EXPECT_TRUE(state.down[5] && state.down[200]);
+    EXPECT_EQ(state.presses[5], 0u);
 }
 
 TEST(Keys, WhoSeesAKeyDownHasSeenItsPress) {
@@ -94,14 +94,14 @@ TEST(Keys, WhoSeesAKeyDownHasSeenItsPress) {
     });
     KeyReader reader;
     KeyState sum;
-    while (sum.pressed(7) < 20000) {
+    while (sum.presses[7] < 20000) {
         reader.collect(board, sum);
-        if (sum.held(7)) {
-            ASSERT_GT(sum.pressed(7), 0u);
+        if (sum.down[7]) {
+            ASSERT_GT(sum.presses[7], 0u);
         }
     }
     presser.join();
-    EXPECT_EQ(sum.pressed(7), 20000u);
+    EXPECT_EQ(sum.presses[7], 20000u);
 }
 
 } // namespace

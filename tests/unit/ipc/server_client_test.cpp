@@ -226,10 +226,10 @@ TEST_F(ServerClient, KeysAreUnitedAndCounted) {
     two.pressKey(999);
     server->takeCommands();
     const KeyState keys = server->keys();
-    EXPECT_TRUE(keys.held(10));
-    EXPECT_FALSE(keys.held(20));
-    EXPECT_EQ(keys.pressed(10), 1u);
-    EXPECT_EQ(keys.pressed(20), 1u);
+    EXPECT_TRUE(keys.down[10]);
+    EXPECT_FALSE(keys.down[20]);
+    EXPECT_EQ(keys.presses[10], 1u);
+    EXPECT_EQ(keys.presses[20], 1u);
     one.releaseAllKeys();
     EXPECT_TRUE(server->keys().down.none());
 }
@@ -363,7 +363,7 @@ TEST_F(ServerClient, ClientsFindTheNextServerWithTheirKeysDown) {
     EXPECT_NE(client.epoch(), first);
     EXPECT_EQ(viewer.epoch(), server->epoch());
     server->takeCommands();
-    EXPECT_TRUE(server->keys().held(42));
+    EXPECT_TRUE(server->keys().down[42]);
     EXPECT_EQ(client.send("again"), SendStatus::Sent);
     EXPECT_EQ(serve(*server, 1).size(), 1u);
 }
@@ -403,7 +403,7 @@ TEST_F(ServerClient, RemovedNamesArePublishedAnew) {
     EXPECT_EQ(client.epoch(), server->epoch());
     EXPECT_EQ(client.send("after"), SendStatus::Sent);
     EXPECT_EQ(serve(*server, 1).size(), 1u);
-    EXPECT_TRUE(server->keys().held(9));
+    EXPECT_TRUE(server->keys().down[9]);
     Viewer late(instance.name());
     Frame frame;
     EXPECT_TRUE(late.readFrame(frame));

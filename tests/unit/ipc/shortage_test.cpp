@@ -100,14 +100,14 @@ TEST_F(Shortage, AClientThatWasTakenForDeadComesBack) {
     serve(20ms);
     const auto control = Segment::open(instance.names().control(), Access::Write, sizeof(ControlBlock));
     auto& block = *static_cast<ControlBlock*>(control->data());
-    EXPECT_EQ(server->keys().pressed(5), 1U);
+    EXPECT_EQ(server->keys().presses[5], 1U);
     block.clients[0].clientTag = 0;
     serve(60ms);
     EXPECT_EQ(server->clients(), 0);
     EXPECT_EQ(ask(client), ReplyStatus::Done);
     const KeyState keys = server->keys();
-    EXPECT_TRUE(keys.held(5));
-    EXPECT_EQ(keys.pressed(5), 0U) << "that was before";
+    EXPECT_TRUE(keys.down[5]);
+    EXPECT_EQ(keys.presses[5], 0U) << "that was before";
 }
 
 } // namespace

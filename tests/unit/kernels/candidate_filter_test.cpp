@@ -6,7 +6,7 @@
 #include "wave_support.h"
 
 #include "rtcore/kernels/hit_distance.h"
-#include "rtcore/kernels/watertight.h"
+#include "support/mesh_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ class FilteredScene {
             for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
                 if (!skip.empty() && skip[shading_[i].material] != 0) continue;
                 Hit candidate = hit;
-                if (rtcore::testTriangle<kz>(mesh_, i, r, shear, candidate) &&
+                if (test::testTriangle<kz>(mesh_, i, r, shear, candidate) &&
                     filter.keeps(i, candidate.u, candidate.v))
                     hit = candidate;
             }

@@ -1,6 +1,7 @@
 #include "rtcore/kernels/watertight.h"
 
 #include "kernel_support.h"
+#include "support/mesh_triangle.h"
 
 using rtcore::Hit;
 using rtcore::RayShear;
@@ -18,7 +19,7 @@ bool hits(const test::SampleMesh& mesh, Vec3 origin, Vec3 direction, Hit& hit) {
     hit.t = test::kForever;
     const RayShear shear(direction);
     return rtcore::alongAxis(shear.kz, [&](auto kz) {
-        return rtcore::testTriangle<kz>(mesh.view(), 0, {origin, 0, direction, test::kForever}, shear, hit);
+        return test::testTriangle<kz>(mesh.view(), 0, {origin, 0, direction, test::kForever}, shear, hit);
     });
 }
 
@@ -91,8 +92,8 @@ TEST(Watertight, AtEqualDistanceTheLowerIndexStays) {
     for (const std::uint32_t first : {0U, 1U}) {
         Hit hit;
         hit.t = 1; // inclusive
-        EXPECT_TRUE(rtcore::testTriangle<2>(mesh.view(), first, ray, shear, hit));
-        EXPECT_EQ(rtcore::testTriangle<2>(mesh.view(), 1 - first, ray, shear, hit), first == 1);
+        EXPECT_TRUE(test::testTriangle<2>(mesh.view(), first, ray, shear, hit));
+        EXPECT_EQ(test::testTriangle<2>(mesh.view(), 1 - first, ray, shear, hit), first == 1);
         EXPECT_EQ(hit.triangle, 0U);
     }
 }

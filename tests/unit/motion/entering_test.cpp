@@ -62,7 +62,7 @@ TEST(Entering, WalksOnAnUnseenFloorBesideAModel) {
     EXPECT_EQ(player->mode(), MotionMode::Walk);
     EXPECT_NEAR(player->camera().eye.z, 0.2 + 1.7, 0.01) << "its lowest point";
     EXPECT_TRUE(player->atRest());
-    player->press(rtcore::Action::Forward);
+    player->hold(test::only(rtcore::Action::Forward));
     for (int i = 0; i < 600; ++i) player->advance(std::chrono::milliseconds(17));
     EXPECT_GT(player->camera().eye.y, 25) << "it reaches everywhere";
     EXPECT_NEAR(player->camera().eye.z, 0.2 + 1.7, 0.01);
@@ -114,7 +114,7 @@ TEST(Entering, ComesBackToWhereItStoodForAMomentOnly) {
     world.floor(0, 0.6);
     const auto player = world.player(0, 0, 0);
     ASSERT_TRUE(player->setMode(MotionMode::Walk));
-    player->press(rtcore::Action::Forward);
+    player->hold(test::only(rtcore::Action::Forward));
     bool fell = false;
     for (int i = 0; i < 900 && player->mode() == MotionMode::Walk; ++i) {
         player->advance(std::chrono::milliseconds(17));
@@ -132,7 +132,7 @@ TEST(Entering, WorksWithoutTriangles) {
     test::SampleMesh empty;
     const rtcore::KdTree tree = rtcore::buildKdTree(empty.view(), {});
     rtcore::Player player(tree, empty.view(), {});
-    player.press(rtcore::Action::Forward);
+    player.hold(test::only(rtcore::Action::Forward));
     player.setMode(MotionMode::Walk);
     for (int i = 0; i < 600; ++i) player.advance(std::chrono::milliseconds(17));
     EXPECT_TRUE(isFinite(player.camera().eye));

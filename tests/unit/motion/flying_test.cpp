@@ -38,13 +38,13 @@ TEST(Flying, LeavesACameraAsItIs) {
     fly(*player, 50);
     EXPECT_EQ(player->camera(), camera);
     // Who only moves still looks the same way.
-    player->press(Action::Forward);
+    player->hold(test::only(Action::Forward));
     fly(*player, 5);
     EXPECT_EQ(player->camera().forward, camera.forward);
     EXPECT_NE(player->camera().eye, camera.eye);
     // Who turns keeps heading.
     player->setCamera(camera);
-    player->release(Action::Forward);
+    player->hold({});
     player->look(1e-6, 0);
     const rtcore::Vec3 turned = player->camera().forward, was = normalize(camera.forward);
     EXPECT_LT(length(turned - was), 1e-5F);
@@ -60,18 +60,18 @@ TEST(Flying, AnOrthographicViewGetsNarrowerInPlaceOfNearer) {
     player->setCamera(camera);
     fly(*player, 50);
     EXPECT_EQ(player->camera(), camera);
-    player->press(Action::Forward);
+    player->hold(test::only(Action::Forward));
     fly(*player, 50);
-    player->release(Action::Forward);
+    player->hold({});
     fly(*player, 100);
     EXPECT_TRUE(player->atRest());
     const float narrow = player->camera().orthographicWidth;
     EXPECT_NEAR(narrow, 8 / std::exp(1.0), 0.1);
     EXPECT_EQ(player->camera().eye, camera.eye);
-    player->press(Action::Back);
+    player->hold(test::only(Action::Back));
     fly(*player, 50);
-    player->release(Action::Back);
-    player->press(Action::Right);
+    player->hold({});
+    player->hold(test::only(Action::Right));
     fly(*player, 100);
     EXPECT_NEAR(player->camera().orthographicWidth, 8, 1e-4);
     EXPECT_NE(player->camera().eye, camera.eye);
@@ -80,13 +80,13 @@ TEST(Flying, AnOrthographicViewGetsNarrowerInPlaceOfNearer) {
 TEST(Flying, MovesByTheSizeOfTheScene) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
-    player->press(Action::Forward);
+    player->hold(test::only(Action::Forward));
     fly(*player, 50);
     const rtcore::Vec3 from = player->camera().eye;
     fly(*player, 50);
     const rtcore::Vec3 way = player->camera().eye - from;
     EXPECT_NEAR(way.y, kHallSpeed, 1e-3 * kHallSpeed);
-    player->release(Action::Forward);
+    player->hold({});
     fly(*player, 100);
     EXPECT_TRUE(player->atRest());
 }
@@ -99,7 +99,7 @@ TEST(Flying, CrossesARoomSlowly) {
         rtcore::Camera camera = player->camera();
         camera.eye = eye;
         player->setCamera(camera);
-        player->press(Action::Right);
+        player->hold(test::only(Action::Right));
         fly(*player, 20);
         const rtcore::Vec3 from = player->camera().eye;
         fly(*player, 5);
@@ -128,7 +128,7 @@ TEST(Flying, TurnsAndLooks) {
     EXPECT_TRUE(isFinite(player->camera().forward));
 
     player->look(0, 1.5690);
-    player->press(Action::TurnLeft);
+    player->hold(test::only(Action::TurnLeft));
     for (int i = 0; i < 400; ++i) {
         const rtcore::Vec3 before = player->camera().forward;
         player->advance(milliseconds(20));
@@ -150,7 +150,7 @@ TEST(Flying, TapMovesALittle) {
 TEST(Flying, DoesNotLeapAfterASleep) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
-    player->press(Action::Forward);
+    player->hold(test::only(Action::Forward));
     player->advance(std::chrono::hours(3));
     EXPECT_LT(player->camera().eye.y, 0.25 * kHallSpeed);
     player->advance(std::chrono::nanoseconds(-5));

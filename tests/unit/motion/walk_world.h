@@ -20,6 +20,12 @@ inline rtcore::Vec3 metres(double x, double y, double z) {
     return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 
+inline rtcore::ActionSet only(rtcore::Action action) {
+    rtcore::ActionSet actions;
+    actions.set(action);
+    return actions;
+}
+
 /// z up, x right, y ahead; so is the scene.
 class WalkWorld {
   public:

@@ -546,34 +546,6 @@ TEST(RemoveTemporaryFiles, TheTableServesAgainAfterwards) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(TemporaryFile, IsPrivateEmptyAndGoesAway) {
-    fs::path path;
-    {
-        const rtcore::TemporaryFile file("rtsuite-test-");
-        path = file.path();
-        struct stat status {};
-        ASSERT_EQ(::stat(path.c_str(), &status), 0);
-        EXPECT_EQ(status.st_mode & 07777U, 0600U);
-        EXPECT_EQ(status.st_size, 0);
-        const rtcore::TemporaryFile other("rtsuite-test-");
-        EXPECT_NE(other.path(), path);
-    }
-    EXPECT_FALSE(fs::exists(path));
-}
-
-TEST(TemporaryFile, BadFolderIsAnError) {
-    EXPECT_EQ(inChild([] {
-                  ::setenv("TMPDIR", "/nonexistent/folder", 1);
-                  try {
-                      const rtcore::TemporaryFile file("x");
-                  } catch (const FileError& error) {
-                      return error.kind == FailureKind::CannotWrite ? 7 : 1;
-                  }
-                  return 2;
-              }),
-              7);
-}
-
 TEST(ProgramFolder, HoldsThisProgram) {
     EXPECT_TRUE(fs::is_directory(rtcore::programFolder()));
     EXPECT_TRUE(fs::exists(rtcore::programFolder() / "test_platform"));

@@ -12,16 +12,16 @@ TEST(Keyboard, HoldsWhatCommandsPress) {
     ipc::KeyState state;
     state.down.set('S');
     keyboard.collect(state);
-    EXPECT_TRUE(state.held('W'));
-    EXPECT_TRUE(state.held('S'));
-    EXPECT_FALSE(state.held('B'));
-    EXPECT_EQ(state.pressed('W'), 1U);
-    EXPECT_EQ(state.pressed('B'), 1U);
+    EXPECT_TRUE(state.down['W']);
+    EXPECT_TRUE(state.down['S']);
+    EXPECT_FALSE(state.down['B']);
+    EXPECT_EQ(state.presses['W'], 1U);
+    EXPECT_EQ(state.presses['B'], 1U);
     keyboard.release('W');
     ipc::KeyState next;
     keyboard.collect(next);
     EXPECT_TRUE(next.down.none());
-    EXPECT_EQ(next.pressed('B'), 0U);
+    EXPECT_EQ(next.presses['B'], 0U);
 }
 
 TEST(Keyboard, ReleasesWhatWasPressedForATime) {

@@ -13,14 +13,6 @@ struct Affine {
     std::array<std::array<double, 4>, 3> m{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
     bool identity() const { return m == Affine{}.m; }
-    bool finite() const {
-        for (const auto& row : m) {
-            for (const double v : row) {
-                if (!std::isfinite(v)) return false;
-            }
-        }
-        return true;
-    }
     Vec3 point(Vec3 p) const { return {apply(0, p, m[0][3]), apply(1, p, m[1][3]), apply(2, p, m[2][3])}; }
     Vec3 vector(Vec3 v) const { return {apply(0, v, 0), apply(1, v, 0), apply(2, v, 0)}; }
     double determinant() const {
