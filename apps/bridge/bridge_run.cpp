@@ -3,6 +3,7 @@
 #include "bridge/bridge_options.h"
 #include "bridge/hub.h"
 #include "bridge/net/own_certificate.h"
+#include "bridge/report/journal.h"
 #include "bridge/server_start.h"
 
 #include "common/process/message.h"
@@ -115,7 +116,9 @@ class Serving {
         server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
         server_->addHosts(hostsOf(options_.listen, server_->port(), options_.names.tls));
         hub_ = std::make_unique<Hub>(
-            options_, tokens_, [this](std::function<void()> work) { server_->post(std::move(work)); },
+            options_, tokens_,
+            realServices([this](std::function<void()> work) { server_->post(std::move(work)); },
+                         [this](const std::string& line) { journal_.note(line); }),
             [this](const std::string& driver) { untold_ += driverLine(options_, driver, server_->port()); });
     }
     ~Serving() {
@@ -196,6 +199,7 @@ class Serving {
     OwnCertificate own_; ///< of --tls-own
     Tokens tokens_;
     std::unique_ptr<app::StartedProcess> started_;
+    Journal journal_;
     std::unique_ptr<HttpServer> server_;
     std::unique_ptr<Hub> hub_;
     app::ExitCode code_ = app::ExitCode::Done;

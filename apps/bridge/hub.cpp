@@ -11,23 +11,24 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace bridge {
 
 using nlohmann::json;
 
-Hub::Hub(const BridgeOptions& options, const Tokens& tokens, const Post& post,
+Hub::Hub(const BridgeOptions& options, const Tokens& tokens, RoomServices services,
          std::function<void(const std::string& driver)> linkUsed)
-    : options_(options), admission_(tokens), linkUsed_(std::move(linkUsed)),
+    : options_(options), services_(std::move(services)), admission_(tokens), linkUsed_(std::move(linkUsed)),
       tables_({{"settings", settingsTableJson(options.limits)},
                {"labels", settingLabelsJson()},
                {"commands", commandTableJson()},
                {"lightKinds", lightKindsJson()}}),
-      began_(nowSeconds()) {
+      began_(services_.clock.seconds()) {
     StreamOptions stream = options.stream;
     stream.mostBits /= static_cast<double>(options.instances.size());
     for (const std::string& name : options.instances)
-        rooms_.push_back(std::make_unique<Room>(name, options.limits, stream, post));
+        rooms_.push_back(std::make_unique<Room>(name, options.limits, stream, services_));
     rungs_ = json::array();
     for (const Rung& rung : stream.rungs())
         rungs_.push_back({{"divide", rung.divide}, {"quality", rung.quality}});
@@ -36,8 +37,9 @@ Hub::Hub(const BridgeOptions& options, const Tokens& tokens, const Post& post,
 std::shared_ptr<Receiver> Hub::opened(const std::shared_ptr<Outlet>& outlet) {
     std::erase_if(outlets_, [](const auto& each) { return each.expired(); });
     outlets_.push_back(outlet);
-    auto visitor = std::make_shared<Visitor>(*this, outlet);
+    auto visitor = std::make_shared<Visitor>(*this, outlet, services_.clock);
     came_.push_back(visitor);
+    ++visitors_;
     return visitor;
 }
 
@@ -73,15 +75,19 @@ void Hub::noteServers() {
     }
 }
 
-Right Hub::rightOf(std::string_view token) { return admission_.rightOf(token, nowSeconds()); }
+Right Hub::rightOf(std::string_view token) { return admission_.rightOf(token, services_.clock.seconds()); }
 
-std::string Hub::enter(std::string_view token) {
-    Admission::Entered entered = admission_.enter(token, nowSeconds());
+Reception::Entrance Hub::enter(const Room& room, std::string_view token, Right right) {
+    Admission::Entered entered = admission_.enter(token, services_.clock.seconds());
     if (entered.linkUsed) linkUsed_(admission_.links().driver);
-    return std::move(entered.own);
+    Entrance entrance{++lastId_, std::move(entered.own), {}};
+    entrance.welcome = welcome(room, entrance, right);
+    return entrance;
 }
 
-void Hub::left(std::string_view own, bool inOrder) { admission_.left(own, inOrder, nowSeconds()); }
+void Hub::left(std::string_view own, bool inOrder) {
+    admission_.left(own, inOrder, services_.clock.seconds());
+}
 
 Room* Hub::room(const std::string& name) {
     if (name.empty()) return rooms_.front().get();
@@ -99,13 +105,13 @@ std::string Hub::instanceList() const {
     return list;
 }
 
-json Hub::welcome(const Room& room, SessionId id, Right right, const std::string& own) const {
+json Hub::welcome(const Room& room, const Entrance& entrance, Right right) const {
     constexpr int kMessage = 4096, kRequests = 4;
     constexpr double kMs = 1000;
     json welcome{{"event", "welcome"},
                  {"v", kPageVersion},
                  {"version", app::suiteVersion()},
-                 {"you", id},
+                 {"you", entrance.id},
                  {"instance", room.instance()},
                  {"instances", options_.instances},
                  {"mayDrive", right == Right::Drive},
@@ -118,7 +124,7 @@ json Hub::welcome(const Room& room, SessionId id, Right right, const std::string
                  {"locked", options_.limits.locked},
                  {"rungs", rungs_}};
     welcome.update(tables_);
-    if (!own.empty()) welcome["token"] = own;
+    if (!entrance.own.empty()) welcome["token"] = entrance.own;
     return welcome;
 }
 
@@ -127,7 +133,7 @@ void Hub::tick() {
     noteServers();
     std::erase_if(came_, [](const auto& each) { return each.expired(); });
     for (const auto& each : came_)
-        if (const auto visitor = each.lock()) visitor->tick(nowSeconds());
+        if (const auto visitor = each.lock()) visitor->tick();
 }
 
 void Hub::renew(const Tokens& tokens) {
@@ -147,13 +153,15 @@ std::vector<RoomFigures> Hub::figures() const {
     return all;
 }
 
-std::string Hub::watchLines() { return watch_.lines(figures(), app::threadSeconds(), nowSeconds()); }
+std::string Hub::watchLines() {
+    return watch_.lines(figures(), app::threadSeconds(), services_.clock.seconds());
+}
 
 json Hub::status() const {
     json instances = json::array();
     for (const RoomFigures& each : figures()) instances.push_back(statusOf(each));
     return {{"version", app::suiteVersion()},
-            {"seconds", nowSeconds() - began_},
+            {"seconds", services_.clock.seconds() - began_},
             {"clients", visitors_},
             {"refused", refused_},
             {"ioCpuSeconds", app::threadSeconds()},

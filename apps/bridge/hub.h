@@ -4,9 +4,9 @@
 
 #include "bridge/admission.h"
 #include "bridge/bridge_options.h"
-#include "bridge/control/room.h"
-#include "bridge/report/journal.h"
+#include "bridge/reception.h"
 #include "bridge/report/watch.h"
+#include "bridge/room/room.h"
 
 #include <functional>
 #include <map>
@@ -19,10 +19,10 @@ namespace bridge {
 
 class Visitor;
 
-class Hub {
+class Hub : public Reception {
   public:
-    /// `linkUsed` is told the driver's next link's token.
-    Hub(const BridgeOptions& options, const Tokens& tokens, const Post& post,
+    /// `linkUsed` is told the driver's next link's token. `options` must outlive it.
+    Hub(const BridgeOptions& options, const Tokens& tokens, RoomServices services,
         std::function<void(const std::string& driver)> linkUsed);
 
     std::shared_ptr<Receiver> opened(const std::shared_ptr<Outlet>& outlet);
@@ -31,40 +31,36 @@ class Hub {
     HttpAnswer answer(std::string_view path, std::string_view bearer, const std::string& address);
     /// Whether there is a place for the next WebSocket. Another one without a word makes room for it.
     bool enters();
-    void refused(const char* reason, const std::string& address);
     void tick();
 
     /// All pages are closed; the old links lead nowhere.
     void renew(const Tokens& tokens);
     void end();
 
-    // For visitors.
-    Right rightOf(std::string_view token);
-    /// A page comes in by a token that has a right. Its own one then, for left(); "" without.
-    std::string enter(std::string_view token);
-    void left(std::string_view own, bool inOrder);
-    Room* room(const std::string& name); ///< "": the first; null: none
-    SessionId newId() { return ++lastId_; }
-    nlohmann::json welcome(const Room& room, SessionId id, Right right, const std::string& own) const;
-    std::string instanceList() const;
-    void visitorCame() { ++visitors_; }
-    void visitorLeft() { --visitors_; }
-    void note(const std::string& text) { journal_.note(text); }
+    Right rightOf(std::string_view token) override;
+    Room* room(const std::string& name) override;
+    std::string instanceList() const override;
+    Entrance enter(const Room& room, std::string_view token, Right right) override;
+    void left(std::string_view own, bool inOrder) override;
+    void closed() override { --visitors_; }
+    void refused(const char* reason, const std::string& address) override;
+    void note(const std::string& text) override { services_.note(text); }
 
   private:
+    nlohmann::json welcome(const Room& room, const Entrance& entrance, Right right) const;
     nlohmann::json status() const;
     std::vector<RoomFigures> figures() const;
     bool makeRoom();
     void noteServers();
 
     const BridgeOptions& options_;
+    const RoomServices services_;
     Admission admission_;
     std::function<void(const std::string& driver)> linkUsed_;
     std::vector<std::unique_ptr<Room>> rooms_;
     nlohmann::json tables_, rungs_; ///< of each welcome
     Watch watch_;
-    Journal journal_;
-    std::map<std::string, ServerState> noted_; ///< of each instance, in the journal
+    std::map<std::string, ServerLink> noted_; ///< of each instance, in the journal
     std::map<std::string, std::uint64_t> refused_;
     std::size_t visitors_ = 0;
     SessionId lastId_ = 0;

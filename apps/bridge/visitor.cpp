@@ -1,6 +1,8 @@
 #include "bridge/visitor.h"
 
 #include "bridge/control/plain_name.h"
+#include "bridge/room/room.h"
+#include "bridge/stream/wire.h"
 
 #include <fmt/core.h>
 
@@ -62,27 +64,28 @@ void Visitor::hello(std::string_view text) {
     if (version == message.end() || !version->is_number_integer() || *version != kPageVersion)
         return close(CloseCode::OtherVersion, fmt::format("this bridge speaks version {}", kPageVersion));
     const std::string token = textOf(message, "token");
-    const Right right = hub_.rightOf(token);
+    const Right right = reception_.rightOf(token);
     if (right == Right::Used) {
-        hub_.refused("used", address_);
+        reception_.refused("used", address_);
         return close(CloseCode::UsedLink,
                      "this driver's link was used before; it is good once, for one page");
     }
     if (right == Right::None) {
-        hub_.refused("token", address_);
+        reception_.refused("token", address_);
         return close(CloseCode::BadToken, "the token is wrong; open the link that the bridge printed last");
     }
-    Room* const room = hub_.room(textOf(message, "instance"));
-    if (room == nullptr) return close(CloseCode::NoInstance, hub_.instanceList());
+    Room* const room = reception_.room(textOf(message, "instance"));
+    if (room == nullptr) return close(CloseCode::NoInstance, reception_.instanceList());
+    Reception::Entrance entrance = reception_.enter(*room, token, right);
     room_ = room;
-    id_ = hub_.newId();
-    own_ = hub_.enter(token);
+    id_ = entrance.id;
+    own_ = std::move(entrance.own);
     const std::string name = plainName(textOf(message, "name"));
-    person_ = fmt::format("{}: {} {}{}", room->instance(), right == Right::Drive ? "driver" : "viewer", id_,
+    const bool mayDrive = right == Right::Drive;
+    person_ = fmt::format("{}: {} {}{}", room->instance(), mayDrive ? "driver" : "viewer", id_,
                           name.empty() ? "" : ", " + name + ",");
-    hub_.note(fmt::format("{} came from {}", person_, address_));
-    room->join(id_, name, right == Right::Drive, viewOf(message), outlet,
-               hub_.welcome(*room, id_, right, own_));
+    reception_.note(fmt::format("{} came from {}", person_, address_));
+    room->join({id_, name, mayDrive, viewOf(message), outlet, std::move(entrance.welcome)});
 }
 
 void Visitor::ponged(double seconds) {
@@ -98,22 +101,23 @@ void Visitor::leaves() { leaveRoom(true); }
 void Visitor::leaveRoom(bool inOrder) {
     if (room_ == nullptr) return;
     std::exchange(room_, nullptr)->leave(id_);
-    hub_.left(own_, inOrder);
-    hub_.note(fmt::format("{} left after {:.0f} s", person_, nowSeconds() - began_));
+    reception_.left(own_, inOrder);
+    reception_.note(fmt::format("{} left after {:.0f} s", person_, clock_.seconds() - began_));
 }
 
 void Visitor::closed() {
     isClosed_ = true;
     leaveRoom(false);
-    hub_.visitorLeft();
+    reception_.closed();
 }
 
 void Visitor::drop() {
     if (const auto outlet = outlet_.lock()) outlet->drop();
 }
 
-void Visitor::tick(double now) {
-    if (isNewcomer() && now - began_ > kHelloTime) close(CloseCode::NoHello, "no hello within 5 s");
+void Visitor::tick() {
+    if (isNewcomer() && clock_.seconds() - began_ > kHelloTime)
+        close(CloseCode::NoHello, "no hello within 5 s");
 }
 
 } // namespace bridge

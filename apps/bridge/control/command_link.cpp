@@ -37,7 +37,7 @@ std::uint32_t lastNumberOf(std::string_view lines, std::uint32_t otherwise) {
 } // namespace
 
 struct CommandLink::State {
-    State(std::string name, app::KeyRestraint held, CommandLinkEvents take)
+    State(std::string name, app::KeyRestraint held, ServerEvents take)
         : instance(std::move(name)), restraint(held), events(std::move(take)), thread([this] { run(); }) {}
     ~State() {
         {
@@ -61,7 +61,7 @@ struct CommandLink::State {
     void work();
     void watchOnly();
     void findServer();
-    void tellServer(ServerState now, const std::string& why);
+    void tellServer(ServerLink now, const std::string& why);
     void dropInput();
     void moveKeys();
     void sendTurn();
@@ -83,7 +83,7 @@ struct CommandLink::State {
 
     const std::string instance;
     const app::KeyRestraint restraint;
-    const CommandLinkEvents events;
+    const ServerEvents events;
 
     mutable std::mutex mutex;
     std::condition_variable wake;
@@ -98,7 +98,7 @@ struct CommandLink::State {
     // Of the thread alone.
     std::optional<ipc::Client> client;
     std::optional<ipc::Viewer> viewer;
-    std::optional<ServerState> told;
+    std::optional<ServerLink> told;
     KeySet pressed;
     std::list<Request> requests; ///< sent, or to be sent
     app::StateFollower follower;
@@ -128,7 +128,7 @@ void CommandLink::State::run() {
             client.reset();
             viewer.reset();
             fail(error.what());
-            tellServer(error.problem == ipc::Problem::NoServer ? ServerState::Gone : ServerState::Refused,
+            tellServer(error.problem == ipc::Problem::NoServer ? ServerLink::Gone : ServerLink::Refused,
                        error.what());
             dropInput();
             std::this_thread::sleep_for(kSearch);
@@ -172,9 +172,9 @@ void CommandLink::State::watchOnly() {
     fail("no page is open any more");
     if (!viewer) viewer.emplace(instance, 0ns);
     const ipc::LinkState now = viewer->update();
-    tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
-               : now == ipc::LinkState::Busy ? ServerState::Busy
-                                             : ServerState::There,
+    tellServer(now == ipc::LinkState::Gone   ? ServerLink::Gone
+               : now == ipc::LinkState::Busy ? ServerLink::Busy
+                                             : ServerLink::There,
                "");
 }
 
@@ -192,31 +192,31 @@ void CommandLink::State::dropInput() {
     forgetInput();
 }
 
-void CommandLink::State::tellServer(ServerState now, const std::string& why) {
+void CommandLink::State::tellServer(ServerLink now, const std::string& why) {
     if (told == now) return;
     told = now;
-    if (now == ServerState::Gone || now == ServerState::Refused) {
+    if (now == ServerLink::Gone || now == ServerLink::Refused) {
         lastReport.clear();
         status.reset();
         follower.forget();
         knowsMessages = false;
     }
-    events.server(now, why.empty() && now == ServerState::Gone ? "no server '" + instance + "' runs" : why);
+    events.server(now, why.empty() && now == ServerLink::Gone ? "no server '" + instance + "' runs" : why);
 }
 
 void CommandLink::State::work() {
     findServer();
     const ipc::LinkState now = client->update();
     if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
-        if (epoch != 0) tellServer(ServerState::Gone, ""); // the one before, seen to go or not
+        if (epoch != 0) tellServer(ServerLink::Gone, ""); // the one before, seen to go or not
         epoch = client->epoch();
         const std::lock_guard lock(mutex);
         counted.epoch = epoch;
         wantsState = true;
     }
-    tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
-               : now == ipc::LinkState::Busy ? ServerState::Busy
-                                             : ServerState::There,
+    tellServer(now == ipc::LinkState::Gone   ? ServerLink::Gone
+               : now == ipc::LinkState::Busy ? ServerLink::Busy
+                                             : ServerLink::There,
                "");
     moveKeys();
     sendTurn();
@@ -273,7 +273,7 @@ void CommandLink::State::ask(std::string command, std::function<void(ipc::Reply)
 void CommandLink::State::lookAtStatus() {
     if (LinkClock::now() - lastStatus < kStatusLook) return;
     lastStatus = LinkClock::now();
-    if (told == ServerState::Gone) return;
+    if (told == ServerLink::Gone) return;
     const ipc::Status now = client->status();
     follower.revision(now.stateRevision);
     if (knowsMessages && now.messages != knownMessages) askForMessages(now.messages);
@@ -303,7 +303,7 @@ void CommandLink::State::askForState() {
     }
     if (again) follower.want();
     tellsAgain = tellsAgain || again;
-    if (told != ServerState::There || !follower.asks()) return;
+    if (told != ServerLink::There || !follower.asks()) return;
     ask(app::command::state(), [this](ipc::Reply reply) {
         if (!follower.answered(reply.status == ipc::ReplyStatus::Done)) return;
         const bool same = reply.text == lastReport;
@@ -347,7 +347,7 @@ void CommandLink::State::fail(const std::string& why) {
     for (const Request& each : lost) each.done({ipc::ReplyStatus::NotSent, why});
 }
 
-CommandLink::CommandLink(std::string instance, app::KeyRestraint restraint, CommandLinkEvents events)
+CommandLink::CommandLink(std::string instance, app::KeyRestraint restraint, ServerEvents events)
     : state_(std::make_unique<State>(std::move(instance), restraint, std::move(events))) {}
 
 CommandLink::~CommandLink() = default;

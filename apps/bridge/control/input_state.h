@@ -1,7 +1,7 @@
 /// Keys as state: what the driver's page says is held, for as long as it goes on saying so. Pure.
 #pragma once
 
-#include "bridge/control/command_link.h"
+#include "bridge/control/server_commands.h"
 #include "bridge/stream/wire.h"
 
 #include <cstdint>

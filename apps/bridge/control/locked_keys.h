@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bridge/control/caps.h"
-#include "bridge/control/command_link.h"
+#include "bridge/control/server_commands.h"
 #include "bridge/stream/wire.h"
 
 #include "common/commands/key_restraint.h"

@@ -2,6 +2,7 @@
 /// and TLS streams, included by one source for each, since Beast takes half a minute to compile.
 #pragma once
 
+#include "bridge/clock.h"
 #include "bridge/net/http_state.h"
 #include "bridge/net/page_choice.h"
 #include "bridge/net/page_files.h"
@@ -44,10 +45,6 @@ using CountedSocket =
 inline CountedSocket counted(StreamSocket socket) {
     return {ReceivingLimit(kMessageRate * kMostBytes, kMessageBurst * kMostBytes, kMostUnfinished),
             std::move(socket)};
-}
-
-inline double steadySeconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// Of the headers that every answer has: nothing from elsewhere, no frames, nothing kept.
@@ -105,7 +102,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     void ping() override {
         if (closing_ || pinging_) return;
         pinging_ = true;
-        pinged_ = steadySeconds();
+        pinged_ = nowSeconds();
         socket_->async_ping({}, [self = this->shared_from_this()](ErrorCode) { self->pinging_ = false; });
     }
     void close(CloseCode code, const std::string& reason) override {
@@ -153,11 +150,11 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
             limit().messageCame();
             const bool asked = type == websocket::frame_type::pong && pinged_ > 0;
             if (asked) {
-                const double rtt = steadySeconds() - std::exchange(pinged_, 0);
+                const double rtt = nowSeconds() - std::exchange(pinged_, 0);
                 if (receiver_) receiver_->ponged(rtt);
             }
             if (type == websocket::frame_type::close) return leave();
-            if (!asked && !bucket_.take(steadySeconds())) close(CloseCode::Flood, "too many messages");
+            if (!asked && !bucket_.take(nowSeconds())) close(CloseCode::Flood, "too many messages");
         });
         receiver_ = shared_.handlers.opened(this->shared_from_this());
         read();
@@ -174,7 +171,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
             return tellClosed();
         }
         limit().messageCame();
-        if (!bucket_.take(steadySeconds())) close(CloseCode::Flood, "too many messages");
+        if (!bucket_.take(nowSeconds())) close(CloseCode::Flood, "too many messages");
         if (!closing_ && receiver_) {
             const auto data = buffer_.cdata();
             const auto* const bytes = static_cast<const std::uint8_t*>(data.data());

@@ -1,9 +1,9 @@
 /// How much a client may send.
 #pragma once
 
+#include "bridge/clock.h"
 #include "bridge/net/doorkeeper.h"
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -37,10 +37,10 @@ class ReceivingLimit {
     std::size_t available_read_bytes() const { return over_ ? 0 : kAll; }
     std::size_t available_write_bytes() const { return kAll; }
     void transfer_read_bytes(std::size_t count) {
-        const double now =
-            std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
         unfinished_ += flooded_ ? count : 0;
-        if (over_ || (bytes_.take(now, static_cast<double>(count)) && unfinished_ <= mostUnfinished_)) return;
+        if (over_ ||
+            (bytes_.take(nowSeconds(), static_cast<double>(count)) && unfinished_ <= mostUnfinished_))
+            return;
         over_ = true;
         if (flooded_) flooded_();
     }

@@ -1,6 +1,6 @@
 #include "bridge/report/journal.h"
 
-#include "bridge/control/room.h"
+#include "bridge/clock.h"
 
 #include "common/process/message.h"
 #include "common/process/terminal.h"

@@ -1,7 +1,7 @@
 /// What /metrics tells, in the text format of Prometheus, version 0.0.4.
 #pragma once
 
-#include "bridge/control/room_figures.h"
+#include "bridge/room/room_figures.h"
 
 #include <cstdint>
 #include <map>

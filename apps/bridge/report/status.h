@@ -1,7 +1,7 @@
 /// What /status tells of an instance.
 #pragma once
 
-#include "bridge/control/room_figures.h"
+#include "bridge/room/room_figures.h"
 
 #include <nlohmann/json_fwd.hpp>
 

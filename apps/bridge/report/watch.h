@@ -1,7 +1,7 @@
 /// What --watch prints.
 #pragma once
 
-#include "bridge/control/room_figures.h"
+#include "bridge/room/room_figures.h"
 
 #include <cstdint>
 #include <map>

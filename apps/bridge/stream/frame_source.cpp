@@ -1,5 +1,6 @@
 #include "bridge/stream/frame_source.h"
 
+#include "bridge/clock.h"
 #include "bridge/stream/motion_encoder.h"
 #include "bridge/stream/rest.h"
 #include "bridge/stream/still_encoder.h"
@@ -61,8 +62,8 @@ bool isUsable(const ipc::Frame& frame) {
 } // namespace
 
 struct FrameSource::State {
-    State(std::string name, const RungTable& table, std::function<void(FrameSet)> take)
-        : instance(std::move(name)), rungs(table), deliver(std::move(take)), streams(std::random_device{}()),
+    State(std::string name, const RungTable& table, FrameEvents take)
+        : instance(std::move(name)), rungs(table), events(std::move(take)), streams(std::random_device{}()),
           frames([this] { runFrames(); }), stills([this] { runStills(); }) {}
     ~State() {
         {
@@ -86,10 +87,12 @@ struct FrameSource::State {
     void considerRest(const FrameDemand& wanted);
     void runStills();
     void publish();
+    /// Once, until `told` is reset.
+    void tellFailure(bool& told, const std::exception& error);
 
     const std::string instance;
     const RungTable rungs;
-    const std::function<void(FrameSet)> deliver;
+    const FrameEvents events;
 
     mutable std::mutex mutex;
     std::condition_variable wake, wakeStills;
@@ -114,6 +117,9 @@ struct FrameSource::State {
     std::uint32_t streams;
     RestWatch rest;
     MotionEncoder encoder;
+    bool framesFail = false; ///< it was told
+
+    bool stillsFail = false; ///< it was told; of the stills' thread alone
 
     std::thread frames, stills; // last: they use all of the above
 };
@@ -133,9 +139,11 @@ void FrameSource::State::runFrames() {
         }
         try {
             lookAtServer();
-        } catch (const std::exception&) { // CommandLink tells why
+        } catch (const std::exception& error) {
+            tellFailure(framesFail, error);
             client.reset();
-            std::this_thread::sleep_for(kRetry);
+            std::unique_lock lock(mutex);
+            wake.wait_for(lock, kRetry, [&] { return stopping; });
         }
     }
     client.reset();
@@ -149,7 +157,8 @@ bool FrameSource::State::findServer() {
         try {
             client.emplace(instance, 0ns);
             return true;
-        } catch (const ipc::Error&) { // none yet
+        } catch (const ipc::Error& error) { // none yet, or one that does not let it in
+            if (error.problem != ipc::Problem::NoServer) tellFailure(framesFail, error);
         }
     }
     std::unique_lock lock(mutex);
@@ -202,7 +211,7 @@ void FrameSource::State::lookForFrame() {
     // Steps of a resting picture are not waited for: none of them is urgent.
     const bool came = client->waitForFrame(*next, waiting ? 0ns : kSlice) && isUsable(*next);
     const ipc::Status status = client->status();
-    const double now = app::secondsSince({});
+    const double now = nowSeconds();
     if (came) {
         waiting.reset();
         if (rest.comes(now, stepOf(*next, status))) return showFrame(next, status);
@@ -217,7 +226,7 @@ void FrameSource::State::lookForFrame() {
 void FrameSource::State::showFrame(HeldFrame frame, const ipc::Status& status) {
     facts = factsOf(*frame, status);
     current = std::move(frame);
-    rest.shown(app::secondsSince({}));
+    rest.shown(nowSeconds());
     const std::lock_guard lock(mutex);
     ++counted.published;
     set = FrameSet{facts.stream, facts.number, {}, nullptr, nullptr};
@@ -272,12 +281,13 @@ void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
         counted.encode[rung].add(app::secondsSince(start));
         set.byRung[rung] = std::move(frame);
     }
+    framesFail = false;
     publish();
 }
 
 void FrameSource::State::considerRest(const FrameDemand& wanted) {
     if (!wanted.still || facts.shownWidth != facts.width || facts.shownHeight != facts.height) return;
-    if (!rest.takeStill(app::secondsSince({}), client->status().idle != 0)) return;
+    if (!rest.takeStill(nowSeconds(), client->status().idle != 0)) return;
     const std::lock_guard lock(mutex);
     still = StillTask{current, facts, wanted.fine};
     wakeStills.notify_one();
@@ -289,7 +299,11 @@ void FrameSource::State::publish() {
         const std::lock_guard lock(mutex);
         copy = set;
     }
-    deliver(std::move(copy));
+    events.deliver(std::move(copy));
+}
+
+void FrameSource::State::tellFailure(bool& told, const std::exception& error) {
+    if (!std::exchange(told, true)) events.failed(error.what());
 }
 
 void FrameSource::State::runStills() {
@@ -313,7 +327,8 @@ void FrameSource::State::runStills() {
             try {
                 frame = fine ? jpeg.encodeFine(pixelsOf(*task.frame), task.facts)
                              : exact.encode(pixelsOf(*task.frame), task.facts);
-            } catch (const std::exception&) { // without memory the moving frame stays
+            } catch (const std::exception& error) { // the moving frame stays
+                tellFailure(stillsFail, error);
                 break;
             }
             {
@@ -322,13 +337,14 @@ void FrameSource::State::runStills() {
                 counted.still.add(app::secondsSince(start));
                 (fine ? set.fine : set.still) = std::move(frame);
             }
+            stillsFail = false;
             publish();
         }
     }
 }
 
-FrameSource::FrameSource(std::string instance, const RungTable& rungs, std::function<void(FrameSet)> deliver)
-    : state_(std::make_unique<State>(std::move(instance), rungs, std::move(deliver))) {}
+FrameSource::FrameSource(std::string instance, const RungTable& rungs, FrameEvents events)
+    : state_(std::make_unique<State>(std::move(instance), rungs, std::move(events))) {}
 
 FrameSource::~FrameSource() = default;
 

@@ -1,11 +1,11 @@
 /// What a room tells of itself, at one moment.
 #pragma once
 
-#include "bridge/control/command_link.h"
 #include "bridge/control/roles.h"
-#include "bridge/stream/frame_source.h"
+#include "bridge/control/server_commands.h"
 #include "bridge/stream/histogram.h"
 #include "bridge/stream/rate_control.h"
+#include "bridge/stream/server_frames.h"
 
 #include "ipc/layout/status.h"
 

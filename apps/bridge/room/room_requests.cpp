@@ -1,0 +1,117 @@
+#include "bridge/room/room_requests.h"
+
+#include "bridge/control/scene_facts.h"
+
+#include "common/commands/command_lines.h"
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace bridge {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int kMostRequests = 4;
+
+bool isStep(const PlannedCommand& planned) {
+    return planned.edits || planned.id == app::CommandId::Undo || planned.id == app::CommandId::Redo;
+}
+
+} // namespace
+
+RoomRequests::RoomRequests(const Limits& limits, const KnownServer& server, const Clock& clock,
+                           RequestLinks links)
+    : limits_(limits), server_(server), clock_(clock), links_(std::move(links)) {}
+
+void RoomRequests::answer(SessionId to, std::uint32_t id, bool ok, const std::string& text, json content) {
+    if (!content.is_object()) content = json::object();
+    content["event"] = "answer";
+    content["id"] = id;
+    content["ok"] = ok;
+    content["text"] = withoutFolders(text);
+    links_.send(to, content);
+}
+
+void RoomRequests::request(SessionId by, bool drives, const json& content, std::uint32_t id) {
+    Asker& asker = askers_[by];
+    const SceneFacts& facts = server_.facts;
+    const double now = clock_.seconds();
+    const PlannedCommand planned =
+        planRequest(content, {limits_, facts.bookmarks(), facts.lights(), facts.hasSky()});
+    if (!planned.anyone && !drives) throw Refused("only the driver may do that; ask to drive first");
+    if (asker.open >= kMostRequests || (planned.anyone && !asker.asked.take(now)))
+        throw Refused("too many requests at once");
+    if (server_.link && !server_.isThere()) throw Refused("there is no server");
+    const std::string line = lineOf(by, planned);
+    heavy_.sent(planned, server_, edits_, now);
+    if (isStep(planned)) edits_.sent();
+    if (!planned.anyone) {
+        ++moving_;
+        links_.moves();
+    }
+    ++asker.open;
+    links_.ask(line, [this, by, id, planned](const ipc::Reply& reply) { answered(by, id, planned, reply); });
+}
+
+/// The command as the server gets it: in the name of the session, and of its own edits only.
+std::string RoomRequests::lineOf(SessionId by, const PlannedCommand& planned) const {
+    using app::CommandId;
+    const bool undo = planned.id == CommandId::Undo, redo = planned.id == CommandId::Redo;
+    if ((undo || redo) && edits_.busy()) throw Refused("the last edit is still under way");
+    if (undo && !edits_.mayUndo(by)) throw Refused("the last edit is not yours");
+    if (redo && !edits_.mayRedo(by)) throw Refused("there is no edit of yours to make again");
+    if (undo) return app::command::undo(edits_.undo());
+    if (redo) return app::command::redo(edits_.redo());
+    return planned.edits ? app::command::by(static_cast<int>(by), planned.line) : planned.line;
+}
+
+void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned,
+                            const ipc::Reply& reply) {
+    if (!planned.anyone) {
+        links_.moves();
+        --moving_;
+    }
+    if (isStep(planned)) edits_.answered();
+    heavy_.answered(planned, clock_.seconds());
+    if (!planned.anyone) links_.refresh();
+    const auto asker = askers_.find(by);
+    if (asker == askers_.end()) return;
+    --asker->second.open;
+    const bool done = reply.status == ipc::ReplyStatus::Done;
+    json content = done ? answerContent(planned.id, reply.text) : json::object();
+    answer(by, id, done, content.empty() ? reply.text : std::string(), std::move(content));
+}
+
+bool RoomRequests::stateRead() {
+    const bool waited = edits_.busy();
+    edits_.read(server_.facts.undo(), server_.facts.redo());
+    return waited != edits_.busy();
+}
+
+void RoomRequests::serverGone() {
+    edits_.clear();
+    heavy_.clear();
+}
+
+void RoomRequests::tick() {
+    const double now = clock_.seconds();
+    const std::vector<HeavyEdits::Back> heavy = heavy_.takeHeavy(server_, now);
+    if (!heavy.empty()) {
+        json back = json::array();
+        for (const HeavyEdits::Back& each : heavy) {
+            links_.ask(each.line, [](const ipc::Reply&) {});
+            back.push_back(each.name);
+        }
+        links_.refresh();
+        links_.sendAll({{"event", "notice"},
+                        {"code", "heavy"},
+                        {"back", back},
+                        {"text", "undone, since a frame took more than 5 s"}});
+    }
+    if (moving_ == 0 && server_.status.idle != 0) heavy_.settle(now);
+}
+
+} // namespace bridge

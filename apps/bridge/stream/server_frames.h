@@ -1,0 +1,52 @@
+/// Frames of a server, as a room takes them: FrameSource in the bridge, something else in tests.
+#pragma once
+
+#include "bridge/stream/encoded_frame.h"
+#include "bridge/stream/histogram.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace bridge {
+
+/// What all viewers of an instance wait for together.
+struct FrameDemand {
+    static constexpr std::uint64_t kNothing = std::numeric_limits<std::uint64_t>::max();
+
+    bool anyone = false;      ///< a page is open; else the server is left alone
+    std::uint32_t stream = 0; ///< that the numbers are of: of another one every frame is wanted
+    std::array<std::uint64_t, kRungCount> above{}; ///< of each rung: frames above this number; kNothing
+    bool still = false, fine = false;              ///< at rest
+    FrameDemand() { above.fill(kNothing); }
+    friend bool operator==(const FrameDemand&, const FrameDemand&) = default;
+};
+
+/// Called from any thread; must not throw.
+struct FrameEvents {
+    /// What there is of the newest frame, again when more of it is encoded.
+    std::function<void(FrameSet)> deliver;
+    /// A server is there, and its frames cannot be taken or encoded: no slot or no memory is left. Told once,
+    /// and again after a frame that could be.
+    std::function<void(std::string why)> failed;
+};
+
+/// Figures of all frames so far.
+struct FrameFigures {
+    std::uint64_t published = 0;              ///< by the server, and taken
+    std::array<Histogram, kRungCount> encode; ///< of moving frames
+    Histogram still;                          ///< of what is sent at rest
+    double framesCpu = 0, stillsCpu = 0;      ///< seconds of the two threads
+};
+
+/// Any thread; none waits.
+class ServerFrames {
+  public:
+    virtual ~ServerFrames() = default;
+    virtual void setDemand(const FrameDemand& demand) = 0;
+    virtual FrameFigures figures() const = 0;
+};
+
+} // namespace bridge
