@@ -34,7 +34,7 @@ MUTANTS = [
          "if (!rate_.windowOpen()) return {};"),
     ]),
     ("frames: the limit of all pages holds nothing back", [
-        ("control/room_frames.cpp", "const bool free = stream_.mostBits <= 0 ||",
+        ("room/room_stream.cpp", "const bool free = options_.mostBits <= 0 ||",
          "const bool free = true ||"),
     ]),
     ("stills: those of frames that were not sent begin", [
@@ -50,25 +50,23 @@ MUTANTS = [
          ""),
     ]),
     ("input: viewers walk", [
-        ("control/room_roles.cpp", "if (!roles_.drives(session.id)) return;",
+        ("room/room.cpp", "if (!roles_.drives(id)) return;",
          ""),
     ]),
     ("input: keys stay when another drives", [
-        ("control/room_roles.cpp", "if (before != roles_.driver()) { releaseKeys();",
-         "if (before != roles_.driver()) {"),
-        ("control/room_roles.cpp", "last->input.release();",
+        ("room/room.cpp", "input_.release(before, *commands_);",
          ""),
     ]),
     ("requests: viewers command", [
-        ("control/room_requests.cpp", "if (!planned.anyone && !roles_.drives(session.id))",
+        ("room/room_requests.cpp", "if (!planned.anyone && !drives)",
          "if (false)"),
     ]),
     ("requests: edits are not locked", [
-        ("control/requests.cpp", "if (isEdit(spec) && surroundings.limits.isLocked(\"edits\"))",
+        ("control/requests.cpp", "if (command.browser == BrowserUse::Edit && limits.isLocked(\"edits\"))",
          "if (false)"),
     ]),
     ("requests: settings have no caps", [
-        ("control/caps.h", "std::min(cap->most, setting.maximum)",
+        ("control/caps.h", "std::min(setting.browser.maximum, setting.maximum)",
          "setting.maximum"),
     ]),
     ("requests: edits of others are taken back", [
@@ -84,28 +82,28 @@ MUTANTS = [
          "bool busy() const { return false; }"),
     ]),
     ("requests: commands change what is locked", [
-        ("control/requests.cpp", "if (around.limits.isLocked(name)) throw",
+        ("control/requests.cpp", "if (limits.isLocked(name)) throw",
          "if (false) throw"),
     ]),
     ("requests: any size is taken", [
-        ("control/requests.cpp", "if (width * height > around.limits.maxPixels)",
+        ("control/requests.cpp", "if (width * height > static_cast<double>(around.limits.maxPixels))",
          "if (false)"),
     ]),
     ("requests: heavy edits stay", [
-        ("control/room_requests.cpp", "if (heavy) {",
+        ("room/room_requests.cpp", "if (!heavy.empty()) {",
          "if (false) {"),
     ]),
     ("requests: edits that mend heavy frames are set back", [
-        ("control/room_requests.cpp", "if (hasStatus_ && longestFrame(status_) > kLongFrame) return;",
+        ("room/heavy_edits.cpp", "if (server.hasStatus && server.longestFrame() > kLongFrame) return;",
          ""),
     ]),
     ("requests: whole frames may last", [
-        ("control/room_requests.cpp", "return std::max(status.frameSeconds, status.wholeSeconds);",
+        ("room/known_server.h", "return std::max(status.frameSeconds, status.wholeSeconds);",
          "return status.frameSeconds;"),
     ]),
     ("requests: what was quick is watched for ever", [
-        ("control/room_requests.cpp", "return moving_ == 0 && status_.idle != 0 &&",
-         "return false &&"),
+        ("room/room_requests.cpp", "if (moving_ == 0 && server_.status.idle != 0)",
+         "if (false)"),
     ]),
     ("input: what was tapped without a server goes to the next one", [
         ("control/command_link.cpp", "taps.clear(); right = up = 0;",
@@ -145,7 +143,7 @@ MUTANTS = [
     ]),
     ("door: a refused hello uses the link up", [
         ("visitor.cpp", "if (right == Right::None) {",
-         "hub_.enter(token); if (right == Right::None) {"),
+         "if (Room* const any = reception_.room(\"\")) reception_.enter(*any, token, right); if (right == Right::None) {"),
     ]),
     ("door: a request may have a body", [
         ("net/http_connection-inl.h", "request.count(http::field::transfer_encoding) +",
@@ -153,7 +151,7 @@ MUTANTS = [
     ]),
     ("door: parts of messages are not counted", [
         ("net/receiving_limit.h",
-         "if (over_ || (bytes_.take(now, static_cast<double>(count)) && unfinished_ <= mostUnfinished_)) return;",
+         "if (over_ || (bytes_.take(nowSeconds(), static_cast<double>(count)) && unfinished_ <= mostUnfinished_)) return;",
          "return;"),
     ]),
     ("door: a message may never end", [
@@ -161,7 +159,7 @@ MUTANTS = [
          ""),
     ]),
     ("door: messages are not counted", [
-        ("net/http_connection-inl.h", "limit().messageCame(); if (!bucket_.take(steadySeconds()))",
+        ("net/http_connection-inl.h", "limit().messageCame(); if (!bucket_.take(nowSeconds()))",
          "limit().messageCame(); if (false)"),
     ]),
     ("door: the silent keep their places", [

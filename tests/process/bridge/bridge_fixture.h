@@ -84,6 +84,7 @@ class FakeServer {
     void setState(const app::StateReport& state) {
         const std::lock_guard lock(mutex_);
         state_ = state;
+        ++revision_;
     }
     /// Another client's edit. Of pages, it counts `set`, and what `undo` takes back.
     void edit(const std::string& label) {
@@ -120,6 +121,7 @@ class FakeServer {
         while (!stopping_) {
             server.wait(1ms);
             serve(server);
+            tellRevision(server);
             const int rate = rate_;
             const bool due =
                 rate > 0 && !hangs_ && Clock::now() - last >= std::chrono::microseconds(1'000'000) / rate;
@@ -131,13 +133,20 @@ class FakeServer {
         const std::lock_guard lock(mutex_);
         return std::exchange(showOne_, false);
     }
+    void tellRevision(ipc::Server& server) {
+        const std::lock_guard lock(mutex_);
+        if (status_.stateRevision == revision_) return;
+        status_.stateRevision = revision_;
+        server.setStatus(status_);
+    }
     void publish(ipc::Server& server) {
         const std::lock_guard lock(mutex_);
         pixels_.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
         for (std::size_t i = 0; i < pixels_.size(); ++i)
             pixels_[i] = static_cast<std::byte>((i / 4 * (i % 4 + 1) + frame_ * 7) >> 3);
         ++frame_;
-        ipc::Status status;
+        ipc::Status& status = status_;
+        status.stateRevision = revision_;
         status.width = static_cast<std::uint32_t>(width_);
         status.height = static_cast<std::uint32_t>(height_);
         status.frameSeconds = frameSeconds_;
@@ -169,6 +178,7 @@ class FakeServer {
         tellEdits();
     }
     void tellEdits() {
+        ++revision_;
         state_.edits = static_cast<int>(edits_.size());
         state_.undo = edits_.empty() ? "" : edits_.back().label;
         state_.undoEdit = edits_.empty() ? app::ReportedEdit() : edits_.back().edit;
@@ -208,6 +218,8 @@ class FakeServer {
     std::array<std::uint32_t, 256> presses_{};
     std::vector<std::string> commands_;
     app::StateReport state_ = plainState();
+    std::uint64_t revision_ = 0; ///< of it
+    ipc::Status status_;         ///< that was told last
     struct Edit {
         std::string label;
         app::ReportedEdit edit;

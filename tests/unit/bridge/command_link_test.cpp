@@ -233,7 +233,7 @@ TEST_F(LinkToAServer, AddsTurnsUpWhileOneIsUnderWay) {
     EXPECT_EQ(waiting.size(), 2U) << "what was dropped is not sent";
 }
 
-TEST_F(LinkToAServer, AsksForTheStateAtFirstAndWhenToldTo) {
+TEST_F(LinkToAServer, AsksForTheStateAtFirstWhenToldToAndWhenItChanged) {
     instance.start();
     int asked = 0;
     instance.onCommand = [&](const ipc::Command& command) {
@@ -249,7 +249,11 @@ TEST_F(LinkToAServer, AsksForTheStateAtFirstAndWhenToldTo) {
     ASSERT_TRUE(instance.until([&] { return told().states.size() == 2; }))
         << "the same, once it is asked for";
     const int before = asked;
-    ASSERT_TRUE(instance.until([&] { return asked > before; })) << "and each second";
+    ipc::Status status;
+    status.stateRevision = 1;
+    instance.server().setStatus(status);
+    ASSERT_TRUE(instance.until([&] { return asked > before; }))
+        << "and when the server says that it is another";
     request("walk");
     ASSERT_TRUE(isAnswered("walk"));
     EXPECT_EQ(told().states.size(), 2U) << "which tells nothing, as nothing changed";
