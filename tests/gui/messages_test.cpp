@@ -124,9 +124,9 @@ TEST_F(MessagesTest, TheOtherUpAxisIsOffered) {
               "   vertex 0 40 20\n  endloop\n endfacet\nendsolid\n");
     open("part.stl");
     ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
-    ASSERT_TRUE(comes([&] { return window->notice().text().contains(QStringLiteral("taken for up")); }));
-    EXPECT_EQ(text(window->notice().text()), "The axis +Z is taken for up (usual for OpenSCAD).\n"
-                                             "A unit is taken for 0.001 m (usual for OpenSCAD).");
+    ASSERT_TRUE(comes([&] { return window->notice().text().contains(QStringLiteral("is up")); }));
+    EXPECT_EQ(text(window->notice().text()), "+Z is up (guessed, usual for OpenSCAD).\n"
+                                             "1 unit = 0.001 m (guessed, usual for OpenSCAD).");
     const auto isUp = [&](const char* axis) {
         return comes([&] { return window->editor().state().up == QLatin1String(axis); });
     };
@@ -180,13 +180,13 @@ TEST(Messages, AnOfferIsRead) {
     const auto offer =
         readUpOffer(QStringLiteral("+z is taken for up (by its shape); 'up +y' turns the model"));
     ASSERT_TRUE(offer);
-    EXPECT_EQ(text(offer->text), "The axis +Z is taken for up (by its shape).");
+    EXPECT_EQ(text(offer->text), "+Z is up (guessed, by its shape).");
     EXPECT_EQ(text(offer->other), "+y");
     EXPECT_FALSE(readUpOffer(QStringLiteral("+z is taken for up")));
     const auto unit =
         readUnitOffer(QStringLiteral("0.0254 m are taken for a unit (usual for .wrl); 'units' sets another"));
     ASSERT_TRUE(unit);
-    EXPECT_EQ(text(*unit), "A unit is taken for 0.0254 m (usual for .wrl).");
+    EXPECT_EQ(text(*unit), "1 unit = 0.0254 m (guessed, usual for .wrl).");
     EXPECT_FALSE(readUnitOffer(QStringLiteral("+z is taken for up")));
 }
 

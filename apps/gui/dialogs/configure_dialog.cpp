@@ -62,7 +62,7 @@ QWidget* ConfigureDialog::generalPage() {
     addShortcuts(*form);
     auto* folder = new FileField(FileField::Kind::Folder, tr("Image folder"), QString());
     folder->setPath(preferences_.picturesFolder());
-    form->addRow(tr("&Image folder:"), folder);
+    form->addRow(tr("Image &folder:"), folder);
     stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
     constexpr int kMostMegabytes = 1000000;
     addNumber(*form, tr("Mo&del cache:"), pref::modelCacheMegabytes, 0, kMostMegabytes, tr(" MB"),

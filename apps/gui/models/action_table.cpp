@@ -164,7 +164,7 @@ constexpr ActionRow kRows[]{
 };
 
 constexpr const char* kMenus[]{TEXT("&File"),   TEXT("&Edit"),   TEXT("&View"),
-                               TEXT("&Camera"), TEXT("&Light"),  TEXT("&Render"),
+                               TEXT("&Camera"), TEXT("&Light"),  TEXT("Re&nder"),
                                TEXT("&Window"), TEXT("&Server"), TEXT("&Help")};
 
 #undef TEXT

@@ -103,7 +103,7 @@ std::optional<UpOffer> readUpOffer(const QString& offer) {
         QStringLiteral("^([+-][xyz]) is taken for up \\((.*)\\); 'up ([+-][xyz])' turns the model$"));
     const QRegularExpressionMatch found = form.match(offer);
     if (!found.hasMatch()) return std::nullopt;
-    return UpOffer{tr("%1 is up (guessed %2).")
+    return UpOffer{tr("%1 is up (guessed, %2).")
                        .arg(found.captured(1).toUpper(), reasonText(found.captured(2))),
                    found.captured(3)};
 }
@@ -113,7 +113,7 @@ std::optional<QString> readUnitOffer(const QString& offer) {
         QStringLiteral("^([0-9.e+-]+) m are taken for a unit \\((.*)\\); 'units' sets another$"));
     const QRegularExpressionMatch found = form.match(offer);
     if (!found.hasMatch()) return std::nullopt;
-    return tr("1 unit = %1 m (guessed %2).")
+    return tr("1 unit = %1 m (guessed, %2).")
         .arg(QLocale().toString(found.captured(1).toDouble(), 'g', 4), reasonText(found.captured(2)));
 }
 

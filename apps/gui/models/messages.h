@@ -24,7 +24,7 @@ struct UpOffer {
 /// Nothing where the text is none.
 std::optional<UpOffer> readUpOffer(const QString& offer);
 
-/// What an offer of another unit says, in the user's language: "A unit is taken for 0.01 m (by its size).";
+/// What an offer of another unit says, in the user's language: "1 unit = 0.01 m (guessed, by its size).";
 /// nothing where the text is none.
 std::optional<QString> readUnitOffer(const QString& offer);
 

@@ -452,7 +452,7 @@
         <translation>&amp;Kamera</translation>
     </message>
     <message>
-        <source>&amp;Render</source>
+        <source>Re&amp;nder</source>
         <translation>V&amp;ykreslit</translation>
     </message>
     <message>
@@ -672,8 +672,8 @@
         <translation>podle tvaru</translation>
     </message>
     <message>
-        <source>%1 is up (guessed %2).</source>
-        <translation>Za směr vzhůru se bere osa %1 (%2).</translation>
+        <source>%1 is up (guessed, %2).</source>
+        <translation>Vzhůru míří %1 (odhad, %2).</translation>
     </message>
     <message>
         <source>Up a&amp;xis and unit…</source>
@@ -688,8 +688,8 @@
         <translation>podle velikosti</translation>
     </message>
     <message>
-        <source>1 unit = %1 m (guessed %2).</source>
-        <translation>Za jednotku se bere %1 m (%2).</translation>
+        <source>1 unit = %1 m (guessed, %2).</source>
+        <translation>1 jednotka = %1 m (odhad, %2).</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -1327,8 +1327,8 @@ Alt+%2</translation>
         <translation>Složka pro obrázky</translation>
     </message>
     <message>
-        <source>&amp;Image folder:</source>
-        <translation>Složka pro &amp;obrázky:</translation>
+        <source>Image &amp;folder:</source>
+        <translation>&amp;Složka pro obrázky:</translation>
     </message>
     <message>
         <source>&amp;Keep servers running when the window closes</source>

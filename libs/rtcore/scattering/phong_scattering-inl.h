@@ -50,7 +50,9 @@ HWY_INLINE Scattering<F> scatterPhong(const PhongLobes<F>& lobes, Vec3Of<F> norm
     const F power = none(seen) ? F(0) : phongLobe<F>(select(seen, lobe, F(1)), lobes.shininess, F(1));
     const F gloss = selectOrZero(seen, lobes.lobeScale * power);
     const auto isRough = lobes.roughScale > 0.0F;
-    const F rough = none(isRough) ? F(0) : roughLobe<F>(max(cosine, F(0)), viewer, lobes.roughScale);
+    const F rough = none(isRough)
+                        ? F(0)
+                        : selectOrZero(isRough, roughLobe<F>(max(cosine, F(0)), viewer, lobes.roughScale));
     const F probability = phongProbability<F>(lobes, viewer);
     const F density = (1.0F - probability) * lambertDensity<F>(cosine) +
                       probability * selectOrZero(seen, phongDensityScale<F>(lobes.shininess) * power);
