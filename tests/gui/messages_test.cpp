@@ -207,8 +207,8 @@ TEST(Messages, AreTranslatedAsAWhole) {
     EXPECT_EQ(text(warningsText({names[0]})), "chybí textura 'x and y'; její materiál je jednobarevný");
     EXPECT_TRUE(warningsText({names[1]}).endsWith(QStringLiteral("'a' a 'b'")));
     EXPECT_TRUE(warningsText({names[2]}).endsWith(QStringLiteral("'a', 'b' a další (7)")));
-    EXPECT_TRUE(readUnitOffer(units[0])->endsWith(QStringLiteral("(obvyklé pro soubory OBJ).")));
-    EXPECT_TRUE(readUnitOffer(units[1])->endsWith(QStringLiteral("(obvyklé pro takové soubory).")));
+    EXPECT_TRUE(readUnitOffer(units[0])->endsWith(QStringLiteral("obvyklé pro soubory OBJ).")));
+    EXPECT_TRUE(readUnitOffer(units[1])->endsWith(QStringLiteral("obvyklé pro takové soubory).")));
     QCoreApplication::removeTranslator(&czech);
 }
 #endif

@@ -173,7 +173,9 @@ TEST_F(SlowLink, ALostLinkComesBack) {
     ask("fly");
     capture(page);
     page.keyDown("KeyE");
-    EXPECT_TRUE(test::eventually([&] { return page.pixels() != before; }, 20s));
+    EXPECT_TRUE(test::eventually([&] { return page.pixels() != before; }, 20s))
+        << page.value("document.getElementById('notices').textContent + '; ' + "
+                      "document.getElementById('stage').className");
     page.keyUp("KeyE");
     ask("wait-idle");
     EXPECT_TRUE(isExact(page));

@@ -240,7 +240,7 @@ TEST_F(Serving, SettingsAreReadAndWritten) {
     EXPECT_EQ(ask({"get", "antialiasing"}), "3\n");
     refused({"set", "antialiazing", "3"}, 2, "did you mean 'antialiasing'?");
     refused({"set", "antialiasing", "17"}, 2, "1 to 16");
-    refused({"resolution", "20000", "4"}, 1, "16384");
+    refused({"resolution", "20000", "4"}, 2, "16384");
     EXPECT_EQ(ask({"get", "width"}), "64\n");
 }
 

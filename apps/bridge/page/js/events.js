@@ -55,8 +55,11 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
     });
 
     on("state", ({ event: _, values, ...rest }) => {
+        const { scene, indoors } = app.state;
         app.state = { ...app.state, ...rest, values: { ...app.state.values, ...values } };
-        if ("scene" in rest || "indoors" in rest) app.orbit.begin(app.state.indoors);
+        // A whole state comes after each loss of the link, too: hands go on as they were.
+        const another = scene !== app.state.scene || indoors !== app.state.indoors;
+        if (another) app.orbit.begin(app.state.indoors);
         around.showHeader();
         panels.show();
     });
