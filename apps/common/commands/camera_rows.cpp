@@ -157,7 +157,10 @@ std::vector<CommandSpec> cameraCommands() {
          .more = "From a view from outside one begins before the door or the front of the model. Fails where "
                  "there "
                  "is no room to stand and no floor below, and where the model is too small"},
-        {.id = CommandId::Fly, .name = "fly", .browser = BrowserUse::Move, .help = "fly freely, through walls"},
+        {.id = CommandId::Fly,
+         .name = "fly",
+         .browser = BrowserUse::Move,
+         .help = "fly freely, through walls"},
     };
 }
 

@@ -103,9 +103,9 @@ std::optional<UpOffer> readUpOffer(const QString& offer) {
         QStringLiteral("^([+-][xyz]) is taken for up \\((.*)\\); 'up ([+-][xyz])' turns the model$"));
     const QRegularExpressionMatch found = form.match(offer);
     if (!found.hasMatch()) return std::nullopt;
-    return UpOffer{tr("%1 is up (guessed, %2).")
-                       .arg(found.captured(1).toUpper(), reasonText(found.captured(2))),
-                   found.captured(3)};
+    return UpOffer{
+        tr("%1 is up (guessed, %2).").arg(found.captured(1).toUpper(), reasonText(found.captured(2))),
+        found.captured(3)};
 }
 
 std::optional<QString> readUnitOffer(const QString& offer) {
