@@ -41,7 +41,8 @@ TEST(BridgeDocument, HasTheOptions) {
 /// Arguments as the manual shows them, with ranges.
 std::string argumentText(const app::CommandSpec& command) {
     std::string text;
-    for (const auto& [name, row] : bridge::commandTableJson()[std::string(command.name)].items()) {
+    const nlohmann::json commands = bridge::commandTableJson();
+    for (const nlohmann::json& row : commands[std::string(command.name)]) {
         if (!row.contains("min") && !row.contains("max")) continue;
         const auto limit = [&](const char* key) { return fmt::format("{:g}", row[key].get<double>()); };
         text += fmt::format("{}{}: {}{}", text.empty() ? "" : ", ", row["name"].get<std::string>(),
