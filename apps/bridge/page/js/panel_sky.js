@@ -39,10 +39,10 @@ export function skyPanel(app) {
             const { latitude, longitude, zone } = { ...sky(), [change]: value };
             edit("sky place")([latitude, longitude, zone]);
         };
-        const place_ = (index) => ({ ...app.argument("sky place", index), slider: false });
-        add(place, numeric(of("SkyFields", "Latitude"), put("latitude"), { ...place_(0), unit: "°", help: of("SkyFields", "Degrees north; negative in the south") }), dated, () => sky().latitude);
-        add(place, numeric(of("SkyFields", "Longitude"), put("longitude"), { ...place_(1), unit: "°", help: of("SkyFields", "Degrees east; negative in the west") }), dated, () => sky().longitude);
-        add(place, numeric(of("SkyFields", "Time zone"), put("zone"), { ...place_(2), unit: "h", help: of("SkyFields", "What the clock is ahead of universal time") }), dated, () => sky().zone);
+        const placeRange = (index) => ({ ...app.argument("sky place", index), slider: false });
+        add(place, numeric(of("SkyFields", "Latitude"), put("latitude"), { ...placeRange(0), unit: "°", help: of("SkyFields", "Degrees north; negative in the south") }), dated, () => sky().latitude);
+        add(place, numeric(of("SkyFields", "Longitude"), put("longitude"), { ...placeRange(1), unit: "°", help: of("SkyFields", "Degrees east; negative in the west") }), dated, () => sky().longitude);
+        add(place, numeric(of("SkyFields", "Time zone"), put("zone"), { ...placeRange(2), unit: "h", help: of("SkyFields", "What the clock is ahead of universal time") }), dated, () => sky().zone);
         add(place, numeric(of("SkyFields", "North"), edit("sky north"),
             { ...range("sky north"), unit: "°", help: of("SkyFields", "Where north is in the scene: from straight ahead to the right") }), dated, () => sky().north);
     }
