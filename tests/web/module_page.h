@@ -24,7 +24,7 @@ class ModulePage : public testing::Test {
         namespace fs = std::filesystem;
         const char* const asked = std::getenv("RT_PAGE_MODULES");
         for (const char* const from :
-             {asked != nullptr ? asked : RT_PAGE_MODULES, RT_PAGE_MADE, RT_PAGE_PARTS, RT_MODULE_SCRIPTS})
+             {asked != nullptr ? asked : RT_PAGE_MODULES, RT_PAGE_MADE, RT_MODULE_SCRIPTS})
             for (const fs::directory_entry& file : fs::directory_iterator(from))
                 fs::copy_file(file.path(), folder_.path() / file.path().filename(),
                               fs::copy_options::skip_existing);
