@@ -4,9 +4,9 @@
 #include "rtserver/arrivals.h"
 #include "rtserver/command_book.h"
 #include "rtserver/commands.h"
+#include "rtserver/document.h"
 #include "rtserver/failure.h"
 #include "rtserver/requests.h"
-#include "rtserver/server_state.h"
 #include "rtserver/side_work.h"
 
 #include "common/process/exit_codes.h"

@@ -1,9 +1,9 @@
 /// What the server does for each command of the table (common/commands/command_table.h).
 #pragma once
 
+#include "rtserver/document.h"
 #include "rtserver/frame_maker.h"
 #include "rtserver/messages.h"
-#include "rtserver/server_state.h"
 #include "rtserver/side_work.h"
 
 #include "common/commands/command_table.h"

@@ -1,7 +1,7 @@
 /// What is shown now, as files that show it again.
 #pragma once
 
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"

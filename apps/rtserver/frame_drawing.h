@@ -3,12 +3,12 @@
 #pragma once
 
 #include "rtserver/arrivals.h"
+#include "rtserver/document.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
 #include "rtserver/frame_pacer.h"
 #include "rtserver/frame_schedule.h"
 #include "rtserver/scene_upkeep.h"
-#include "rtserver/server_state.h"
 
 #include "ipc/layout/frame_info.h"
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "rtserver/adaptation.h"
+#include "rtserver/document.h"
 #include "rtserver/frame_detail.h"
 #include "rtserver/gradual_image.h"
 #include "rtserver/live_governor.h"
-#include "rtserver/server_state.h"
 
 #include "rtcore/live/live_renderer.h"
 #include "rtcore/post/develop.h"

@@ -1,7 +1,7 @@
 /// The materials and parts of the model as commands name them, and as text for clients.
 #pragma once
 
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "rtcore/render/seen_object.h"
 #include "rtcore/scene/part_list.h"

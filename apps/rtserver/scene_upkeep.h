@@ -2,11 +2,11 @@
 /// of a large one, and that of what hidden parts leave, making its shadow maps.
 #pragma once
 
+#include "rtserver/document.h"
 #include "rtserver/failure.h"
 #include "rtserver/messages.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
-#include "rtserver/server_state.h"
 #include "rtserver/shadow_mapping.h"
 #include "rtserver/tree_refinement.h"
 

@@ -1,7 +1,7 @@
 /// What surface stands at a place of the image.
 #pragma once
 
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "rtcore/math/vec.h"
 

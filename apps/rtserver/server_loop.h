@@ -3,13 +3,13 @@
 
 #include "rtserver/command_service.h"
 #include "rtserver/commands.h"
+#include "rtserver/document.h"
 #include "rtserver/frame_drawing.h"
 #include "rtserver/key_inbox.h"
 #include "rtserver/messages.h"
 #include "rtserver/requests.h"
 #include "rtserver/scene_upkeep.h"
 #include "rtserver/server_options.h"
-#include "rtserver/server_state.h"
 #include "rtserver/state_revision.h"
 
 #include "common/process/exit_codes.h"

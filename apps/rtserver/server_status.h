@@ -1,8 +1,8 @@
 /// What clients read of a server without asking it.
 #pragma once
 
+#include "rtserver/document.h"
 #include "rtserver/frame_maker.h"
-#include "rtserver/server_state.h"
 
 #include "ipc/layout/status.h"
 

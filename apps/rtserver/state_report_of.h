@@ -1,7 +1,7 @@
 /// What is shown now, for clients that ask: the command `state`, and those that tell a part of it.
 #pragma once
 
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "common/commands/state_report.h"
 

@@ -2,7 +2,7 @@
 /// changed.
 #pragma once
 
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include <cstdint>
 #include <filesystem>

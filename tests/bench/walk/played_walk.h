@@ -8,10 +8,10 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtserver/document.h"
 #include "rtserver/frame_drawing.h"
 #include "rtserver/scene_upkeep.h"
 #include "rtserver/server_options.h"
-#include "rtserver/server_state.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtserver/commands.h"
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "rtcore/platform/error.h"
 

@@ -1,5 +1,5 @@
 // What surrounds the scene that is shown.
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "rtcore/look/look.h"
 #include "rtcore/sky/scene_sky.h"

@@ -1,4 +1,4 @@
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "common/settings/settings_merge.h"
 

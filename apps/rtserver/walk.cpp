@@ -1,7 +1,7 @@
 // What moves by itself: the player, keys that are pressed for a time, a path that is recorded or played.
+#include "rtserver/document.h"
 #include "rtserver/exports.h"
 #include "rtserver/messages.h"
-#include "rtserver/server_state.h"
 
 #include "common/commands/key_restraint.h"
 #include "common/settings/settings_merge.h"

@@ -1,5 +1,5 @@
 // Lights, by their ids.
-#include "rtserver/server_state.h"
+#include "rtserver/document.h"
 
 #include "rtcore/sky/scene_sky.h"
 

@@ -1,4 +1,4 @@
-/// What is shown, and how its edits are noted. What moves by itself: server_motion_test.cpp.
+/// What is shown, and how its edits are noted. What moves by itself: walk_test.cpp.
 #include "shown_room.h"
 
 #include <gtest/gtest.h>
