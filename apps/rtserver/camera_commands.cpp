@@ -36,7 +36,7 @@ rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
 
 Result getCamera(const Call& call) {
     rtcore::CameraFile file;
-    file.camera = call.state.camera();
+    file.camera = call.document().camera();
     std::string text = rtcore::formatCameraFile(file);
     if (text.ends_with('\n')) text.pop_back();
     return {.answer = text};
@@ -49,14 +49,15 @@ constexpr std::size_t kEye = 0, kForward = 3, kWidth = 6, kUp = 7, kAspect = 10;
 Result setCamera(const Call& call, rtcore::Camera camera, rtcore::Vec3 forward) {
     camera.eye = vectorAt(call, kEye);
     camera.forward = forward;
-    camera.up = call.size() > kUp ? vectorAt(call, kUp) : rtcore::upwardsOf(forward, call.state.scene()->up);
+    camera.up =
+        call.size() > kUp ? vectorAt(call, kUp) : rtcore::upwardsOf(forward, call.document().scene()->up);
     if (call.size() > kWidth) camera.aspect = call.size() > kAspect ? number(call[kAspect]) : 0;
-    call.state.setCamera(camera);
+    call.document().setCamera(camera);
     return {};
 }
 
 rtcore::Camera perspective(const Call& call) {
-    rtcore::Camera camera = call.state.camera();
+    rtcore::Camera camera = call.document().camera();
     if (call.size() <= kWidth) return camera;
     camera.kind = rtcore::CameraKind::Perspective;
     camera.horizontalFov = number(call[kWidth]);
@@ -78,61 +79,62 @@ Result orthographic(const Call& call) {
 }
 
 Result turn(const Call& call) {
-    call.state.turn(number(call[0]), number(call[1]));
+    call.walk().turn(number(call[0]), number(call[1]));
     return {};
 }
 
 Result pivot(const Call& call) {
     if (call.size() == 1) throw app::UsageError("camera pivot takes RIGHT and DOWN, or neither");
     const auto seen =
-        call.size() < 2 ? std::nullopt : surfaceAt(call.state, number(call[0]), number(call[1]));
-    call.state.setPivot(seen ? std::optional(seen->position) : std::nullopt);
-    const rtcore::Vec3 about = call.state.pivot();
+        call.size() < 2 ? std::nullopt : surfaceAt(call.document(), number(call[0]), number(call[1]));
+    call.walk().setPivot(seen ? std::optional(seen->position) : std::nullopt);
+    const rtcore::Vec3 about = call.walk().pivot();
     return {.answer = fmt::format("{} {} {}", rtcore::settingText(about.x), rtcore::settingText(about.y),
                                   rtcore::settingText(about.z))};
 }
 
 // It is the eye that moves: without a body.
 void place(const Call& call, const rtcore::Camera& camera) {
-    call.state.setWalking(false);
-    call.state.setCamera(camera);
+    call.walk().setWalking(false);
+    call.document().setCamera(camera);
 }
 
 Result orbit(const Call& call) {
     constexpr double kDegree = std::numbers::pi / 180;
     const double right = static_cast<double>(number(call[0])), up = static_cast<double>(number(call[1]));
-    place(call, rtcore::orbited(call.state.camera(), call.state.scene()->up, call.state.pivot(),
+    place(call, rtcore::orbited(call.document().camera(), call.document().scene()->up, call.walk().pivot(),
                                 right * kDegree, up * kDegree));
     return {};
 }
 
 // Of the image, in scene units, at the distance of the pivot; never nothing.
-double widthAtPivot(ServerState& state) {
-    const rtcore::RenderSettings& settings = state.settings();
-    const rtcore::CameraRays view(state.camera(), settings.width, settings.height);
+double widthAtPivot(const Call& call) {
+    const Document& document = call.document();
+    const rtcore::RenderSettings& settings = document.settings();
+    const rtcore::CameraRays view(document.camera(), settings.width, settings.height);
     const float width = length(view.plane().right) * static_cast<float>(settings.width);
     if (view.parallel()) return static_cast<double>(width);
-    const float away = dot(state.pivot() - view.eye(), view.forward());
-    const float least = 1e-3F * state.world().loaded.tree.bounds.diagonal();
+    const float away = dot(call.walk().pivot() - view.eye(), view.forward());
+    const float least = 1e-3F * document.world().loaded.tree.bounds.diagonal();
     return static_cast<double>(width * std::max(std::fabs(away), least));
 }
 
 Result pan(const Call& call) {
-    const double width = widthAtPivot(call.state);
-    place(call, rtcore::shifted(call.state.camera(), -width * static_cast<double>(number(call[0])),
+    const double width = widthAtPivot(call);
+    place(call, rtcore::shifted(call.document().camera(), -width * static_cast<double>(number(call[0])),
                                 -width * static_cast<double>(number(call[1]))));
     return {};
 }
 
 Result approach(const Call& call) {
-    place(call,
-          rtcore::approached(call.state.camera(), call.state.pivot(), static_cast<double>(number(call[0]))));
+    place(call, rtcore::approached(call.document().camera(), call.walk().pivot(),
+                                   static_cast<double>(number(call[0]))));
     return {};
 }
 
 // Of the parts that are named, or of what the model is about.
 rtcore::Box3 boxToFit(const Call& call) {
-    const rtcore::Scene& scene = *call.state.scene();
+    const rtcore::Scene& scene = *call.document().scene();
     if (call.size() == 0) return subjectOf(scene.model.mesh, rtcore::axesOf(scene)).bounds;
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
     const std::vector<std::uint8_t> chosen = partsNamed(parts, call.arguments);
@@ -151,15 +153,15 @@ rtcore::Box3 boxToFit(const Call& call) {
 
 void fitTo(const Call& call, rtcore::Camera camera, const rtcore::Box3& box) {
     if (box.empty()) throw std::runtime_error("there is nothing to show");
-    const rtcore::RenderSettings& settings = call.state.settings();
+    const rtcore::RenderSettings& settings = call.document().settings();
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-    camera.up = rtcore::upwardsOf(camera.forward, call.state.scene()->up);
-    place(call, rtcore::framed(call.state.scene()->model.mesh, box, camera, aspect));
-    call.state.setPivot(box.centre());
+    camera.up = rtcore::upwardsOf(camera.forward, call.document().scene()->up);
+    place(call, rtcore::framed(call.document().scene()->model.mesh, box, camera, aspect));
+    call.walk().setPivot(box.centre());
 }
 
 Result fit(const Call& call) {
-    fitTo(call, call.state.camera(), boxToFit(call));
+    fitTo(call, call.document().camera(), boxToFit(call));
     return {};
 }
 
@@ -175,31 +177,32 @@ rtcore::Vec3 sideNamed(std::string_view side, const rtcore::Axes& axes) {
 }
 
 Result view(const Call& call) {
-    rtcore::Camera camera = call.state.camera();
-    camera.forward = -sideNamed(call[0], rtcore::axesOf(*call.state.scene()));
+    rtcore::Camera camera = call.document().camera();
+    camera.forward = -sideNamed(call[0], rtcore::axesOf(*call.document().scene()));
     fitTo(call, camera,
-          subjectOf(call.state.scene()->model.mesh, rtcore::axesOf(*call.state.scene())).bounds);
+          subjectOf(call.document().scene()->model.mesh, rtcore::axesOf(*call.document().scene())).bounds);
     return {};
 }
 
 Result reset(const Call& call) {
-    call.state.resetCamera();
+    call.walk().resetCamera();
     return {};
 }
 
 Result paste(const Call& call) {
     const std::filesystem::path pasted = "the pasted text"; // in messages
-    const std::string warning = call.state.applyCameraFile(rtcore::parseCameraFile(call[0], pasted), pasted);
+    const std::string warning =
+        call.document().applyCameraFile(rtcore::parseCameraFile(call[0], pasted), pasted);
     return {.answer = warning.empty() ? warning : "warning: " + warning};
 }
 
 // Of the image that is shown, whatever aspect its author framed.
 Result setAngle(const Call& call, double degrees) {
-    rtcore::Camera camera = call.state.camera();
+    rtcore::Camera camera = call.document().camera();
     camera.kind = rtcore::CameraKind::Perspective;
     camera.horizontalFov = static_cast<float>(degrees);
     camera.orthographicWidth = camera.aspect = 0;
-    call.state.setCamera(camera);
+    call.document().setCamera(camera);
     return {};
 }
 
@@ -218,62 +221,62 @@ float zoomedAngle(float degrees, double factor) {
 
 Result zoom(const Call& call) {
     const auto factor = static_cast<double>(number(call[0]));
-    rtcore::Camera camera = call.state.camera();
+    rtcore::Camera camera = call.document().camera();
     const bool orthographic = camera.kind == rtcore::CameraKind::Orthographic;
     float& extent = orthographic ? camera.orthographicWidth : camera.horizontalFov;
     extent = orthographic ? std::clamp(static_cast<float>(extent / factor), 1e-18F, 1e18F)
                           : zoomedAngle(extent, factor);
-    call.state.setCamera(camera);
+    call.document().setCamera(camera);
     return {.answer = rtcore::settingText(extent)};
 }
 
 // Without an argument they only tell, and are no step of undo.
 Result up(const Call& call) {
     if (call.size() > 0 && call[0] == "auto") {
-        call.state.guessFrame(true, false);
+        call.document().guessModelUnits(true, false);
     } else if (call.size() > 0) {
-        call.state.setFrame(rtcore::axisNamed(call[0]), std::nullopt);
+        call.document().setModelUnits(rtcore::axisNamed(call[0]), std::nullopt);
     }
-    return {.answer = rtcore::describe(call.state.frame())};
+    return {.answer = rtcore::describe(call.document().modelUnits())};
 }
 
 Result units(const Call& call) {
     if (call.size() > 0 && call[0] == "auto") {
-        call.state.guessFrame(false, true);
+        call.document().guessModelUnits(false, true);
     } else if (call.size() > 0) {
         const auto named = rtcore::unitNamed(call[0]);
-        call.state.setFrame(std::nullopt, named ? *named : double{number(call[0])});
+        call.document().setModelUnits(std::nullopt, named ? *named : double{number(call[0])});
     }
-    return {.answer = rtcore::describe(call.state.frame())};
+    return {.answer = rtcore::describe(call.document().modelUnits())};
 }
 
 Result walk(const Call& call) {
-    call.state.setWalking(true);
-    return {.answer = call.state.onUnseenFloor() ? kUnseenFloor : ""};
+    call.walk().setWalking(true);
+    return {.answer = call.walk().onUnseenFloor() ? kUnseenFloor : ""};
 }
 
 Result fly(const Call& call) {
-    call.state.setWalking(false);
+    call.walk().setWalking(false);
     return {};
 }
 
 Result speed(const Call& call) {
-    call.state.setSpeed(static_cast<double>(number(call[0])));
+    call.walk().setSpeed(static_cast<double>(number(call[0])));
     return {};
 }
 
 Result focus(const Call& call) {
     const float right = number(call[0]), down = number(call[1]);
-    rtcore::RenderSettings settings = call.state.settings();
-    const rtcore::CameraRays view(call.state.camera(), settings.width, settings.height);
-    const float distance =
-        rtcore::FocusFinder().distance(*call.state.tracer(), view, right * static_cast<float>(settings.width),
-                                       down * static_cast<float>(settings.height));
+    rtcore::RenderSettings settings = call.document().settings();
+    const rtcore::CameraRays view(call.document().camera(), settings.width, settings.height);
+    const float distance = rtcore::FocusFinder().distance(*call.document().tracer(), view,
+                                                          right * static_cast<float>(settings.width),
+                                                          down * static_cast<float>(settings.height));
     if (!(distance < rtcore::kInfiniteFocus))
         throw std::runtime_error("there is nothing to focus on; the focus stays as it was");
     settings.depthOfField.on = true;
     settings.depthOfField.focus = distance;
-    call.state.setSettings(settings);
+    call.document().setSettings(settings);
     return {.answer = rtcore::settingText(settings.depthOfField.focus)};
 }
 

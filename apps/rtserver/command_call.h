@@ -16,11 +16,13 @@
 namespace rtserver {
 
 struct Call {
-    ServerState& state;
+    Workspace& state;
     Host& host;
     std::span<const std::string> arguments;
     std::uint64_t client = 0; ///< of ipc::Command
 
+    Document& document() const { return state.document; }
+    Walk& walk() const { return state.walk; }
     const std::string& operator[](std::size_t i) const { return arguments[i]; }
     std::size_t size() const { return arguments.size(); }
 };

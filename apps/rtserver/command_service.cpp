@@ -19,7 +19,7 @@ bool isEnd(const ipc::Command& command) { return command.text == "quit" || comma
 
 } // namespace
 
-CommandService::CommandService(ServerState& state, Messages& messages, Surroundings surroundings)
+CommandService::CommandService(Workspace& state, Messages& messages, Surroundings surroundings)
     : state_(state), messages_(messages), around_(std::move(surroundings)), requests_(around_.replies) {}
 
 CommandService::~CommandService() {
@@ -127,10 +127,10 @@ void CommandService::loaded(const std::optional<Failure>& failure) {
 }
 
 void CommandService::answerRequests(bool idle) {
-    const auto release = [this](std::uint64_t press) { state_.keyboard().endPress(press); };
+    const auto release = [this](std::uint64_t press) { state_.walk.keyboard().endPress(press); };
     if (requests_.waitForKeys()) {
         around_.publishStatus();
-        requests_.answerReleased([this](std::uint64_t press) { return state_.keyboard().isDown(press); },
+        requests_.answerReleased([this](std::uint64_t press) { return state_.walk.keyboard().isDown(press); },
                                  release);
     }
     if (state_.paused) requests_.refuseKeys(app::ExitCode::Failed, kPaused, release);

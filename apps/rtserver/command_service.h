@@ -4,10 +4,10 @@
 #include "rtserver/arrivals.h"
 #include "rtserver/command_book.h"
 #include "rtserver/commands.h"
-#include "rtserver/document.h"
 #include "rtserver/failure.h"
 #include "rtserver/requests.h"
 #include "rtserver/side_work.h"
+#include "rtserver/workspace.h"
 
 #include "common/process/exit_codes.h"
 
@@ -31,7 +31,7 @@ class CommandService {
         std::function<void()> publishStatus; ///< before each answer: its receiver sees no outdated idle flag
     };
     /// All must outlive it.
-    CommandService(ServerState& state, Messages& messages, Surroundings surroundings);
+    CommandService(Workspace& state, Messages& messages, Surroundings surroundings);
     /// Gives long work up, and waits a little for files that are being written.
     ~CommandService();
     CommandService(const CommandService&) = delete;
@@ -77,7 +77,7 @@ class CommandService {
     void refuseFor(const ipc::Command& command, const std::exception& error);
     void refuseAll(const std::vector<ipc::Command>& commands, const std::string& why);
 
-    ServerState& state_;
+    Workspace& state_;
     Messages& messages_;
     Surroundings around_;
     CommandBook commands_;

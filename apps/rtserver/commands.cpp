@@ -75,11 +75,11 @@ Prefixes takePrefixes(std::vector<std::string>& words, app::FoundCommand& found)
 
 // What is done beside the server changes something at its end.
 Result runEdit(const Call& call, const app::CommandSpec& command, const Prefixes& prefixes) {
-    const auto asStep = [&state = call.state, label = stepLabel(command, call.arguments),
+    const auto asStep = [&document = call.document(), label = stepLabel(command, call.arguments),
                          by = EditAuthor{call.client, prefixes.person}, goesOn = prefixes.goesOn](auto act) {
-        Shown before = state.shown();
+        Snapshot before = document.snapshot();
         auto result = act();
-        state.keepStep(label, std::move(before), by, goesOn);
+        document.keepStep(label, std::move(before), by, goesOn);
         return result;
     };
     Result result = asStep([&] { return functionOf(command.id)(call); });
@@ -90,13 +90,18 @@ Result runEdit(const Call& call, const app::CommandSpec& command, const Prefixes
     return result;
 }
 
+Result run(const Call& call, const app::CommandSpec& command, const Prefixes& prefixes) {
+    if (command.needsScene && !call.document().ready()) return {.when = ReplyWhen::Again};
+    return command.edits() ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
+}
+
 } // namespace
 
 bool hasFunction(app::CommandId id) {
     return id == app::CommandId::Also || id == app::CommandId::By || functionOf(id) != nullptr;
 }
 
-Result runCommand(std::string_view text, ServerState& state, Host& host, std::uint64_t client) {
+Result runCommand(std::string_view text, Workspace& state, Host& host, std::uint64_t client) {
     std::vector<std::string> words = app::splitWords(text);
     app::FoundCommand found = app::findCommand(words);
     const Prefixes prefixes = takePrefixes(words, found);
@@ -105,9 +110,11 @@ Result runCommand(std::string_view text, ServerState& state, Host& host, std::ui
         throw app::UsageError(std::string(command.name) + " is what CUI does itself, not the server");
     const std::span<const std::string> arguments = std::span(words).subspan(found.words);
     app::checkArguments(command, arguments);
-    if (command.needsScene && !state.ready()) return {.when = ReplyWhen::Again};
-    const Call call{state, host, arguments, client};
-    return command.edits() ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
+    return run({state, host, arguments, client}, command, prefixes);
+}
+
+Result runCommand(app::CommandId id, std::span<const std::string> arguments, Workspace& state, Host& host) {
+    return run({state, host, arguments}, app::commandOf(id), {});
 }
 
 app::CommandEffect effectOf(std::string_view text) {

@@ -1,15 +1,16 @@
 /// What the server does for each command of the table (common/commands/command_table.h).
 #pragma once
 
-#include "rtserver/document.h"
 #include "rtserver/frame_maker.h"
 #include "rtserver/messages.h"
 #include "rtserver/side_work.h"
+#include "rtserver/workspace.h"
 
 #include "common/commands/command_table.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -58,7 +59,10 @@ app::CommandEffect effectOf(std::string_view text);
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other
 /// exceptions with a text for the user. Commands that need a scene give Again until there is one. `client`:
 /// of ipc::Command, for those to whom it makes a difference.
-Result runCommand(std::string_view text, ServerState& state, Host& host, std::uint64_t client = 0);
+Result runCommand(std::string_view text, Workspace& state, Host& host, std::uint64_t client = 0);
+
+/// The same for a command of no client, with arguments that suit the table: what a key does.
+Result runCommand(app::CommandId id, std::span<const std::string> arguments, Workspace& state, Host& host);
 
 /// Whether runCommand() has a function for it: all that are the server's.
 bool hasFunction(app::CommandId id);

@@ -32,7 +32,7 @@ std::size_t bytesOf(const EditStep& step) {
 }
 
 bool changesAnything(const EditStep& step) {
-    return changesScene(step) || changesSettings(step) || changesCamera(step) || changesFrame(step) ||
+    return changesScene(step) || changesSettings(step) || changesCamera(step) || changesModelUnits(step) ||
            changesBookmarks(step);
 }
 
@@ -43,15 +43,15 @@ bool changesScene(const EditStep& step) { return step.before.scene != step.after
 bool changesSettings(const EditStep& step) { return step.before.settings != step.after.settings; }
 
 bool changesCamera(const EditStep& step) { return step.before.camera != step.after.camera; }
-bool changesFrame(const EditStep& step) {
-    const rtcore::UpAndUnit &before = step.before.frame, &after = step.after.frame;
+bool changesModelUnits(const EditStep& step) {
+    const rtcore::UpAndUnit &before = step.before.modelUnits, &after = step.after.modelUnits;
     return before.up != after.up || before.metresPerUnit != after.metresPerUnit;
 }
 
 bool changesBookmarks(const EditStep& step) { return step.before.bookmarks != step.after.bookmarks; }
 
 bool placesOnlyTheCamera(const EditStep& step) {
-    return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesFrame(step) &&
+    return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesModelUnits(step) &&
            !changesBookmarks(step);
 }
 
@@ -88,7 +88,7 @@ void EditHistory::forgetFirst() {
     }
 }
 
-void EditHistory::joinToLast(Shown after) {
+void EditHistory::joinToLast(Snapshot after) {
     EditStep& step = steps_.back();
     step.after = std::move(after);
     step.state = stateBehind(step, steps_.size() > 1 ? steps_[steps_.size() - 2].state : base_);

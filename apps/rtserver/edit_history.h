@@ -16,11 +16,11 @@
 namespace rtserver {
 
 /// What edits change, as it is at one moment. Cheap to keep: scenes are immutable and shared.
-struct Shown {
+struct Snapshot {
     std::shared_ptr<const rtcore::Scene> scene; ///< of older steps without the sky's map: withSkyMap()
     rtcore::RenderSettings settings;
     rtcore::Camera camera;
-    rtcore::UpAndUnit frame; ///< the model's up axis and unit, and why
+    rtcore::UpAndUnit modelUnits; ///< the up axis and the unit, and why
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
 };
 
@@ -34,7 +34,7 @@ struct EditAuthor {
 struct EditStep {
     std::string label; ///< the command that does it, without its values: "set maxDepth", "light 2", "load
                        ///< camera altar"
-    Shown before, after;
+    Snapshot before, after;
     EditAuthor by = {};
     std::uint64_t state = 0; ///< EditHistory::state() behind it
     int number = 0;          ///< none is given twice, over clear(), too
@@ -45,7 +45,7 @@ struct EditStep {
 bool changesScene(const EditStep& step);
 bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);
-bool changesFrame(const EditStep& step);
+bool changesModelUnits(const EditStep& step);
 bool changesBookmarks(const EditStep& step);
 /// It changed nothing but the camera.
 bool placesOnlyTheCamera(const EditStep& step);
@@ -78,7 +78,7 @@ class EditHistory {
 
   private:
     bool continues(const EditStep& step) const;
-    void joinToLast(Shown after);
+    void joinToLast(Snapshot after);
     std::uint64_t stateBehind(const EditStep& step, std::uint64_t before);
     void forgetFirst();
 

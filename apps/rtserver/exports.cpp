@@ -60,9 +60,9 @@ void addLights(const rtcore::Scene& scene, rtcore::SceneFile& file) {
 
 // All but the settings. Materials are those of the description and what was edited since; the rest is taken
 // from the scene.
-rtcore::SceneFile describe(const ServerState& state) {
-    const World& world = state.world();
-    const rtcore::Scene& scene = *state.scene();
+rtcore::SceneFile describe(const Document& document) {
+    const World& world = document.world();
+    const rtcore::Scene& scene = *document.scene();
     rtcore::SceneFile file = descriptionOf(world);
     file.model = world.loaded.modelPath;
     static_cast<rtcore::SceneLook&>(file) = scene;
@@ -77,9 +77,9 @@ rtcore::SceneFile describe(const ServerState& state) {
     addMaterialEdits(scene, file.materials);
     addHiddenParts(scene, file);
     file.cameraFile.reset();
-    file.camera = state.camera();
+    file.camera = document.camera();
     file.camera->nameOffset = 0;
-    file.bookmarks = state.bookmarks();
+    file.bookmarks = document.bookmarks();
     return file;
 }
 
@@ -101,11 +101,11 @@ std::vector<rtcore::SettingAssignment> changed(const rtcore::RenderSettings& fro
 
 } // namespace
 
-rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
-    const rtcore::Scene& scene = *state.scene();
-    const rtcore::RenderSettings& settings = state.settings();
+rtcore::CameraFile cameraFileOf(const Document& document, float exposure) {
+    const rtcore::Scene& scene = *document.scene();
+    const rtcore::RenderSettings& settings = document.settings();
     rtcore::CameraFile file;
-    file.camera = state.camera();
+    file.camera = document.camera();
     file.camera.nameOffset = 0;
     file.width = settings.width;
     file.height = settings.height;
@@ -118,23 +118,23 @@ rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
     return file;
 }
 
-rtcore::SceneFile sceneFileOf(const ServerState& state) {
-    rtcore::SceneFile file = describe(state);
+rtcore::SceneFile sceneFileOf(const Document& document) {
+    rtcore::SceneFile file = describe(document);
     file.output.reset(); // a copy of a scene does not overwrite the image of the first
-    file.live = rtcore::settingAssignments(state.settings(), true);
+    file.live = rtcore::settingAssignments(document.settings(), true);
     file.still = file.live;
     return file;
 }
 
-rtcore::SceneFile savedSceneOf(const ServerState& state) {
-    const rtcore::LoadedScene& loaded = state.world().loaded;
+rtcore::SceneFile savedSceneOf(const Document& document) {
+    const rtcore::LoadedScene& loaded = document.world().loaded;
     const rtcore::RenderSettings before = settingsWith(loaded.live);
-    rtcore::RenderSettings live = state.settings();
+    rtcore::RenderSettings live = document.settings();
     live.width = before.width;
     live.height = before.height;
     rtcore::RenderSettings still = settingsWith(loaded.still);
     rtcore::applySettings(still, changed(before, live));
-    rtcore::SceneFile file = describe(state);
+    rtcore::SceneFile file = describe(document);
     file.live = rtcore::settingAssignments(live, false);
     file.still = rtcore::settingAssignments(still, false);
     return file;

@@ -24,28 +24,30 @@ namespace rtserver {
 
 namespace {
 
-// Whether the frame that is there can stand for what the state shows.
+// Whether the frame that is there can stand for what is shown.
 bool frameSuits(const Call& call) {
     const FrameMaker& frames = call.host.frames();
     const bool drawn = !frames.image().empty();
     if (call.state.paused && !drawn)
         throw std::runtime_error("there is no frame yet, and the server is paused");
-    return drawn && frames.whole() && (call.state.paused || !frames.stale(call.state));
+    return drawn && frames.whole() && (call.state.paused || !frames.stale(call.document()));
 }
 
 Result loadCamera(const Call& call) {
-    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
-                return [path, &state, file = rtcore::readCameraFile(path)] {
-                    const std::string warning = state.applyCameraFile(file, path);
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), &document = call.document()]() -> Finish {
+                return [path, &document, file = rtcore::readCameraFile(path)] {
+                    const std::string warning = document.applyCameraFile(file, path);
                     return warning.empty() ? warning : "warning: " + warning;
                 };
             }};
 }
 
 Result loadSet(const Call& call) {
-    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
-                return [&state, live = rtcore::readSettingsFile(path).live] {
-                    state.assign(live);
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), &document = call.document()]() -> Finish {
+                return [&document, live = rtcore::readSettingsFile(path).live] {
+                    document.assign(live);
                     return std::string();
                 };
             }};
@@ -60,7 +62,7 @@ Result loadScene(const Call& call) {
 Result writeBeside(const Call& call, std::string_view replaces, std::function<void()> write,
                    const std::string& answer = "") {
     return {.when = ReplyWhen::Beside,
-            .work = [path = pathOf(call[0]), replaces, inputs = call.state.world().inputs,
+            .work = [path = pathOf(call[0]), replaces, inputs = call.document().world().inputs,
                      write = std::move(write), answer]() -> Finish {
                 refuseInput(inputs, path, replaces);
                 write();
@@ -70,7 +72,7 @@ Result writeBeside(const Call& call, std::string_view replaces, std::function<vo
 
 Result exportCamera(const Call& call) {
     if (!frameSuits(call)) return {.when = ReplyWhen::Again};
-    rtcore::CameraFile file = cameraFileOf(call.state, call.host.frames().exposure());
+    rtcore::CameraFile file = cameraFileOf(call.document(), call.host.frames().exposure());
     const std::array<std::optional<int>*, 4> fields{&file.width, &file.height, &file.antialiasing,
                                                     &file.bloom};
     for (std::size_t i = 0; i + 1 < call.size(); ++i) *fields[i] = integer(call[i + 1]);
@@ -78,20 +80,20 @@ Result exportCamera(const Call& call) {
 }
 
 Result exportScene(const Call& call) {
-    return writeBeside(call, ".scn", [path = pathOf(call[0]), file = sceneFileOf(call.state)] {
+    return writeBeside(call, ".scn", [path = pathOf(call[0]), file = sceneFileOf(call.document())] {
         rtcore::writeSceneFile(path, file);
     });
 }
 
 Result startVideo(const Call& call) {
     const float rate = call.size() > 1 ? number(call[1]) : 30;
-    call.state.refuseSecondRecording();
+    call.walk().refuseSecondRecording();
     return {.when = ReplyWhen::Beside,
-            .work = [path = pathOf(call[0]), rate, &state = call.state]() -> Finish {
+            .work = [path = pathOf(call[0]), rate, &walk = call.walk()]() -> Finish {
                 auto recording = std::make_shared<std::unique_ptr<Recording>>(
                     std::make_unique<Recording>(path, static_cast<double>(rate)));
-                return [recording, &state] {
-                    state.startRecording(std::move(*recording));
+                return [recording, &walk] {
+                    walk.startRecording(std::move(*recording));
                     return std::string();
                 };
             }};
@@ -99,30 +101,30 @@ Result startVideo(const Call& call) {
 
 // The thesis' spelling names the file here, too.
 Result stopVideo(const Call& call) {
-    const int frames = call.state.stopRecording(call.host.frames().exposure());
+    const int frames = call.walk().stopRecording(call.host.frames().exposure());
     return {.answer = fmt::format("{} frame{}", frames, frames == 1 ? "" : "s")};
 }
 
 // The list is remembered after the recording, for later requests.
 Result video(const Call& call) {
-    const std::string list = call.state.recordedList().string();
-    if (!call.state.recording()) return {.answer = list.empty() ? "off" : "off " + list};
-    const double seconds = std::chrono::duration<double>(call.state.recordedTime()).count();
+    const std::string list = call.walk().recordedList().string();
+    if (!call.walk().recording()) return {.answer = list.empty() ? "off" : "off " + list};
+    const double seconds = std::chrono::duration<double>(call.walk().recordedTime()).count();
     return {.answer = fmt::format("on {:.1f} {}", seconds, list)};
 }
 
 Result play(const Call& call) {
-    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
+    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &walk = call.walk()]() -> Finish {
                 auto playback = std::make_shared<std::unique_ptr<Playback>>(std::make_unique<Playback>(path));
-                return [playback, &state] {
-                    state.play(std::move(*playback));
+                return [playback, &walk] {
+                    walk.play(std::move(*playback));
                     return std::string();
                 };
             }};
 }
 
 Result stopPlaying(const Call& call) {
-    call.state.stopPlaying();
+    call.walk().stopPlaying();
     return {};
 }
 
@@ -135,7 +137,7 @@ Result screenshot(const Call& call) {
     const std::filesystem::path path = pathOf(call[0]);
     if (!frameSuits(call)) return {.when = ReplyWhen::Again};
     const FrameMaker& frames = call.host.frames();
-    const std::vector<rtcore::ImageText> texts = app::imageTexts(call.state.settings());
+    const std::vector<rtcore::ImageText> texts = app::imageTexts(call.document().settings());
     if (rtcore::isHdrFormat(path)) {
         if (!frames.hasRadiance())
             throw std::runtime_error("the server was paused in the midst of a frame; resume it first");

@@ -25,7 +25,7 @@ std::string sizeText(const rtcore::RenderSettings& settings) {
 
 } // namespace
 
-FrameDrawing::FrameDrawing(ServerState& state, SceneUpkeep& upkeep, Outlets outlets, int threads,
+FrameDrawing::FrameDrawing(Workspace& state, SceneUpkeep& upkeep, Outlets outlets, int threads,
                            double framesPerSecond)
     : state_(state), upkeep_(upkeep), outlets_(std::move(outlets)), frames_(threads), pacer_(framesPerSecond),
       guard_([this] { return guardFrame(); }) {}
@@ -37,8 +37,8 @@ void FrameDrawing::noticePause(bool waitedFor) {
 }
 
 bool FrameDrawing::wantsFrame(bool waitedFor) const {
-    if (!state_.ready() || keepsImage_) return false;
-    if (frames_.stale(state_) || wantsWholeFrame(waitedFor)) return true;
+    if (!state_.document.ready() || keepsImage_) return false;
+    if (frames_.stale(state_.document) || wantsWholeFrame(waitedFor)) return true;
     return !state_.paused && (!frames_.settled() || !state_.idles);
 }
 
@@ -48,8 +48,8 @@ bool FrameDrawing::wantsWholeFrame(bool waitedFor) const {
 }
 
 bool FrameDrawing::idle() const {
-    return state_.ready() && state_.idles && !frames_.stale(state_) && frames_.settled() && frames_.whole() &&
-           state_.atRest() && !upkeep_.loads();
+    return state_.document.ready() && state_.idles && !frames_.stale(state_.document) && frames_.settled() &&
+           frames_.whole() && state_.walk.atRest() && !upkeep_.loads();
 }
 
 double FrameDrawing::wholeSeconds() const {
@@ -61,7 +61,7 @@ bool FrameDrawing::takeChange() { return std::exchange(arrivals_.change, false);
 
 SceneUpkeep::Pace FrameDrawing::pace() {
     noticeScene();
-    const bool current = !frames_.stale(state_);
+    const bool current = !frames_.stale(state_.document);
     return {.current = current,
             .complete = current && frames_.whole(),
             .idle = idle(),
@@ -82,15 +82,15 @@ FrameDrawing::Drawn FrameDrawing::draw(bool waitedFor) {
 }
 
 FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
-    const bool traces =
-        frames_.stale(state_) || wantsWholeFrame(waitedFor) || !state_.idles || !frames_.hasRadiance();
+    const bool traces = frames_.stale(state_.document) || wantsWholeFrame(waitedFor) || !state_.idles ||
+                        !frames_.hasRadiance();
     const Outcome outcome = traces ? trace(waitedFor) : Outcome::Published;
     // A setting with which no frame is ever finished must remain changeable.
     if (outcome == Outcome::Obstructed)
         return {outcome, "given up: the frame that it needs takes too long for the commands behind it; send "
                          "them later"};
     if (outcome != Outcome::Published) return {outcome};
-    frames_.develop(state_);
+    frames_.develop(state_.document);
     publish();
     noticePause(waitedFor); // before a command that is sent for what has just been seen
     if (traces) schedule_.shown(Clock::now() - begun_, frames_.liveCost());
@@ -100,21 +100,21 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
 // What an edit does to the time of a frame is learned from frames, within few of them; but of another scene
 // nothing is known.
 void FrameDrawing::noticeScene() {
-    if (!scheduled_.take(state_.revisions()).has(rtcore::Change::Scene)) return;
+    if (!scheduled_.take(state_.document.revisions()).has(rtcore::Change::Scene)) return;
     schedule_.forget();
     wholeSeconds_ = 0;
 }
 
 FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowMaps* maps) {
-    const rtcore::Scene& scene = *state_.scene();
-    const rtcore::RenderSettings& settings = state_.settings();
+    const rtcore::Scene& scene = *state_.document.scene();
+    const rtcore::RenderSettings& settings = state_.document.settings();
     const bool mapped = maps != nullptr && maps->suit(settings);
-    const bool changed = frames_.stale(state_) || (!standsStill() && !waitedFor);
+    const bool changed = frames_.stale(state_.document) || (!standsStill() && !waitedFor);
     return {.changed = changed,
             .waitedFor = waitedFor,
             .frameSeconds = state_.frameSeconds,
             .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)},
-            .live = (changed || schedule_.owes()) && frames_.drawsLive(state_),
+            .live = (changed || schedule_.owes()) && frames_.drawsLive(state_.document),
             .pixels = static_cast<double>(settings.width) * settings.height,
             .liveRays = liveRays(settings, scene)};
 }
@@ -163,7 +163,7 @@ bool FrameDrawing::guardFrame() {
 void FrameDrawing::publishStep() {
     const Clock::time_point now = Clock::now();
     if (now < stepDue_) return;
-    const rtcore::LdrImage* const image = frames_.underWay(state_);
+    const rtcore::LdrImage* const image = frames_.underWay(state_.document);
     if (image == nullptr) return;
     publish(*image, 0);
     stepDue_ = now + pacer_.interval();
@@ -178,10 +178,10 @@ void FrameDrawing::publish(const rtcore::LdrImage& image, std::uint32_t samples)
 }
 
 void FrameDrawing::publish() {
-    const auto side = static_cast<std::uint32_t>(state_.settings().antialiasing);
+    const auto side = static_cast<std::uint32_t>(state_.document.settings().antialiasing);
     publish(frames_.image(), frames_.whole() ? side * side : 0);
     if (frames_.whole()) {
-        drawn_ = state_.settings();
+        drawn_ = state_.document.settings();
         drewWhole_ = true;
         wentBack_ = false;
     }
@@ -191,10 +191,10 @@ void FrameDrawing::publish() {
 // --- Without memory ---
 
 FrameDrawing::Drawn FrameDrawing::goBack() {
-    std::string text = "not enough memory for frames of " + sizeText(state_.settings()) +
+    std::string text = "not enough memory for frames of " + sizeText(state_.document.settings()) +
                        " at these settings; " + "back to those of the last frame, " + sizeText(drawn_);
     frames_.drop();
-    state_.goBackTo(drawn_);
+    state_.document.goBackTo(drawn_);
     // Even those may need more than there is now. The last frame stands, and memory may come back.
     if (std::exchange(wentBack_, true)) pacer_.pauseUntil(Clock::now() + kMemoryPause);
     return {Outcome::NoMemory, std::move(text)};

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "rtserver/arrivals.h"
-#include "rtserver/document.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
 #include "rtserver/frame_pacer.h"
 #include "rtserver/frame_schedule.h"
 #include "rtserver/scene_upkeep.h"
+#include "rtserver/workspace.h"
 
 #include "ipc/layout/frame_info.h"
 
@@ -35,8 +35,7 @@ class FrameDrawing {
         std::function<void(const ipc::FrameInfo&, const rtcore::LdrImage&)> publish;
     };
     /// At most `framesPerSecond`, 0 = as many as there are, by `threads`. All must outlive it.
-    FrameDrawing(ServerState& state, SceneUpkeep& upkeep, Outlets outlets, int threads,
-                 double framesPerSecond);
+    FrameDrawing(Workspace& state, SceneUpkeep& upkeep, Outlets outlets, int threads, double framesPerSecond);
 
     /// What became of a frame.
     enum class Outcome {
@@ -57,7 +56,9 @@ class FrameDrawing {
     void noticePause(bool waitedFor);
     bool wantsFrame(bool waitedFor) const;
     /// No frame before that.
-    Clock::time_point due() const { return pacer_.due(!frames_.stale(state_) && !frames_.settled()); }
+    Clock::time_point due() const {
+        return pacer_.due(!frames_.stale(state_.document) && !frames_.settled());
+    }
     /// The next frame would equal the last, and no other scene is being loaded.
     bool idle() const;
     /// Since the last takeChange() something came that the state does not know yet.
@@ -65,7 +66,7 @@ class FrameDrawing {
     bool takeChange();
 
     /// For the time in which no frame is wanted: what the next one would begin with.
-    void prepareToMove() { frames_.keepLight(state_); }
+    void prepareToMove() { frames_.keepLight(state_.document); }
 
     const FrameMaker& frames() const { return frames_; }
     /// What a frame of all pixels and samples takes: the last one, or the one that is traced, so far. 0:
@@ -84,10 +85,10 @@ class FrameDrawing {
     void publish();
     void publish(const rtcore::LdrImage& image, std::uint32_t samples);
     Drawn goBack();
-    bool standsStill() const { return state_.paused || state_.atRest(); }
+    bool standsStill() const { return state_.paused || state_.walk.atRest(); }
     bool wantsWholeFrame(bool waitedFor) const;
 
-    ServerState& state_;
+    Workspace& state_;
     SceneUpkeep& upkeep_;
     Outlets outlets_;
     FrameMaker frames_;

@@ -18,10 +18,10 @@ namespace {
 /// Of live frames, which trace few pixels themselves; an eye does not follow sooner.
 constexpr int kMeterEvery = 8;
 
-bool canBeLive(const ServerState& state) {
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, 1);
-    return rtcore::LiveRenderer::draws({*scene, *state.tracer(), state.camera(), settings});
+bool canBeLive(const Document& document) {
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
+    return rtcore::LiveRenderer::draws({*scene, *document.tracer(), document.camera(), settings});
 }
 
 /// Everywhere.
@@ -33,34 +33,35 @@ bool changesLight(const rtcore::Changes& changes) {
 
 } // namespace
 
-bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                        rtcore::RenderControl& control) {
+    const Document& document = state.document;
     const Clock::time_point start = Clock::now();
-    const std::uint64_t revision = state.revisions().revision();
+    const std::uint64_t revision = document.revisions().revision();
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
-    if (unkept_.frame == &frame) keepLight(state);          // its memory is written to
+    if (unkept_.frame == &frame) keepLight(document);       // its memory is written to
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     control.threads = threads_;
     control.finished = nullptr;
     liveCost_ = {};
-    const bool sameView = hasRadiance() && !stale(state);
+    const bool sameView = hasRadiance() && !stale(document);
     if (sameView && detail.whole() && !detail_.whole()) {
         begun_ = {adaptation_, adaptedAt_}; // before underWay() may ask for it
-        gradual_.begin(coarse_, state.shownSettings(), adaptation_.value(), threads_, start);
+        gradual_.begin(coarse_, document.frameSettings(), adaptation_.value(), threads_, start);
         control.finished = &gradual_.finished();
     }
-    const bool done =
-        detail.live() ? drawLive(state, detail, control, frame) : draw(state, detail, maps, control, frame);
+    const bool done = detail.live() ? drawLive(document, detail, control, frame)
+                                    : draw(state, detail, maps, control, frame);
     gradual_.end();
     if (!done) {
         begun_.reset();
         return false;
     }
     // Bloom has its width in pixels of the whole frame.
-    rtcore::RenderSettings effects = state.shownSettings();
+    rtcore::RenderSettings effects = document.frameSettings();
     if (detail.live()) effects.denoise.passes = 0;
     if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery)
-        meter(state, effects, detail.live(), control);
+        meter(document, effects, detail.live(), control);
     if (control.cancel) return false; // what was measured then says nothing
     target_ = developer_.exposure(frame, effects, white_, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
@@ -77,39 +78,40 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
 
 /// The light on what is seen: coarse and whole frames of a view have the same exposure. That of live frames
 /// is measured roughly, or such a frame would be late; it is followed smoothly.
-void FrameMaker::meter(const ServerState& state, const rtcore::RenderSettings& settings, bool live,
+void FrameMaker::meter(const Document& document, const rtcore::RenderSettings& settings, bool live,
                        rtcore::RenderControl& control) {
     white_.reset();
     unmetered_ = 0;
     if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    const rtcore::View view{*scene, *state.tracer(), state.camera(), settings};
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     white_ = live ? meter_.roughWhite(view, control) : meter_.white(view, control);
 }
 
-bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                       rtcore::RenderControl& control, rtcore::Frame& frame) {
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    const rtcore::RenderSettings settings = settingsAt(state.shownSettings(), detail);
-    const bool keeps = state.frameSeconds > 0 && canBeLive(state);
+    const Document& document = state.document;
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const rtcore::RenderSettings settings = settingsAt(document.frameSettings(), detail);
+    const bool keeps = state.frameSeconds > 0 && canBeLive(document);
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
     renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     renderer_->collectSeen(keeps);
-    const rtcore::View view{*scene, *state.tracer(), state.camera(), settings};
+    const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     if (!renderer_->render(view, control, frame)) {
         if (keeps && control.finished != nullptr) keepFinished(view, control.finished->all(), frame);
         return false;
     }
     if (!keeps) return true;
-    noticeChanges(state);
+    noticeChanges(document);
     constexpr std::uint8_t kRough = 100;
     unkept_ = {&frame, rtcore::LiveRenderer::planeOf(view), detail.cut ? kRough : std::uint8_t{0}};
     return true;
 }
 
-void FrameMaker::keepLight(const ServerState& state) {
+void FrameMaker::keepLight(const Document& document) {
     if (unkept_.frame == nullptr) return;
-    noticeChanges(state);
+    noticeChanges(document);
     keepLight();
 }
 
@@ -133,32 +135,33 @@ void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore
         live_->keepParts(view, frame, tiles, threads_);
 }
 
-bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
+bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, rtcore::RenderControl& control,
                           rtcore::Frame& frame) {
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    noticeChanges(state);
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    noticeChanges(document);
     keepLight();
-    const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, detail.scale);
-    const rtcore::View view{*scene, *state.tracer(), state.camera(), settings};
+    const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, detail.scale);
+    const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};
     return true;
 }
 
-bool FrameMaker::drawsLive(const ServerState& state) {
-    noticeChanges(state);
+bool FrameMaker::drawsLive(const Document& document) {
+    noticeChanges(document);
     keepLight();
-    return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye, *state.tracer());
+    return !live_->empty() && canBeLive(document) &&
+           live_->follows(document.camera().eye, *document.tracer());
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights
 /// that changed do not reach.
-void FrameMaker::noticeChanges(const ServerState& state) {
+void FrameMaker::noticeChanges(const Document& document) {
     constexpr double kFew = 0.1; // of the pixels: a live frame shows more than a coarse one
-    const rtcore::Changes changes = kept_.take(state.revisions());
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    const rtcore::RenderSettings settings = state.shownSettings();
+    const rtcore::Changes changes = kept_.take(document.revisions());
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const rtcore::RenderSettings settings = document.frameSettings();
     if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_)) {
         live_->forget();
         unkept_ = {};
@@ -206,9 +209,9 @@ void FrameMaker::drop() {
     image_ = {};
 }
 
-const rtcore::LdrImage* FrameMaker::underWay(const ServerState& state) {
+const rtcore::LdrImage* FrameMaker::underWay(const Document& document) {
     const auto exposure = [&](float brightening) {
-        adapt(white_ ? target_ : target_ * brightening, state.shownSettings().exposure);
+        adapt(white_ ? target_ : target_ * brightening, document.frameSettings().exposure);
         return adaptation_.value();
     };
     return gradual_.step(whole_.radiance, exposure, Clock::now());
@@ -236,10 +239,10 @@ void FrameMaker::adapt(float target, const rtcore::ExposureSettings& settings) {
     adaptation_.advance(target, adaptation_.settled() ? before : std::min(passed, kLongest), speed);
 }
 
-void FrameMaker::develop(const ServerState& state) {
+void FrameMaker::develop(const Document& document) {
     // Of another scene the exposure is found at once.
-    if (adapted_.take(state.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
-    const rtcore::RenderSettings settings = state.shownSettings();
+    if (adapted_.take(document.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
+    const rtcore::RenderSettings settings = document.frameSettings();
     adapt(target_, settings.exposure);
     begun_.reset();
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "rtserver/adaptation.h"
-#include "rtserver/document.h"
 #include "rtserver/frame_detail.h"
 #include "rtserver/gradual_image.h"
 #include "rtserver/live_governor.h"
+#include "rtserver/workspace.h"
 
 #include "rtcore/live/live_renderer.h"
 #include "rtcore/post/develop.h"
@@ -29,17 +29,17 @@ class FrameMaker {
     /// The radiance of what the state shows, in such detail; a cut frame that is not live takes its shadows
     /// from `maps`, unless that is null. False when control.cancel was set; then there may be no radiance,
     /// while the image stays.
-    bool trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+    bool trace(const Workspace& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                rtcore::RenderControl& control);
     /// While trace() draws a whole frame after a coarse one, in another thread: what is seen now, or null
     /// where that is nothing new. Stands until the next call. `state` as trace() has it.
-    const rtcore::LdrImage* underWay(const ServerState& state);
+    const rtcore::LdrImage* underWay(const Document& document);
     /// Whether the next frame can be a live one: there is light of a frame before, and nearly all of it
     /// holds. What does not is forgotten.
-    bool drawsLive(const ServerState& state);
+    bool drawsLive(const Document& document);
     /// Takes over the light of the last frame that was not live, for live ones: that is put off until one is
     /// asked for.
-    void keepLight(const ServerState& state);
+    void keepLight(const Document& document);
     /// Of the last frame, where it was live: what of its time traced pixels took.
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
     /// Of the pixels of the last frame, the part whose light is of frames before it.
@@ -47,15 +47,15 @@ class FrameMaker {
     /// The revision of the state that the last frame shows; 0: there is no frame.
     std::uint64_t revision() const { return revision_; }
     /// Whether the state changed since, or there is no frame.
-    bool stale(const ServerState& state) const {
-        return revision_ == 0 || revision_ != state.revisions().revision();
+    bool stale(const Document& document) const {
+        return revision_ == 0 || revision_ != document.revisions().revision();
     }
     bool hasRadiance() const { return seen_ != nullptr; }
     /// Whether the last frame has all the pixels and samples that the state asks for.
     bool whole() const { return detail_.whole(); }
     const FrameDetail& detail() const { return detail_; } ///< of the last frame
     /// The image of the frame that was traced last, at the exposure of this moment. Needs hasRadiance().
-    void develop(const ServerState& state);
+    void develop(const Document& document);
     /// Whether develop() would give the same image again.
     bool settled() const { return adaptation_.settled(); }
     /// What whole frames of such settings take, with their image and effects; where there is a frame time,
@@ -74,15 +74,15 @@ class FrameMaker {
     std::uint64_t rays() const { return rays_; }
 
   private:
-    bool draw(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+    bool draw(const Workspace& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
               rtcore::RenderControl& control, rtcore::Frame& frame);
-    bool drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
+    bool drawLive(const Document& document, const FrameDetail& detail, rtcore::RenderControl& control,
                   rtcore::Frame& frame);
     void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                       const rtcore::Frame& frame);
-    void noticeChanges(const ServerState& state);
+    void noticeChanges(const Document& document);
     void keepLight();
-    void meter(const ServerState& state, const rtcore::RenderSettings& settings, bool live,
+    void meter(const Document& document, const rtcore::RenderSettings& settings, bool live,
                rtcore::RenderControl& control);
     void adapt(float target, const rtcore::ExposureSettings& settings);
 

@@ -23,26 +23,26 @@ namespace {
 Result press(const Call& call) {
     const int key = keyOf(call[0]);
     if (call.size() == 1) {
-        call.state.keyboard().press(key);
+        call.walk().keyboard().press(key);
         return {};
     }
     if (call.state.paused) throw std::runtime_error("the server is paused; resume it first");
     const std::uint64_t press =
-        call.state.keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
+        call.walk().keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
     return {.when = ReplyWhen::WhenReleased, .press = press};
 }
 
 Result release(const Call& call) {
     if (call[0] == "all") {
-        call.state.keyboard().releaseAll();
+        call.walk().keyboard().releaseAll();
     } else {
-        call.state.keyboard().release(keyOf(call[0]));
+        call.walk().keyboard().release(keyOf(call[0]));
     }
     return {};
 }
 
 Result tap(const Call& call) {
-    call.state.keyboard().tap(keyOf(call[0]));
+    call.walk().keyboard().tap(keyOf(call[0]));
     return {};
 }
 
@@ -75,8 +75,8 @@ std::string textOf(const rtcore::KeyBinding& binding) {
     return text;
 }
 
-std::vector<rtcore::KeyBinding> without(const ServerState& state, const Keys& keys) {
-    const std::span<const rtcore::KeyBinding> list = state.bindings().list();
+std::vector<rtcore::KeyBinding> without(const Walk& walk, const Keys& keys) {
+    const std::span<const rtcore::KeyBinding> list = walk.bindings().list();
     std::vector<rtcore::KeyBinding> result(list.begin(), list.end());
     std::erase_if(result,
                   [&](const rtcore::KeyBinding& b) { return b.key == keys.key && b.with == keys.with; });
@@ -85,13 +85,13 @@ std::vector<rtcore::KeyBinding> without(const ServerState& state, const Keys& ke
 
 Result bindings(const Call& call) {
     std::string text;
-    for (const rtcore::KeyBinding& binding : call.state.bindings().list())
+    for (const rtcore::KeyBinding& binding : call.walk().bindings().list())
         text += (text.empty() ? "" : "\n") + textOf(binding);
     return {.answer = text};
 }
 
 Result defaultBindings(const Call& call) {
-    call.state.setBindings(rtcore::KeyBindings());
+    call.walk().setBindings(rtcore::KeyBindings());
     return {};
 }
 
@@ -102,17 +102,17 @@ Result bind(const Call& call) {
         throw app::UsageError(call[1] + (call.size() == 3 ? " takes no number" : " takes a number, from 1"));
     }
     if (call.size() == 3) binding.number = integer(call[2]);
-    std::vector<rtcore::KeyBinding> list = without(call.state, keys);
+    std::vector<rtcore::KeyBinding> list = without(call.walk(), keys);
     list.push_back(binding);
-    call.state.setBindings(rtcore::KeyBindings(list));
+    call.walk().setBindings(rtcore::KeyBindings(list));
     return {};
 }
 
 Result unbind(const Call& call) {
-    const std::vector<rtcore::KeyBinding> list = without(call.state, keysOf(call[0]));
-    if (list.size() == call.state.bindings().list().size())
+    const std::vector<rtcore::KeyBinding> list = without(call.walk(), keysOf(call[0]));
+    if (list.size() == call.walk().bindings().list().size())
         throw app::UsageError(rtcore::inQuotes(call[0]) + " is not bound");
-    call.state.setBindings(rtcore::KeyBindings(list));
+    call.walk().setBindings(rtcore::KeyBindings(list));
     return {};
 }
 

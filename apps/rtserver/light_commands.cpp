@@ -1,6 +1,7 @@
 // Commands for lights: switching, adding and changing them.
 #include "rtserver/command_call.h"
 #include "rtserver/light_edits.h"
+#include "rtserver/light_list.h"
 #include "rtserver/seen_surface.h"
 #include "rtserver/state_report_of.h"
 
@@ -29,21 +30,22 @@ using rtcore::Vec3;
 
 Result switchOne(const Call& call) {
     const bool toggle = call[1] == "toggle";
-    call.state.switchLight(integer(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
+    switchLight(call.document(), integer(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
     return {};
 }
 
 Result listLights(const Call& call) {
     std::string text;
-    for (const app::ReportedLight& light : lightsOf(call.state))
+    for (const app::ReportedLight& light : lightsOf(call.document()))
         text += fmt::format("{}{} {}{}{}", text.empty() ? "" : "\n", light.id, light.on ? "on" : "off",
                             light.name.empty() ? "" : " ", rtcore::printable(light.name));
     return {.answer = std::move(text)};
 }
 
 Result describe(const Call& call) {
-    const rtcore::Scene& scene = *call.state.scene();
-    LightDescription light = rtcore::describeLight(scene, call.state.lightOf(integer(call[0])));
+    const rtcore::Scene& scene = *call.document().scene();
+    LightDescription light =
+        rtcore::describeLight(scene, lightOf(*call.document().scene(), integer(call[0])));
     if (rtcore::findInvalidUtf8(light.name) != std::string::npos) light.name = rtcore::printable(light.name);
     rtcore::TomlWriter writer;
     rtcore::writeLight(writer, light);
@@ -57,18 +59,19 @@ Result describe(const Call& call) {
 // --- Places ---
 
 /// What is guessed of a unit counts where it makes the model as large as what electric lights light.
-std::optional<float> unitForLights(const rtcore::UpAndUnit& frame, float diagonal) {
+std::optional<float> unitForLights(const rtcore::UpAndUnit& units, float diagonal) {
     constexpr float kSmallest = 1, kLargest = 10'000; // m
-    const float metres = diagonal * frame.metresPerUnit;
+    const float metres = diagonal * units.metresPerUnit;
     const bool counts =
-        frame.unitSaid != rtcore::Said::Guessed || (metres >= kSmallest && metres <= kLargest);
-    return counts ? std::optional(frame.metresPerUnit) : std::nullopt;
+        units.unitSaid != rtcore::Said::Guessed || (metres >= kSmallest && metres <= kLargest);
+    return counts ? std::optional(units.metresPerUnit) : std::nullopt;
 }
 
-LightSurroundings surroundingsOf(const ServerState& state) {
-    const rtcore::Box3 bounds = state.world().loaded.tree.bounds;
+LightSurroundings surroundingsOf(const Document& document) {
+    const rtcore::Box3 bounds = document.world().loaded.tree.bounds;
     const float size = bounds.diagonal();
-    return {bounds.centre(), size > 0 ? size : 1, -state.scene()->up, unitForLights(state.frame(), size)};
+    return {bounds.centre(), size > 0 ? size : 1, -document.scene()->up,
+            unitForLights(document.modelUnits(), size)};
 }
 
 rtcore::LightKind kindOf(const std::string& name) {
@@ -103,8 +106,8 @@ class Place {
             return value;
         };
         const bool given = call_.size() > first_;
-        const auto surface = given ? surfaceAt(call_.state, share(first_), share(first_ + 1))
-                                   : surfaceAt(call_.state, 0.5F, 0.5F);
+        const auto surface = given ? surfaceAt(call_.document(), share(first_), share(first_ + 1))
+                                   : surfaceAt(call_.document(), 0.5F, 0.5F);
         if (!surface) throw std::runtime_error("there is no surface there; the light stays as it was");
         return *surface;
     }
@@ -123,10 +126,10 @@ Vec3 before(const SeenSurface& surface, const LightSurroundings& around) {
 }
 
 LightPlace placeOf(const Call& call, std::size_t first) {
-    const LightSurroundings around = surroundingsOf(call.state);
-    const rtcore::Camera& camera = call.state.camera();
+    const LightSurroundings around = surroundingsOf(call.document());
+    const rtcore::Camera& camera = call.document().camera();
     if (call.size() <= first) {
-        const auto surface = surfaceAt(call.state, 0.5F, 0.5F);
+        const auto surface = surfaceAt(call.document(), 0.5F, 0.5F);
         return surface ? LightPlace{before(*surface, around), around.downwards}
                        : LightPlace{camera.eye, camera.forward};
     }
@@ -141,26 +144,27 @@ LightPlace placeOf(const Call& call, std::size_t first) {
 
 template <typename Change>
 Result change(const Call& call, Change&& apply) {
-    call.state.changeLight(integer(call[0]), apply);
+    changeLight(call.document(), integer(call[0]), apply);
     return {};
 }
 
 Result add(const Call& call) {
     const rtcore::LightKind kind = kindOf(call[0]);
     LightPlace place = placeOf(call, 1);
-    if (!rtcore::traitsOf(kind).position) place.direction = call.state.camera().forward;
-    const int id = call.state.addLight(newLight(kind, place, surroundingsOf(call.state)));
+    if (!rtcore::traitsOf(kind).position) place.direction = call.document().camera().forward;
+    const int id = addLight(call.document(), newLight(kind, place, surroundingsOf(call.document())));
     return {.answer = std::to_string(id)};
 }
 
 Result copy(const Call& call) {
-    LightDescription light = rtcore::describeLight(*call.state.scene(), call.state.lightOf(integer(call[0])));
+    LightDescription light =
+        rtcore::describeLight(*call.document().scene(), lightOf(*call.document().scene(), integer(call[0])));
     if (call.size() > 1) setPosition(light, placeOf(call, 1).position);
-    return {.answer = std::to_string(call.state.addLight(std::move(light)))};
+    return {.answer = std::to_string(addLight(call.document(), std::move(light)))};
 }
 
 Result remove(const Call& call) {
-    call.state.removeLight(integer(call[0]));
+    removeLight(call.document(), integer(call[0]));
     return {};
 }
 
@@ -171,11 +175,11 @@ Result moveTo(const Call& call) {
 Result aim(const Call& call) {
     const Place place(call, 1);
     return change(call, [&](LightDescription& light) {
-        if (place.word() == "ahead") return setDirection(light, call.state.camera().forward);
+        if (place.word() == "ahead") return setDirection(light, call.document().camera().forward);
         if (place.word() == "along") return setDirection(light, place.vector());
         const Vec3 target = place.word() == "at" ? place.vector() : place.surface().position;
         const bool far = !traitsOf(light.light).position;
-        setDirection(light, target - (far ? call.state.camera().eye : light.light.position));
+        setDirection(light, target - (far ? call.document().camera().eye : light.light.position));
     });
 }
 
@@ -201,7 +205,8 @@ float powerOfWords(const Call& call, const rtcore::Light& light) {
         throw std::invalid_argument(placed ? "lx is for directional lights; others give off lm or W"
                                            : "a directional light has no lm; give lx, or W for W/m2");
     const double watts = unit == "W" ? value : value / rtcore::kLumensPerWatt;
-    return static_cast<float>(rtcore::powerOfWatts(light, watts, double{call.state.metresPerUnit()}));
+    return static_cast<float>(
+        rtcore::powerOfWatts(light, watts, double{call.document().scene()->metresPerUnit}));
 }
 
 Result power(const Call& call) {
@@ -209,8 +214,9 @@ Result power(const Call& call) {
 }
 
 Result kind(const Call& call) {
-    return change(
-        call, [&](LightDescription& light) { setKind(light, kindOf(call[1]), surroundingsOf(call.state)); });
+    return change(call, [&](LightDescription& light) {
+        setKind(light, kindOf(call[1]), surroundingsOf(call.document()));
+    });
 }
 
 Result size(const Call& call) {

@@ -1,14 +1,13 @@
-// Lights, by their ids.
-#include "rtserver/document.h"
+#include "rtserver/light_list.h"
 
 #include "rtcore/sky/scene_sky.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -29,65 +28,46 @@ std::string idsOf(const rtcore::Scene& scene) {
     return fmt::format("numbers {} and {}", fmt::join(ids, ", "), last);
 }
 
-/// But for which of them are on.
-bool sameLights(const rtcore::Scene& a, const rtcore::Scene& b) {
-    const auto alike = [](rtcore::Light one, const rtcore::Light& other) {
-        one.on = other.on;
-        return one == other;
-    };
-    return std::ranges::equal(a.lights, b.lights, alike, &rtcore::SceneLight::light,
-                              &rtcore::SceneLight::light);
-}
-
 } // namespace
 
-std::size_t ServerState::lightOf(int id) const {
-    const std::optional<std::size_t> light = rtcore::lightWithId(*scene_, id);
+std::size_t lightOf(const rtcore::Scene& scene, int id) {
+    const std::optional<std::size_t> light = rtcore::lightWithId(scene, id);
     if (!light)
-        throw std::invalid_argument(
-            fmt::format("there is no light {}; the scene has {}", id, idsOf(*scene_)));
+        throw std::invalid_argument(fmt::format("there is no light {}; the scene has {}", id, idsOf(scene)));
     return *light;
 }
 
-void ServerState::switchLight(int id, std::optional<bool> on) {
-    rtcore::Scene edited = *scene_;
-    std::uint32_t& state = edited.lights[lightOf(id)].light.on;
+void switchLight(Document& document, int id, std::optional<bool> on) {
+    rtcore::Scene edited = *document.scene();
+    std::uint32_t& state = edited.lights[lightOf(edited, id)].light.on;
     state = on.value_or(state == 0) ? 1 : 0;
-    publish(std::move(edited));
+    document.publish(std::move(edited));
 }
 
-void ServerState::changeLight(int id, const std::function<void(rtcore::LightDescription&)>& change) {
-    const std::size_t light = lightOf(id);
-    rtcore::LightDescription description = rtcore::describeLight(*scene_, light);
+void changeLight(Document& document, int id, const std::function<void(rtcore::LightDescription&)>& change) {
+    rtcore::Scene edited = *document.scene();
+    const std::size_t light = lightOf(edited, id);
+    rtcore::LightDescription description = rtcore::describeLight(edited, light);
     change(description);
-    rtcore::Scene edited = *scene_;
     rtcore::putLight(edited, light, description);
-    publish(std::move(edited));
+    document.publish(std::move(edited));
 }
 
-int ServerState::addLight(rtcore::LightDescription light) {
-    light.id = rtcore::nextLightId(*scene_);
-    rtcore::Scene edited = *scene_;
+int addLight(Document& document, rtcore::LightDescription light) {
+    rtcore::Scene edited = *document.scene();
+    light.id = rtcore::nextLightId(edited);
     rtcore::putLight(edited, edited.lights.size(), light);
     rtcore::moveSunBehind(edited);
-    publish(std::move(edited));
+    document.publish(std::move(edited));
     return light.id;
 }
 
-void ServerState::removeLight(int id) {
-    const std::size_t light = lightOf(id);
-    rtcore::Scene edited = *scene_;
+void removeLight(Document& document, int id) {
+    rtcore::Scene edited = *document.scene();
+    const std::size_t light = lightOf(edited, id);
     edited.removedLightId = std::max(edited.removedLightId, id);
     rtcore::eraseLight(edited, light);
-    publish(std::move(edited));
-}
-
-// Cameras of a recording say which lights are on, not what they are like: a film of it would show other
-// light.
-void ServerState::endOutdatedRecording(const rtcore::Scene& edited) {
-    if (!recording_ || sameLights(edited, *scene_)) return;
-    endRecording("the lights were edited");
-    messages_.warn(recordingFailure_);
+    document.publish(std::move(edited));
 }
 
 } // namespace rtserver

@@ -1,5 +1,6 @@
 // Commands for what the model consists of: its materials and its parts.
 #include "rtserver/command_call.h"
+#include "rtserver/model_edits.h"
 #include "rtserver/model_objects.h"
 
 #include "common/cli/command_line.h"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr int kMaskWidth = 512; ///< pixels, at most
 
-const rtcore::Scene& sceneOf(const Call& call) { return *call.state.scene(); }
+const rtcore::Scene& sceneOf(const Call& call) { return *call.document().scene(); }
 int firstOf(const Call& call) { return call.size() > 0 ? integer(call[0]) : 1; }
 
 // --- Materials ---
@@ -29,7 +30,8 @@ Result materials(const Call& call) { return {.answer = materialLines(sceneOf(cal
 
 Result materialGet(const Call& call) {
     const std::vector<std::size_t> all = materialsNamed(sceneOf(call), call[0]);
-    return {.answer = materialText(sceneOf(call), call.state.world().loaded.scene.materials, all.front())};
+    return {.answer =
+                materialText(sceneOf(call), call.document().world().loaded.scene.materials, all.front())};
 }
 
 Result materialSet(const Call& call) {
@@ -37,7 +39,7 @@ Result materialSet(const Call& call) {
     if (call[1] == "diffuseTexture")
         throw app::UsageError("diffuseTexture names a file, which only a .scn file can give");
     try {
-        call.state.editMaterials(all, rtcore::parseMaterialKey(call[1], call.arguments.subspan(2)));
+        editMaterials(call.document(), all, rtcore::parseMaterialKey(call[1], call.arguments.subspan(2)));
     } catch (const rtcore::FileError& error) {
         throw app::UsageError(error.what());
     }
@@ -45,7 +47,7 @@ Result materialSet(const Call& call) {
 }
 
 Result materialReset(const Call& call) {
-    call.state.resetMaterials(materialsNamed(sceneOf(call), call[0]));
+    resetMaterials(call.document(), materialsNamed(sceneOf(call), call[0]));
     return {};
 }
 
@@ -57,7 +59,7 @@ void setHidden(const Call& call, bool hide) {
     const rtcore::Scene& scene = sceneOf(call);
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
     const std::vector<std::uint8_t> chosen = partsNamed(parts, call.arguments);
-    call.state.hideParts(withParts(scene.model, parts, chosen, hide, scene.hiddenParts));
+    hideParts(call.document(), withParts(scene.model, parts, chosen, hide, scene.hiddenParts));
 }
 
 Result partHide(const Call& call) {
@@ -73,21 +75,21 @@ Result partShow(const Call& call) {
 Result partIsolate(const Call& call) {
     const rtcore::Scene& scene = sceneOf(call);
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
-    call.state.hideParts(onlyParts(scene.model, parts, partsNamed(parts, call.arguments)));
+    hideParts(call.document(), onlyParts(scene.model, parts, partsNamed(parts, call.arguments)));
     return {};
 }
 
 Result partShowAll(const Call& call) {
-    call.state.hideParts(nullptr);
+    hideParts(call.document(), nullptr);
     return {};
 }
 
 // --- What is seen ---
 
 Result seen(const Call& call) {
-    const rtcore::RenderSettings& settings = call.state.settings();
-    const rtcore::CameraRays view(call.state.camera(), settings.width, settings.height);
-    const auto object = rtcore::seenObject(sceneOf(call), *call.state.tracer(), view,
+    const rtcore::RenderSettings& settings = call.document().settings();
+    const rtcore::CameraRays view(call.document().camera(), settings.width, settings.height);
+    const auto object = rtcore::seenObject(sceneOf(call), *call.document().tracer(), view,
                                            number(call[0]) * static_cast<float>(settings.width),
                                            number(call[1]) * static_cast<float>(settings.height));
     if (!object) throw std::runtime_error("nothing of the model is seen there");
@@ -110,12 +112,12 @@ Result mask(const Call& call) {
     const std::vector<bool> pieces = byPart ? piecesOf(scene, index) : std::vector<bool>();
     if (!byPart && index >= scene.materials.size())
         throw app::UsageError("the model has no such material; 'materials' lists them");
-    const rtcore::RenderSettings& settings = call.state.settings();
+    const rtcore::RenderSettings& settings = call.document().settings();
     const int width = std::min(settings.width, kMaskWidth);
     const int height = std::max(1, settings.height * width / settings.width);
-    const rtcore::CameraRays view(call.state.camera(), width, height);
+    const rtcore::CameraRays view(call.document().camera(), width, height);
     std::vector<bool> mask;
-    for (const auto& object : seenObjects(scene, *call.state.tracer(), view, width, height)) {
+    for (const auto& object : seenObjects(scene, *call.document().tracer(), view, width, height)) {
         const bool of =
             object && (byPart ? object->piece && pieces[*object->piece] : object->material == index);
         mask.push_back(of);

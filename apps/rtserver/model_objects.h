@@ -1,8 +1,6 @@
 /// The materials and parts of the model as commands name them, and as text for clients.
 #pragma once
 
-#include "rtserver/document.h"
-
 #include "rtcore/render/seen_object.h"
 #include "rtcore/scene/part_list.h"
 

@@ -29,26 +29,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path sourceOf(const ServerState& state) { return fs::absolute(state.world().source).lexically_normal(); }
+fs::path sourceOf(const Document& document) {
+    return fs::absolute(document.world().source).lexically_normal();
+}
 
 // Edits that are made while the file is written are not in it.
 Result saveTo(const Call& call, const fs::path& path, bool replace) {
-    rtcore::SceneFile file = savedSceneOf(call.state);
-    if (path != sourceOf(call.state)) file.output.reset(); // the image of the scene it was
+    rtcore::SceneFile file = savedSceneOf(call.document());
+    if (path != sourceOf(call.document())) file.output.reset(); // the image of the scene it was
     return {.when = ReplyWhen::Beside,
-            .work = [path, replace, file = std::move(file), inputs = call.state.world().inputs,
-                     at = call.state.history().state(), &state = call.state]() -> Finish {
+            .work = [path, replace, file = std::move(file), inputs = call.document().world().inputs,
+                     at = call.document().history().state(), &document = call.document()]() -> Finish {
                 refuseInput(inputs, path, ".scn");
                 saveScene(path, file, replace);
-                return [path, at, &state] {
-                    state.noteSaved(path, at);
+                return [path, at, &document] {
+                    document.noteSaved(path, at);
                     return path.string();
                 };
             }};
 }
 
 Result save(const Call& call) {
-    const fs::path path = sourceOf(call.state);
+    const fs::path path = sourceOf(call.document());
     if (path.extension() != ".scn")
         throw std::runtime_error("a model is shown, not a scene; 'save as' makes a scene of it");
     return saveTo(call, path, call.size() > 0);
@@ -58,10 +60,10 @@ Result saveAs(const Call& call) { return saveTo(call, pathOf(call[0]), call.size
 
 // --- Packing ---
 
-ScenePack packOf(const ServerState& state, bool outside) {
-    const rtcore::LoadedScene& loaded = state.world().loaded;
-    ScenePack pack{.scene = savedSceneOf(state),
-                   .source = state.world().source,
+ScenePack packOf(const Document& document, bool outside) {
+    const rtcore::LoadedScene& loaded = document.world().loaded;
+    ScenePack pack{.scene = savedSceneOf(document),
+                   .source = document.world().source,
                    .modelFiles = loaded.modelFiles,
                    .contents = {},
                    .outside = outside};
@@ -79,12 +81,12 @@ std::string answerOf(const PackedScene& packed) {
 }
 
 Result pack(const Call& call) {
-    ServerState& state = call.state;
+    Workspace& state = call.state;
     if (state.packing)
         throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
                                 "a pack is being made already; wait for it, or give it up by 'pack stop'");
     const fs::path path = pathOf(call[0]);
-    ScenePack scene = packOf(state, call.size() > 1);
+    ScenePack scene = packOf(call.document(), call.size() > 1);
     const auto progress = std::make_shared<PackProgress>();
     state.packing = progress;
     return {.when = ReplyWhen::Apart,
@@ -131,22 +133,22 @@ rtcore::SceneBookmarks::iterator named(rtcore::SceneBookmarks& bookmarks, const 
 
 Result bookmarks(const Call& call) {
     std::string text;
-    for (const rtcore::SceneBookmark& bookmark : call.state.bookmarks())
+    for (const rtcore::SceneBookmark& bookmark : call.document().bookmarks())
         text += (text.empty() ? "" : "\n") + rtcore::printable(bookmark.name);
     return {.answer = text};
 }
 
 // In the place of one of that name.
-std::string keep(ServerState& state, const std::string& name, rtcore::Camera camera) {
+std::string keep(Document& document, const std::string& name, rtcore::Camera camera) {
     camera.nameOffset = 0;
-    rtcore::SceneBookmarks all = state.bookmarks();
+    rtcore::SceneBookmarks all = document.bookmarks();
     const auto old = rtcore::findBookmark(all, name);
     if (old == all.end()) {
         all.push_back({name, camera});
     } else {
         all[static_cast<std::size_t>(old - all.cbegin())].camera = camera;
     }
-    state.setBookmarks(std::move(all));
+    document.setBookmarks(std::move(all));
     return {};
 }
 
@@ -157,37 +159,37 @@ void checkName(const std::string& name) {
 
 Result addBookmark(const Call& call) {
     checkName(call[0]);
-    if (call.size() == 1) return {.answer = keep(call.state, call[0], call.state.camera())};
+    if (call.size() == 1) return {.answer = keep(call.document(), call[0], call.document().camera())};
     return {.when = ReplyWhen::Beside,
-            .work = [name = call[0], path = pathOf(call[1]), &state = call.state]() -> Finish {
-                return [&state, name, camera = rtcore::readCameraFile(path).camera] {
-                    return keep(state, name, camera);
+            .work = [name = call[0], path = pathOf(call[1]), &document = call.document()]() -> Finish {
+                return [&document, name, camera = rtcore::readCameraFile(path).camera] {
+                    return keep(document, name, camera);
                 };
             }};
 }
 
 Result goToBookmark(const Call& call) {
-    rtcore::SceneBookmarks all = call.state.bookmarks();
-    call.state.setCamera(named(all, call[0])->camera);
+    rtcore::SceneBookmarks all = call.document().bookmarks();
+    call.document().setCamera(named(all, call[0])->camera);
     return {};
 }
 
 Result renameBookmark(const Call& call) {
     checkName(call[1]);
-    rtcore::SceneBookmarks all = call.state.bookmarks();
+    rtcore::SceneBookmarks all = call.document().bookmarks();
     const auto bookmark = named(all, call[0]);
     const auto other = rtcore::findBookmark(all, call[1]);
     if (other != all.end() && other != bookmark)
         throw std::invalid_argument("another bookmark is called " + rtcore::inQuotes(call[1]));
     bookmark->name = call[1];
-    call.state.setBookmarks(std::move(all));
+    call.document().setBookmarks(std::move(all));
     return {};
 }
 
 Result removeBookmark(const Call& call) {
-    rtcore::SceneBookmarks all = call.state.bookmarks();
+    rtcore::SceneBookmarks all = call.document().bookmarks();
     all.erase(named(all, call[0]));
-    call.state.setBookmarks(std::move(all));
+    call.document().setBookmarks(std::move(all));
     return {};
 }
 

@@ -27,7 +27,7 @@ void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::fil
     if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
     rtcore::ImportOptions import = options_.import;
     rtcore::Surroundings surroundings = options_.surroundings;
-    if (state_.ready()) { // what was said of the first model
+    if (state_.document.ready()) { // what was said of the first model
         import.up.reset();
         import.metresPerUnit.reset();
         surroundings = {.usual = options_.surroundings.usual};
@@ -41,7 +41,7 @@ std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
     try {
         show(load->take());
     } catch (const std::exception& error) {
-        if (!state_.ready()) throw;
+        if (!state_.document.ready()) throw;
         messages_.complain(error.what());
         return Loaded{failureOf(error)};
     }
@@ -49,37 +49,37 @@ std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
 }
 
 void SceneUpkeep::show(std::unique_ptr<World> world) {
-    state_.show(std::move(world));
+    state_.document.show(std::move(world));
     messages_.forget();
     rtcore::allowRegularFilesOnly(); // from here on paths come from clients
-    tellFrame();
-    const rtcore::LoadedScene& loaded = state_.world().loaded;
+    tellModelUnits();
+    const rtcore::LoadedScene& loaded = state_.document.world().loaded;
     if (!loaded.guesses.empty()) {
         const std::string text = rtcore::guessedText(loaded.guesses);
-        Messages::print(state_.title() + ": " + text);
+        Messages::print(state_.document.title() + ": " + text);
         messages_.offer(text + "; 'material reset *' takes them as they are");
     }
     for (const std::string& warning : loaded.warnings) messages_.warn(warning);
 }
 
-void SceneUpkeep::tellFrame() {
-    const rtcore::UpAndUnit& frame = state_.frame();
-    const std::string guess = app::guessText(frame);
+void SceneUpkeep::tellModelUnits() {
+    const rtcore::UpAndUnit& units = state_.document.modelUnits();
+    const std::string guess = app::guessText(units);
     if (guess.empty()) return;
-    Messages::print(state_.title() + ": " + guess);
-    if (frame.unitSaid == rtcore::Said::Guessed && frame.metresPerUnit != 1)
+    Messages::print(state_.document.title() + ": " + guess);
+    if (units.unitSaid == rtcore::Said::Guessed && units.metresPerUnit != 1)
         messages_.offer(fmt::format("{} m are taken for a unit ({}); 'units' sets another",
-                                    frame.metresPerUnit, frame.unitWhy));
-    if (!frame.surprising) return;
+                                    units.metresPerUnit, units.unitWhy));
+    if (!units.surprising) return;
     messages_.offer(fmt::format("{} is taken for up ({}); 'up {}' turns the model",
-                                rtcore::axisName(frame.up), frame.upWhy, rtcore::axisName(frame.otherUp)));
+                                rtcore::axisName(units.up), units.upWhy, rtcore::axisName(units.otherUp)));
 }
 
 // --- What is kept of the scene ---
 
 void SceneUpkeep::noticeChanges() {
     using rtcore::Change;
-    const rtcore::Changes changes = changes_.take(state_.revisions());
+    const rtcore::Changes changes = changes_.take(state_.document.revisions());
     if (changes.has(Change::Scene)) {
         giveUp(std::move(refinement_));
         treeless_ = false;
@@ -91,7 +91,7 @@ void SceneUpkeep::noticeChanges() {
     // Maps hold what stands where, and what light passes through it.
     const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
     const bool lights = changes.has(Change::Light) && mapped_ != nullptr &&
-                        !castAlike(mapped_->lights, state_.scene()->lights);
+                        !castAlike(mapped_->lights, state_.document.scene()->lights);
     if (!solid && !lights) return;
     mapping_.reset();
     maps_.reset();
@@ -105,7 +105,7 @@ const rtcore::ShadowMaps* SceneUpkeep::shadowMaps() {
 }
 
 void SceneUpkeep::advance(const Pace& pace) {
-    if (!state_.ready()) return;
+    if (!state_.document.ready()) return;
     noticeChanges();
     std::erase_if(leaving_, [](const auto& each) { return each->done(); });
     refineTree(pace);
@@ -123,8 +123,8 @@ void SceneUpkeep::giveUp(std::unique_ptr<TreeRefinement> refinement) {
 void SceneUpkeep::refineTree(const Pace& pace) {
     if (refinement_ == nullptr) {
         // After the first frame, which nothing should slow down.
-        if (!state_.world().loaded.fastTree || treeless_ || !pace.complete) return;
-        const rtcore::LoadedScene& loaded = state_.world().loaded;
+        if (!state_.document.world().loaded.fastTree || treeless_ || !pace.complete) return;
+        const rtcore::LoadedScene& loaded = state_.document.world().loaded;
         refinement_ =
             std::make_unique<TreeRefinement>(loaded.scene, nullptr, loaded.tree.bounds, options_.threads);
     }
@@ -132,7 +132,7 @@ void SceneUpkeep::refineTree(const Pace& pace) {
     const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
     try {
         TreeRefinement::Result result = refinement->take();
-        state_.useTree(std::move(result.tree), std::move(result.tracer));
+        state_.document.useTree(std::move(result.tree), std::move(result.tracer));
         Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
     } catch (const std::bad_alloc&) { // then the fast one has to do
         treeless_ = true;
@@ -142,16 +142,16 @@ void SceneUpkeep::refineTree(const Pace& pace) {
 // Soon, also while something moves, but after a first frame.
 void SceneUpkeep::buildVisible(const Pace& pace) {
     if (visible_ == nullptr) {
-        const bool needed = state_.prunes() && !prunedOnly_;
+        const bool needed = state_.document.visible().pruned() && !prunedOnly_;
         if (!needed || !pace.current || refinement_ != nullptr) return;
-        const rtcore::Scene& scene = *state_.scene();
-        visible_ = std::make_unique<TreeRefinement>(scene, scene.hiddenParts,
-                                                    state_.world().loaded.tree.bounds, options_.threads);
+        const rtcore::Scene& scene = *state_.document.scene();
+        visible_ = std::make_unique<TreeRefinement>(
+            scene, scene.hiddenParts, state_.document.world().loaded.tree.bounds, options_.threads);
     }
     if (!visible_->done()) return;
     try {
         TreeRefinement::Result result = std::exchange(visible_, nullptr)->take();
-        state_.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
+        state_.document.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
         Messages::print("the kd-tree of the visible parts is in use; it took " + shortNumber(result.seconds) +
                         " s");
     } catch (const std::bad_alloc&) {
@@ -166,9 +166,9 @@ void SceneUpkeep::mapShadows(const Pace& pace) {
     if (mapping_ == nullptr) {
         const double quick = state_.frameSeconds;
         const bool needed = quick > 0 && (pace.coarsest > quick || (pace.idle && pace.seconds > quick));
-        if (mapless_ || !needed || state_.world().loaded.fastTree) return;
-        mapped_ = state_.scene();
-        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.tracer());
+        if (mapless_ || !needed || state_.document.world().loaded.fastTree) return;
+        mapped_ = state_.document.scene();
+        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.document.tracer());
     }
     if (!mapping_->done()) return;
     try {

@@ -2,13 +2,13 @@
 /// of a large one, and that of what hidden parts leave, making its shadow maps.
 #pragma once
 
-#include "rtserver/document.h"
 #include "rtserver/failure.h"
 #include "rtserver/messages.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
 #include "rtserver/shadow_mapping.h"
 #include "rtserver/tree_refinement.h"
+#include "rtserver/workspace.h"
 
 #include "rtcore/scene/revisions.h"
 #include "rtcore/scene/scene.h"
@@ -25,7 +25,7 @@ namespace rtserver {
 class SceneUpkeep {
   public:
     /// All must outlive it.
-    SceneUpkeep(const Options& options, ServerState& state, Messages& messages)
+    SceneUpkeep(const Options& options, Workspace& state, Messages& messages)
         : options_(options), state_(state), messages_(messages) {}
 
     /// Begins to load another scene. Throws std::runtime_error when one is being loaded. `cachedModel`: as in
@@ -62,7 +62,7 @@ class SceneUpkeep {
 
   private:
     void show(std::unique_ptr<World> world);
-    void tellFrame();
+    void tellModelUnits();
     void noticeChanges();
     void giveUp(std::unique_ptr<TreeRefinement> refinement);
     void refineTree(const Pace& pace);
@@ -70,7 +70,7 @@ class SceneUpkeep {
     void mapShadows(const Pace& pace);
 
     const Options& options_;
-    ServerState& state_;
+    Workspace& state_;
     Messages& messages_;
     rtcore::Subscription changes_;
     std::unique_ptr<SceneLoad> load_;

@@ -4,17 +4,17 @@
 
 namespace rtserver {
 
-std::optional<SeenSurface> surfaceAt(const ServerState& state, float right, float down) {
-    const rtcore::RenderSettings& settings = state.settings();
-    const rtcore::CameraRays view(state.camera(), settings.width, settings.height);
+std::optional<SeenSurface> surfaceAt(const Document& document, float right, float down) {
+    const rtcore::RenderSettings& settings = document.settings();
+    const rtcore::CameraRays view(document.camera(), settings.width, settings.height);
     const rtcore::Ray ray =
         view.at(right * static_cast<float>(settings.width), down * static_cast<float>(settings.height));
     rtcore::RayWave rays;
     rtcore::HitWave hits;
     rays.push(ray);
-    state.world().tracer->intersect(rtcore::RayKind::Primary, rays, hits);
+    document.world().tracer->intersect(rtcore::RayKind::Primary, rays, hits);
     if (!hits.isHit(0)) return std::nullopt;
-    const rtcore::Vec3 normal = normalize(state.scene()->mesh().geometricNormal(hits.triangle[0]));
+    const rtcore::Vec3 normal = normalize(document.scene()->mesh().geometricNormal(hits.triangle[0]));
     const bool faces = dot(normal, ray.direction) < 0;
     return SeenSurface{ray.origin + ray.direction * hits.t[0], faces ? normal : -normal, hits.t[0]};
 }

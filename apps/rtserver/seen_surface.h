@@ -16,7 +16,7 @@ struct SeenSurface {
 };
 
 /// The first one along the ray through that place: 0..1 from the left and from the top. Nothing: the ray
-/// meets none. `state` is ready.
-std::optional<SeenSurface> surfaceAt(const ServerState& state, float right, float down);
+/// meets none. `document` is ready.
+std::optional<SeenSurface> surfaceAt(const Document& document, float right, float down);
 
 } // namespace rtserver

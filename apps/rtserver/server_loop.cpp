@@ -1,5 +1,6 @@
 #include "rtserver/server_loop.h"
 
+#include "rtserver/key_edits.h"
 #include "rtserver/server_status.h"
 
 #include "common/process/stop.h"
@@ -20,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr Clock::duration kSleep = 200ms; ///< less than a step of ServerState::move() may last
+constexpr Clock::duration kSleep = 200ms; ///< less than a step of Walk::move() may last
 constexpr Clock::duration kSleepAtWork = 20ms;
 constexpr double kTold = 0.1;                  ///< seconds more of a whole frame that are told
 constexpr Clock::duration kMotionStep = 2ms;   ///< until a moving camera has moved
@@ -75,7 +76,8 @@ void ServerLoop::turn() {
     if (quit_) return;
     // A command that writes the frame to a file gets the whole frame of what is shown.
     const bool changed = drawing_.takeChange();
-    const bool holdsStill = commands_.waits() && !changed && !frames().stale(state_) && !frames().whole();
+    const bool holdsStill =
+        commands_.waits() && !changed && !frames().stale(state_.document) && !frames().whole();
     if (!holdsStill) move();
     drawing_.noticePause(commands_.waits());
     const bool due = drawing_.wantsFrame(commands_.waits()) && Clock::now() >= drawing_.due();
@@ -143,20 +145,21 @@ void ServerLoop::move() {
     const Clock::time_point now = Clock::now();
     const Clock::duration passed = now - std::exchange(moved_, now);
     // While the image is paused, keys do not move the camera.
-    if (!state_.ready() || state_.paused) return;
+    if (!state_.document.ready() || state_.paused) return;
     try {
-        state_.move(passed, keys_.take());
+        state_.walk.move(passed, keys_.take(),
+                         [this](const rtcore::ActionTap& tap) { editByKey(tap, state_, *this, messages_); });
     } catch (const rtcore::FileError& error) {
-        state_.stopPlaying();
+        state_.walk.stopPlaying();
         messages_.complain(std::string("playing ended: ") + error.what());
     }
 }
 
 // The exposure of what was recorded is known once there is a frame of it.
 void ServerLoop::record() {
-    if (!state_.recording()) return;
+    if (!state_.walk.recording()) return;
     try {
-        state_.settleRecording(frames().exposure());
+        state_.walk.settleRecording(frames().exposure());
     } catch (const rtcore::FileError& error) {
         messages_.complain(std::string("recording ended: ") + error.what());
     }
@@ -179,9 +182,9 @@ void ServerLoop::publish(const ipc::FrameInfo& info, const rtcore::LdrImage& ima
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
     if (!onReady_) return;
     publishStatus();
-    const rtcore::RenderSettings& view = state_.settings(); // the first frame may be a coarse one
-    Messages::print(fmt::format("ready: instance '{}', {}, {} x {}", options_.instance, state_.title(),
-                                view.width, view.height));
+    const rtcore::RenderSettings& view = state_.document.settings(); // the first frame may be a coarse one
+    Messages::print(fmt::format("ready: instance '{}', {}, {} x {}", options_.instance,
+                                state_.document.title(), view.width, view.height));
     std::exchange(onReady_, nullptr)();
 }
 
@@ -198,15 +201,17 @@ void ServerLoop::publishStatus() {
 
 void ServerLoop::sleep() {
     const Clock::time_point now = Clock::now();
-    const bool ready = state_.ready() && !state_.paused;
+    const bool ready = state_.document.ready() && !state_.paused;
     const bool draws = drawing_.wantsFrame(commands_.waits());
     if (drawing_.changeWaits() || commands_.hasNew() || (draws && drawing_.due() <= now)) return;
-    if (commands_.waits() && state_.ready() && !draws) return; // their frame is there
+    if (commands_.waits() && state_.document.ready() && !draws) return; // their frame is there
     Clock::duration time = upkeep_.works() || commands_.worksApart() ? kSleepAtWork : kSleep;
-    if (ready && !state_.atRest() && !frames().stale(state_)) time = std::min(time, kMotionStep);
+    if (ready && !state_.walk.atRest() && !frames().stale(state_.document))
+        time = std::min(time, kMotionStep);
     if (commands_.worksBeside()) time = std::min(time, kSideWorkStep);
     if (draws) time = std::min(time, drawing_.due() - now);
-    if (ready) time = std::min<Clock::duration>(time, std::max<Clock::duration>(state_.untilEvent(), 0ns));
+    if (ready)
+        time = std::min<Clock::duration>(time, std::max<Clock::duration>(state_.walk.untilEvent(), 0ns));
     server_.wait(time);
 }
 

@@ -3,7 +3,6 @@
 
 #include "rtserver/command_service.h"
 #include "rtserver/commands.h"
-#include "rtserver/document.h"
 #include "rtserver/frame_drawing.h"
 #include "rtserver/key_inbox.h"
 #include "rtserver/messages.h"
@@ -11,6 +10,7 @@
 #include "rtserver/scene_upkeep.h"
 #include "rtserver/server_options.h"
 #include "rtserver/state_revision.h"
+#include "rtserver/workspace.h"
 
 #include "common/process/exit_codes.h"
 #include "common/process/process_watch.h"
@@ -78,7 +78,7 @@ class ServerLoop : private Host, private Replies {
     StateRevision revision_;
     ipc::Server server_;
     Messages messages_;
-    ServerState state_;
+    Workspace state_;
     SceneUpkeep upkeep_;
     FrameDrawing drawing_;
     CommandService commands_;

@@ -1,8 +1,8 @@
 /// What clients read of a server without asking it.
 #pragma once
 
-#include "rtserver/document.h"
 #include "rtserver/frame_maker.h"
+#include "rtserver/workspace.h"
 
 #include "ipc/layout/status.h"
 
@@ -22,6 +22,6 @@ struct Activity {
 
 /// The camera is that of the state, which the last frame may not show yet; what a frame took and its exposure
 /// are the last frame's. Before there is a scene: what is known without one.
-ipc::Status statusOf(const ServerState& state, const FrameMaker& frames, const Activity& activity);
+ipc::Status statusOf(const Workspace& state, const FrameMaker& frames, const Activity& activity);
 
 } // namespace rtserver

@@ -1,5 +1,6 @@
 // Commands for what is rendered and how well: settings, environments; and what takes edits back.
 #include "rtserver/command_call.h"
+#include "rtserver/sky_edits.h"
 #include "rtserver/state_report_of.h"
 
 #include "ipc/layout/limits.h"
@@ -21,9 +22,9 @@ namespace rtserver {
 namespace {
 
 void assign(const Call& call, std::span<const std::pair<std::string, std::string>> assignments) {
-    rtcore::RenderSettings settings = call.state.settings();
+    rtcore::RenderSettings settings = call.document().settings();
     for (const auto& [name, value] : assignments) rtcore::setSettingFromText(settings, name, value);
-    call.state.setSettings(settings);
+    call.document().setSettings(settings);
 }
 
 Result set(const Call& call) {
@@ -38,34 +39,34 @@ Result resolution(const Call& call) {
 }
 
 Result getSetting(const Call& call) {
-    return {.answer = rtcore::settingText(rtcore::getSetting(call.state.settings(), call[0]))};
+    return {.answer = rtcore::settingText(rtcore::getSetting(call.document().settings(), call[0]))};
 }
 
 // The size follows windows and has no usual value.
 Result defaults(const Call& call) {
-    const rtcore::RenderSettings& now = call.state.settings();
+    const rtcore::RenderSettings& now = call.document().settings();
     rtcore::RenderSettings settings;
     settings.width = now.width;
     settings.height = now.height;
-    call.state.setSettings(settings);
+    call.document().setSettings(settings);
     return {};
 }
 
 std::optional<int> numberOf(const Call& call) {
     return call.size() > 0 ? std::optional(integer(call[0])) : std::nullopt;
 }
-Result undo(const Call& call) { return {.answer = rtcore::printable(call.state.undo(numberOf(call)))}; }
-Result redo(const Call& call) { return {.answer = rtcore::printable(call.state.redo(numberOf(call)))}; }
+Result undo(const Call& call) { return {.answer = rtcore::printable(call.document().undo(numberOf(call)))}; }
+Result redo(const Call& call) { return {.answer = rtcore::printable(call.document().redo(numberOf(call)))}; }
 
 Result settings(const Call& call) {
     std::string text;
-    for (const auto& [name, value] : rtcore::settingAssignments(call.state.settings(), true))
+    for (const auto& [name, value] : rtcore::settingAssignments(call.document().settings(), true))
         text += (text.empty() ? "" : "\n") + name + " = " + rtcore::settingText(value);
     return {.answer = text};
 }
 
 Result bloom(const Call& call) {
-    call.state.switchBloom(flag(call[0]));
+    call.document().switchBloom(flag(call[0]));
     return {};
 }
 
@@ -73,7 +74,7 @@ Result bloom(const Call& call) {
 int indexOf(const std::string& number) { return integer(number) - 1; }
 
 Result environment(const Call& call) {
-    call.state.setEnvironment(indexOf(call[0]));
+    setEnvironment(call.document(), indexOf(call[0]));
     return {};
 }
 
@@ -94,13 +95,14 @@ std::string list(const std::vector<app::NamedSwitch>& switches, const char* on, 
 }
 
 Result environments(const Call& call) {
-    return withoutLastEnd(list(environmentsOf(call.state), "active", "-"));
+    return withoutLastEnd(list(environmentsOf(call.document()), "active", "-"));
 }
 
-Result scene(const Call& call) { return {.answer = scenePathOf(call.state)}; }
+Result scene(const Call& call) { return {.answer = scenePathOf(call.document())}; }
 
 Result state(const Call& call) {
-    return {.answer = app::formatStateReport(stateReportOf(call.state, call.client), ipc::kMaxAnswerText)};
+    return {.answer =
+                app::formatStateReport(stateReportOf(call.document(), call.client), ipc::kMaxAnswerText)};
 }
 
 constexpr std::array kSettingFunctions{

@@ -1,5 +1,6 @@
 // Commands for the sky and for what environments look like.
 #include "rtserver/command_call.h"
+#include "rtserver/sky_edits.h"
 
 #include "rtcore/io/images/environment_file.h"
 #include "rtcore/io/text/sun_date.h"
@@ -21,9 +22,9 @@ namespace {
 /// With the sky or the studio that the scene has, or a usual sky, changed; it lights from then on.
 template <typename Change>
 Result editSurroundings(const Call& call, Change change) {
-    rtcore::Sky sky = call.state.scene()->sky.value_or(rtcore::Sky{.haze = true});
+    rtcore::Sky sky = call.document().scene()->sky.value_or(rtcore::Sky{.haze = true});
     change(sky);
-    call.state.setSky(sky);
+    setSky(call.document(), sky);
     return {};
 }
 
@@ -43,7 +44,7 @@ rtcore::SunDate& dateOf(rtcore::Sky& sky) {
 
 Result skySwitch(const Call& call) {
     if (flag(call[0])) return editSky(call, [](rtcore::Sky&) {});
-    call.state.setSky(std::nullopt);
+    setSky(call.document(), std::nullopt);
     return {};
 }
 
@@ -102,32 +103,33 @@ Result skyHaze(const Call& call) {
 }
 
 Result look(const Call& call) {
-    call.state.setLook(*rtcore::lookNamed(call[0]));
+    setLook(call.document(), *rtcore::lookNamed(call[0]));
     return {};
 }
 
 Result environmentRotation(const Call& call) {
-    call.state.rotateEnvironment(number(call[0]));
+    rotateEnvironment(call.document(), number(call[0]));
     return {};
 }
 
 Result environmentStrength(const Call& call) {
-    call.state.scaleEnvironment(number(call[0]));
+    scaleEnvironment(call.document(), number(call[0]));
     return {};
 }
 
 Result environmentOpen(const Call& call) {
-    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), &document = call.document()]() -> Finish {
                 auto opened = std::make_shared<rtcore::OpenedEnvironment>(rtcore::openEnvironment(path));
-                return [opened, &state] {
-                    state.addEnvironment(opened->file, std::move(opened->environment));
+                return [opened, &document] {
+                    addEnvironment(document, opened->file, std::move(opened->environment));
                     return std::string();
                 };
             }};
 }
 
 Result environmentNone(const Call& call) {
-    call.state.leaveEnvironment();
+    leaveEnvironment(call.document());
     return {};
 }
 

@@ -17,8 +17,8 @@ std::string nameOf(const rtcore::EnvironmentFile& environment) {
     return named ? environment.name : environment.files.front().stem().string();
 }
 
-std::optional<app::ReportedMap> mapOf(const ServerState& state) {
-    const rtcore::Scene& scene = *state.scene();
+std::optional<app::ReportedMap> mapOf(const Document& document) {
+    const rtcore::Scene& scene = *document.scene();
     const rtcore::Environment* const shown = scene.environment();
     if (shown == nullptr || std::cmp_greater_equal(scene.activeEnvironment, scene.fileEnvironments()))
         return {};
@@ -27,12 +27,12 @@ std::optional<app::ReportedMap> mapOf(const ServerState& state) {
 
 } // namespace
 
-std::string scenePathOf(const ServerState& state) {
-    return std::filesystem::absolute(state.world().source).lexically_normal().string();
+std::string scenePathOf(const Document& document) {
+    return std::filesystem::absolute(document.world().source).lexically_normal().string();
 }
 
-std::vector<app::ReportedLight> lightsOf(const ServerState& state) {
-    const rtcore::Scene& scene = *state.scene();
+std::vector<app::ReportedLight> lightsOf(const Document& document) {
+    const rtcore::Scene& scene = *document.scene();
     std::vector<app::ReportedLight> all;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const rtcore::LightDescription light = rtcore::describeLight(scene, i);
@@ -41,8 +41,8 @@ std::vector<app::ReportedLight> lightsOf(const ServerState& state) {
     return all;
 }
 
-std::vector<app::NamedSwitch> environmentsOf(const ServerState& state) {
-    const rtcore::Scene& scene = *state.scene();
+std::vector<app::NamedSwitch> environmentsOf(const Document& document) {
+    const rtcore::Scene& scene = *document.scene();
     std::vector<app::NamedSwitch> all;
     for (std::size_t i = 0; i < scene.environments.size(); ++i) {
         const bool described = i < scene.environmentFiles.size();
@@ -64,26 +64,28 @@ app::ReportedEdit reportOf(const EditStep* step, std::uint64_t client) {
 
 } // namespace
 
-app::StateReport stateReportOf(const ServerState& state, std::uint64_t client) {
-    app::StateReport report{.scene = scenePathOf(state),
-                            .up = state.scene()->up,
-                            .metresPerUnit = state.metresPerUnit(),
-                            .lights = lightsOf(state),
-                            .environments = environmentsOf(state),
-                            .map = mapOf(state),
-                            .sky = state.scene()->sky,
-                            .camera = state.camera(),
-                            .settings = rtcore::settingAssignments(state.settings(), true)};
-    if (const auto sun = rtcore::sunOf(*state.scene())) report.sun = state.scene()->lights[*sun].notes.id;
+app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
+    app::StateReport report{.scene = scenePathOf(document),
+                            .up = document.scene()->up,
+                            .metresPerUnit = document.scene()->metresPerUnit,
+                            .lights = lightsOf(document),
+                            .environments = environmentsOf(document),
+                            .map = mapOf(document),
+                            .sky = document.scene()->sky,
+                            .camera = document.camera(),
+                            .settings = rtcore::settingAssignments(document.settings(), true)};
+    if (const auto sun = rtcore::sunOf(*document.scene()))
+        report.sun = document.scene()->lights[*sun].notes.id;
     report.camera.nameOffset = 0;
-    const EditHistory& history = state.history();
+    const EditHistory& history = document.history();
     if (history.last() != nullptr) report.undo = history.last()->label;
     if (history.next() != nullptr) report.redo = history.next()->label;
     report.undoEdit = reportOf(history.last(), client);
     report.redoEdit = reportOf(history.next(), client);
-    report.modified = state.modified();
-    report.indoors = state.world().loaded.indoors;
-    for (const rtcore::SceneBookmark& bookmark : state.bookmarks()) report.bookmarks.push_back(bookmark.name);
+    report.modified = document.modified();
+    report.indoors = document.world().loaded.indoors;
+    for (const rtcore::SceneBookmark& bookmark : document.bookmarks())
+        report.bookmarks.push_back(bookmark.name);
     report.edits = static_cast<int>(history.position());
     return report;
 }

@@ -11,11 +11,11 @@
 
 namespace rtserver {
 
-std::string scenePathOf(const ServerState& state); ///< absolute
-std::vector<app::ReportedLight> lightsOf(const ServerState& state);
+std::string scenePathOf(const Document& document); ///< absolute
+std::vector<app::ReportedLight> lightsOf(const Document& document);
 /// One without a name goes by its file.
-std::vector<app::NamedSwitch> environmentsOf(const ServerState& state);
+std::vector<app::NamedSwitch> environmentsOf(const Document& document);
 
-app::StateReport stateReportOf(const ServerState& state, std::uint64_t client = 0);
+app::StateReport stateReportOf(const Document& document, std::uint64_t client = 0);
 
 } // namespace rtserver

@@ -5,21 +5,21 @@
 
 namespace rtserver {
 
-std::uint64_t StateRevision::of(const ServerState& state, bool idle) {
-    if (!state.ready()) return revision_;
-    const EditHistory& history = state.history();
-    const Shown shown = state.shown();
-    const std::span<const rtcore::KeyBinding> bindings = state.bindings().list();
+std::uint64_t StateRevision::of(const Workspace& state, bool idle) {
+    if (!state.document.ready()) return revision_;
+    const EditHistory& history = state.document.history();
+    const Snapshot shown = state.document.snapshot();
+    const std::span<const rtcore::KeyBinding> bindings = state.walk.bindings().list();
     Key key{.scene = shown.scene,
             .bookmarks = shown.bookmarks,
-            .source = state.world().source,
+            .source = state.document.world().source,
             .settings = shown.settings,
             .bindings = {bindings.begin(), bindings.end()},
             .position = history.position(),
             .history = history.state(),
             .undo = history.last() != nullptr ? history.last()->number : 0,
             .redo = history.next() != nullptr ? history.next()->number : 0,
-            .modified = state.modified()};
+            .modified = state.document.modified()};
     const bool moved = idle && camera_ != shown.camera;
     if (idle) camera_ = shown.camera;
     if (key_ == key && !moved) return revision_;

@@ -2,7 +2,7 @@
 /// changed.
 #pragma once
 
-#include "rtserver/document.h"
+#include "rtserver/workspace.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -17,7 +17,7 @@ class StateRevision {
   public:
     /// Grows whenever the answers are others than at the last call. Of the camera only where it came to rest
     /// (`idle`): a status says itself where that moves.
-    std::uint64_t of(const ServerState& state, bool idle);
+    std::uint64_t of(const Workspace& state, bool idle);
 
   private:
     struct Key {

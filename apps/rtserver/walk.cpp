@@ -1,21 +1,19 @@
-// What moves by itself: the player, keys that are pressed for a time, a path that is recorded or played.
-#include "rtserver/document.h"
+#include "rtserver/walk.h"
+
 #include "rtserver/exports.h"
-#include "rtserver/messages.h"
 
 #include "common/commands/key_restraint.h"
 #include "common/settings/settings_merge.h"
 
 #include "rtcore/look/doorstep.h"
-#include "rtcore/motion/player.h"
 #include "rtcore/motion/walk_shape.h"
 #include "rtcore/platform/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
-#include <utility>
 
 namespace rtserver {
 
@@ -38,9 +36,82 @@ std::string tooSmallToWalk(const rtcore::Survey& found, float metresPerUnit) {
                        height);
 }
 
+/// But for which of them are on.
+bool sameLights(const rtcore::Scene& a, const rtcore::Scene& b) {
+    const auto alike = [](rtcore::Light one, const rtcore::Light& other) {
+        one.on = other.on;
+        return one == other;
+    };
+    return std::ranges::equal(a.lights, b.lights, alike, &rtcore::SceneLight::light,
+                              &rtcore::SceneLight::light);
+}
+
 } // namespace
 
-void ServerState::move(nanoseconds time, const ipc::KeyState& clientKeys) {
+Walk::Walk(Document& document, Messages& messages, std::optional<std::filesystem::path> path)
+    : document_(document), messages_(messages), firstPath_(std::move(path)) {
+    document_.setFollower(this);
+}
+
+Walk::~Walk() { document_.setFollower(nullptr); }
+
+// --- The document was edited ---
+
+void Walk::sceneOpened() {
+    stopPlaying();
+    if (recording_) endRecording("another scene was shown");
+    pivot_.reset();
+    makePlayer();
+    if (!firstPath_) return;
+    const std::filesystem::path path = *std::exchange(firstPath_, std::nullopt);
+    play(std::make_unique<Playback>(path));
+}
+
+// Cameras of a recording say which lights are on, not what they are like: a film of it would show other
+// light. What carries a walker, and where it falls, is found anew where other parts are visible.
+void Walk::sceneEdited(const rtcore::Scene& before, const rtcore::Changes& changes) {
+    if (recording_ && !sameLights(before, *document_.scene())) {
+        endRecording("the lights were edited");
+        messages_.warn(recordingFailure_);
+    }
+    if (!changes.has(rtcore::Change::Visibility)) return;
+    treeReplaced();
+    if (!walking()) return;
+    player_->setMode(rtcore::MotionMode::View);
+    player_->setMode(rtcore::MotionMode::Walk);
+    takeCamera();
+}
+
+void Walk::treeReplaced() { player_->useTree(document_.visible().tree()); }
+
+// What is recorded and what is walked on is of the old up axis and unit. Flying goes on.
+void Walk::unitsChanged() {
+    stopPlaying();
+    if (recording_) endRecording("the up axis or the unit was changed");
+    const double speed = player_->speedFactor();
+    makePlayer();
+    player_->setSpeedFactor(speed);
+}
+
+// A body comes along, and may need another place to stand.
+void Walk::cameraPlaced() {
+    stopPlaying();
+    player_->setCamera(document_.camera());
+    takeCamera();
+}
+
+void Walk::makePlayer() {
+    const rtcore::Scene& scene = *document_.scene();
+    player_ = std::make_unique<rtcore::Player>(
+        document_.visible().tree(), document_.world().loaded.scene.model.mesh,
+        rtcore::PlayerOptions{
+            .up = scene.up, .metresPerUnit = double{scene.metresPerUnit}, .walk = scene.walk});
+    player_->setCamera(document_.camera());
+}
+
+// --- Time and keys ---
+
+void Walk::move(nanoseconds time, const ipc::KeyState& clientKeys, const EditByKey& edit) {
     nanoseconds left = std::clamp<nanoseconds>(time, 0ns, kLongestTurn);
     while (true) {
         takeRecordedView();
@@ -49,11 +120,11 @@ void ServerState::move(nanoseconds time, const ipc::KeyState& clientKeys) {
         advance(step);
         left -= step;
     }
-    press(clientKeys);
+    press(clientKeys, edit);
     takeCamera();
 }
 
-void ServerState::advance(nanoseconds step) {
+void Walk::advance(nanoseconds step) {
     player_->advance(step);
     if (keyboard_.advance(step)) hold();
     if (recording_) recording_->advance(step);
@@ -62,7 +133,7 @@ void ServerState::advance(nanoseconds step) {
     if (playback_ && playback_->ended()) stopPlaying();
 }
 
-void ServerState::press(const ipc::KeyState& clientKeys) {
+void Walk::press(const ipc::KeyState& clientKeys, const EditByKey& edit) {
     clientKeys_ = clientKeys.down;
     ipc::KeyState keys = clientKeys;
     keyboard_.collect(keys);
@@ -71,35 +142,29 @@ void ServerState::press(const ipc::KeyState& clientKeys) {
         const auto level = static_cast<std::size_t>(app::withheldFrom(binding.action));
         return level == 0 ? 0 : clientKeys.restrained[level - 1][static_cast<std::size_t>(binding.key)];
     };
-    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses, before, withheld)) apply(tap);
+    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses, before, withheld))
+        apply(tap, edit);
     hold();
 }
 
-void ServerState::hold() {
+void Walk::hold() {
     const rtcore::ActionSet actions = bindings_.held(clientKeys_ | keyboard_.down());
     if (!actions.none()) stopPlaying(); // a movement ends the playback
     player_->hold(actions);
 }
 
-void ServerState::apply(const rtcore::ActionTap& tap) {
+void Walk::apply(const rtcore::ActionTap& tap, const EditByKey& edit) {
     if (rtcore::isHeld(tap.action)) {
         stopPlaying();
         player_->tap(tap.action);
     } else if (tap.action == rtcore::Action::ToggleWalk) {
         toggleWalking();
-    } else if (tap.action == rtcore::Action::ToggleBloom) {
-        const Shown before = shown();
-        switchBloom(settings_.bloom.radius == 0);
-        keepStep("bloom", before);
-        messages_.tell(settings_.bloom.radius == 0 ? "bloom off" : "bloom on");
-    } else if (tap.action == rtcore::Action::ToggleLight) {
-        toggleLight(tap.number);
-    } else if (tap.action == rtcore::Action::SelectEnvironment) {
-        chooseEnvironment(tap.number - 1);
+    } else {
+        edit(tap);
     }
 }
 
-void ServerState::toggleWalking() {
+void Walk::toggleWalking() {
     try {
         setWalking(!walking());
         messages_.tell(onUnseenFloor() ? kUnseenFloor : walking() ? "walking" : "flying");
@@ -108,28 +173,23 @@ void ServerState::toggleWalking() {
     }
 }
 
-// A key for a light that the scene lacks is a message, not an error.
-void ServerState::toggleLight(int id) {
-    const std::string name = fmt::format("light {}", id);
-    const std::optional<std::size_t> light = rtcore::lightWithId(*scene_, id);
-    if (!light) return messages_.tell("there is no " + name);
-    const Shown before = shown();
-    switchLight(id, std::nullopt);
-    keepStep(name, before);
-    messages_.tell(name + (scene_->lights[*light].light.on != 0 ? " on" : " off"));
+nanoseconds Walk::untilEvent() const {
+    nanoseconds until = keyboard_.untilRelease();
+    if (recording_) until = std::min(until, recording_->untilNext());
+    if (playback_) until = std::min(until, playback_->untilNext());
+    return until;
 }
 
-void ServerState::chooseEnvironment(int environment) {
-    const std::string name = fmt::format("environment {}", environment + 1);
-    if (environment < 0 || std::cmp_greater_equal(environment, scene_->environments.size()))
-        return messages_.tell("there is no " + name);
-    const Shown before = shown();
-    setEnvironment(environment);
-    keepStep(name, before);
-    messages_.tell(name);
+// --- Where one is ---
+
+void Walk::turn(double right, double upwards) {
+    constexpr double kRadians = std::numbers::pi / 180;
+    stopPlaying();
+    player_->look(right * kRadians, upwards * kRadians);
+    takeCamera();
 }
 
-void ServerState::setWalking(bool walking) {
+void Walk::setWalking(bool walking) {
     stopPlaying();
     if (walking && !this->walking()) beginWalking();
     if (!walking) player_->setMode(rtcore::MotionMode::View);
@@ -137,14 +197,15 @@ void ServerState::setWalking(bool walking) {
 }
 
 // One who looks from above or from afar begins before the model, and faces it.
-void ServerState::beginWalking() {
-    const rtcore::Mesh& mesh = scene_->model.mesh;
-    const rtcore::Survey found = rtcore::survey(tree_, mesh, axesOfPlayer(*scene_));
-    if (rtcore::isTooSmallToWalk(found))
-        throw std::runtime_error(tooSmallToWalk(found, scene_->metresPerUnit));
+void Walk::beginWalking() {
+    const rtcore::Scene& scene = *document_.scene();
+    const rtcore::Mesh& mesh = scene.model.mesh;
+    const rtcore::KdTree& tree = document_.visible().tree();
+    const rtcore::Survey found = rtcore::survey(tree, mesh, axesOfPlayer(scene));
+    if (rtcore::isTooSmallToWalk(found)) throw std::runtime_error(tooSmallToWalk(found, scene.metresPerUnit));
     const rtcore::Camera before = player_->camera();
-    if (rtcore::hoversOutside(tree_, mesh, found, before.eye)) {
-        for (const rtcore::Camera& camera : rtcore::doorsteps(tree_, mesh, found, before)) {
+    if (rtcore::hoversOutside(tree, mesh, found, before.eye)) {
+        for (const rtcore::Camera& camera : rtcore::doorsteps(tree, mesh, found, before)) {
             player_->setCamera(camera);
             if (player_->setMode(rtcore::MotionMode::Walk)) return;
         }
@@ -154,49 +215,43 @@ void ServerState::beginWalking() {
         throw std::runtime_error("there is no room to stand here, or no floor below; move elsewhere first");
 }
 
-rtcore::Vec3 ServerState::pivot() {
-    if (pivot_) return *pivot_;
-    const rtcore::Box3 bounds = rtcore::subjectOf(scene_->model.mesh, rtcore::axesOf(*scene_)).bounds;
-    pivot_ = bounds.empty() ? rtcore::Vec3{} : bounds.centre();
-    return *pivot_;
-}
-
-void ServerState::resetCamera() {
+void Walk::resetCamera() {
     const bool walked = walking();
     player_->setMode(rtcore::MotionMode::View);
-    setCamera(world_->loaded.camera);
-    const rtcore::Survey found = rtcore::survey(tree_, scene_->model.mesh, axesOfPlayer(*scene_));
-    if (walked && !rtcore::hoversOutside(tree_, scene_->model.mesh, found, camera_.eye))
+    document_.setCamera(document_.world().loaded.camera);
+    const rtcore::Scene& scene = *document_.scene();
+    const rtcore::KdTree& tree = document_.visible().tree();
+    const rtcore::Survey found = rtcore::survey(tree, scene.model.mesh, axesOfPlayer(scene));
+    if (walked && !rtcore::hoversOutside(tree, scene.model.mesh, found, document_.camera().eye))
         player_->setMode(rtcore::MotionMode::Walk);
     takeCamera();
 }
 
-nanoseconds ServerState::untilEvent() const {
-    nanoseconds until = keyboard_.untilRelease();
-    if (recording_) until = std::min(until, recording_->untilNext());
-    if (playback_) until = std::min(until, playback_->untilNext());
-    return until;
+rtcore::Vec3 Walk::pivot() {
+    if (pivot_) return *pivot_;
+    const rtcore::Scene& scene = *document_.scene();
+    const rtcore::Box3 bounds = rtcore::subjectOf(scene.model.mesh, rtcore::axesOf(scene)).bounds;
+    pivot_ = bounds.empty() ? rtcore::Vec3{} : bounds.centre();
+    return *pivot_;
 }
-
-bool ServerState::atRest() const { return player_->atRest() && !playback_; }
 
 // --- Recording ---
 
-void ServerState::refuseSecondRecording() const {
+void Walk::refuseSecondRecording() const {
     if (recording_) {
         throw std::runtime_error("a recording is under way: " + recording_->list().string() +
                                  "; 'export video stop' ends it");
     }
 }
 
-void ServerState::startRecording(std::unique_ptr<Recording> recording) {
+void Walk::startRecording(std::unique_ptr<Recording> recording) {
     refuseSecondRecording();
     recordingFailure_.clear();
     recording_ = std::move(recording);
     recordedList_ = recording_->list();
 }
 
-int ServerState::stopRecording(float exposure) {
+int Walk::stopRecording(float exposure) {
     if (!recording_) {
         throw std::runtime_error("nothing is being recorded" +
                                  (recordingFailure_.empty() ? "" : "; " + recordingFailure_));
@@ -207,7 +262,7 @@ int ServerState::stopRecording(float exposure) {
     return recording->frames();
 }
 
-void ServerState::settleRecording(float exposure) {
+void Walk::settleRecording(float exposure) {
     if (!recording_) return;
     try {
         recording_->settle(exposure);
@@ -217,48 +272,47 @@ void ServerState::settleRecording(float exposure) {
     }
 }
 
-void ServerState::endRecording(const std::string& reason) {
+void Walk::endRecording(const std::string& reason) {
     recordingFailure_ = fmt::format("the recording {} ended after {} frames: {}", recording_->list().string(),
                                     recording_->frames(), reason);
     recording_.reset();
 }
 
-void ServerState::takeRecordedView() {
+void Walk::takeRecordedView() {
     if (!recording_ || recording_->untilNext() > 0ns) return;
     takeCamera();
-    recording_->add(cameraFileOf(*this, 1));
+    recording_->add(cameraFileOf(document_, 1));
 }
 
 // --- Playing ---
 
-void ServerState::play(std::unique_ptr<Playback> playback) {
+void Walk::play(std::unique_ptr<Playback> playback) {
     stopPlaying();
     if (walking()) player_->setMode(rtcore::MotionMode::View);
     playback_ = std::move(playback);
 }
 
-void ServerState::show(const Playback::Shot& shot) {
+void Walk::show(const Playback::Shot& shot) {
     rtcore::CameraFile camera = shot.camera;
     camera.time.reset();
-    if (camera == shown_) return;
-    rtcore::Scene edited = *scene_;
+    if (camera == playedView_) return;
+    rtcore::Scene edited = *document_.scene();
     const std::string warning = app::applyCameraToScene(camera, shot.path, edited);
-    publish(std::move(edited));
+    document_.publish(std::move(edited));
     // Once: the other cameras of the path say the same.
-    if (!warning.empty() && !shown_) Messages::print("warning: " + warning);
+    if (!warning.empty() && !playedView_) Messages::print("warning: " + warning);
     player_->setCamera(camera.camera);
     takeCamera();
-    if (camera.exposure != (shown_ ? shown_->exposure : std::nullopt))
-        revisions_.note({rtcore::Change::Setting});
-    shown_ = std::move(camera);
+    document_.setPlayedExposure(camera.exposure);
+    playedView_ = std::move(camera);
 }
 
-void ServerState::stopPlaying() {
+// The eye gets used to what it sees again.
+void Walk::stopPlaying() {
     if (!playback_) return;
     playback_.reset();
-    // The eye gets used to what it sees again.
-    if (shown_ && shown_->exposure) revisions_.note({rtcore::Change::Setting});
-    shown_.reset();
+    playedView_.reset();
+    document_.setPlayedExposure(std::nullopt);
 }
 
 } // namespace rtserver

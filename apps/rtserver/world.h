@@ -25,7 +25,7 @@ class World {
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    rtcore::LoadedScene loaded; ///< its scene as the files say; ServerState::scene() is what edits made of it
+    rtcore::LoadedScene loaded; ///< its scene as the files say; Document::scene() is what edits made of it
     /// Of all that is there, hidden or not.
     std::shared_ptr<const rtcore::KdRayTracer> tracer;
     std::filesystem::path source; ///< what the user named

@@ -42,11 +42,11 @@ class Comparison {
     Comparison(const WalkOptions& options, const LiveServer& server,
                const std::vector<rtcore::Camera>& cameras, const std::vector<Published>& published)
         : options_(options), server_(server), cameras_(cameras), published_(published), references_(options),
-          settings_(server.state().settings()) {
+          settings_(server.document().settings()) {
         if (!options.still) return;
         const rtcore::RenderSettings live = settings_;
         settings_ = {};
-        rtcore::applySettings(settings_, server.state().world().loaded.still);
+        rtcore::applySettings(settings_, server.document().world().loaded.still);
         rtcore::applySettings(settings_, options.settings);
         settings_.width = live.width;
         settings_.height = live.height;
@@ -102,8 +102,8 @@ class Comparison {
     }
 
     rtcore::LdrImage reference(std::size_t camera) const {
-        const rtserver::ServerState& state = server_.state();
-        return references_.picture({*state.scene(), *state.tracer(), cameras_[camera], settings_});
+        const rtserver::Document& document = server_.document();
+        return references_.picture({*document.scene(), *document.tracer(), cameras_[camera], settings_});
     }
 
     Moment at(std::size_t camera) const {

@@ -68,9 +68,9 @@ void LiveServer::turn(Clock::duration passed) {
     const auto loaded = upkeep_.takeLoaded();
     if (loaded && loaded->failure) throw std::runtime_error("cannot load " + walk_.scene.string());
     upkeep_.advance(drawing_.pace());
-    if (state_.ready()) state_.move(passed, {});
+    if (state_.document.ready()) state_.walk.move(passed, {}, {});
     if (drawing_.wantsFrame(false) && Clock::now() >= drawing_.due()) {
-        const rtcore::Camera camera = state_.camera();
+        const rtcore::Camera camera = state_.document.camera();
         drawing_.draw(false);
         if (published_.empty()) return;
         Published& last = published_.back();
@@ -102,14 +102,14 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
         recorder.add(file);
     }
     recorder.finish();
-    state_.setCamera(cameras.front());
+    state_.document.setCamera(cameras.front());
     settle();
     published_.clear();
     published_.reserve(2 * cameras.size());
     published_.push_back({.drawn = drawing_.frames().seconds(),
                           .image = drawing_.frames().image(),
-                          .camera = state_.camera()});
-    state_.play(std::make_unique<rtserver::Playback>(recorder.list()));
+                          .camera = state_.document.camera()});
+    state_.walk.play(std::make_unique<rtserver::Playback>(recorder.list()));
     begun_ = Clock::now();
     const double end = static_cast<double>(cameras.size()) / walk_.framesPerSecond;
     for (Clock::time_point moved = begun_; seconds(moved - begun_) < end;) {
@@ -128,7 +128,7 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
 std::vector<Published> LiveServer::drawEach(const std::vector<rtcore::Camera>& cameras) {
     std::vector<Published> pictures;
     for (const rtcore::Camera& camera : cameras) {
-        state_.setCamera(camera);
+        state_.document.setCamera(camera);
         begun_ = Clock::now();
         published_.clear();
         drawing_.draw(false);
@@ -144,12 +144,12 @@ std::vector<Published> LiveServer::draw(const std::vector<WalkStep>& steps) {
     std::vector<Published> pictures;
     bits_ = kHashOfNothing;
     for (const WalkStep& step : steps) {
-        state_.setCamera(step.camera);
+        state_.document.setCamera(step.camera);
         rtcore::RenderControl control;
         const Clock::time_point begun = Clock::now();
         if (!frames.trace(state_, step.detail, nullptr, control))
             throw std::runtime_error("a frame was left");
-        frames.develop(state_);
+        frames.develop(state_.document);
         const double taken = seconds(Clock::now() - begun);
         bits_ = hash(bits_, frames.radiance().pixels);
         pictures.push_back({.seconds = step.seconds > 0 ? step.seconds : taken,

@@ -8,10 +8,10 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtserver/document.h"
 #include "rtserver/frame_drawing.h"
 #include "rtserver/scene_upkeep.h"
 #include "rtserver/server_options.h"
+#include "rtserver/workspace.h"
 
 #include <cstdint>
 #include <memory>
@@ -51,7 +51,7 @@ class LiveServer {
     /// Of the light of all images that draw() drew, for comparison: the same bits give the same number.
     std::uint64_t bits() const { return bits_; }
 
-    const rtserver::ServerState& state() const { return state_; }
+    const rtserver::Document& document() const { return state_.document; }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -62,7 +62,7 @@ class LiveServer {
     const WalkOptions& walk_;
     rtserver::Options options_;
     rtserver::Messages messages_;
-    rtserver::ServerState state_;
+    rtserver::Workspace state_;
     rtserver::SceneUpkeep upkeep_;
     rtserver::FrameDrawing drawing_;
     Clock::time_point begun_;

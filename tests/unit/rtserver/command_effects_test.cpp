@@ -45,23 +45,22 @@ TEST_F(Commands, AskTheHost) {
 }
 
 TEST_F(Commands, ChangeUpAxisAndUnit) {
-    const rtcore::Camera before = state.camera();
+    const rtcore::Camera before = document.camera();
     EXPECT_EQ(answer("up +x"), "+x is up (as you say); one unit is 1 m (guessed)");
-    EXPECT_EQ(state.scene()->up, (rtcore::Vec3{1, 0, 0}));
-    EXPECT_EQ(state.camera().eye, before.eye) << "the room has a camera of its own";
-    EXPECT_EQ(state.camera().up, (rtcore::Vec3{1, 0, 0}));
+    EXPECT_EQ(document.scene()->up, (rtcore::Vec3{1, 0, 0}));
+    EXPECT_EQ(document.camera().eye, before.eye) << "the room has a camera of its own";
+    EXPECT_EQ(document.camera().up, (rtcore::Vec3{1, 0, 0}));
     EXPECT_EQ(changes(), (Changes{Change::View, Change::Sky, Change::Setting}));
     answer("up +x");
     EXPECT_FALSE(changes().any());
     answer("units cm");
-    EXPECT_EQ(state.metresPerUnit(), 0.01F);
-    EXPECT_EQ(state.scene()->metresPerUnit, 0.01F);
+    EXPECT_EQ(document.scene()->metresPerUnit, 0.01F);
     EXPECT_EQ(changes(), (Changes{Change::View, Change::Sky, Change::Setting}));
     answer("units 0.3048");
-    EXPECT_EQ(state.metresPerUnit(), 0.3048F);
+    EXPECT_EQ(document.scene()->metresPerUnit, 0.3048F);
     answer("up +y");
     answer("units m");
-    EXPECT_EQ(state.camera(), before);
+    EXPECT_EQ(document.camera(), before);
     EXPECT_NE(answer("units auto").find("guessed"), std::string::npos);
     EXPECT_EQ(refusal("up sideways").code, 2);
     EXPECT_EQ(refusal("units parsecs").code, 2);
@@ -76,17 +75,17 @@ TEST_F(Commands, TurnTheViewOfAModelThatBringsNone) {
     room.camera = rtcore::defaultCamera(
         room.tree, room.scene.mesh(), rtcore::survey(room.tree, room.scene.mesh(), rtcore::Axes({0, 1, 0})));
     room.scene.lights = {rtcore::defaultLight(room.camera, room.tree.bounds)};
-    state.show(test::worldOf(std::move(room)));
-    const rtcore::Camera before = state.camera();
-    const rtcore::Light light = state.scene()->lights[0].light;
+    document.show(test::worldOf(std::move(room)));
+    const rtcore::Camera before = document.camera();
+    const rtcore::Light light = document.scene()->lights[0].light;
     answer("up +z");
-    EXPECT_EQ(state.camera().up, (rtcore::Vec3{0, 0, 1}));
-    EXPECT_NE(state.camera().eye, before.eye);
-    EXPECT_NE(state.scene()->lights[0].light, light);
+    EXPECT_EQ(document.camera().up, (rtcore::Vec3{0, 0, 1}));
+    EXPECT_NE(document.camera().eye, before.eye);
+    EXPECT_NE(document.scene()->lights[0].light, light);
     EXPECT_TRUE(changes().has(Change::Light));
     answer("up +y");
-    EXPECT_EQ(state.camera(), before);
-    EXPECT_EQ(state.scene()->lights[0].light, light);
+    EXPECT_EQ(document.camera(), before);
+    EXPECT_EQ(document.scene()->lights[0].light, light);
 }
 
 TEST_F(Commands, EndTheOffersThatTheyDecide) {
@@ -118,10 +117,10 @@ TEST_F(Commands, DoNotDrawByPaths) {
     const std::string text = "integrator is path, which is for stills, not for the live view; put it into "
                              "[still], or use 'Renderer --setting integrator=path'";
     EXPECT_EQ(refusal("set integrator path").text, text);
-    EXPECT_EQ(state.settings().integrator, rtcore::Integrator::Whitted);
+    EXPECT_EQ(document.settings().integrator, rtcore::Integrator::Whitted);
     EXPECT_EQ(changes(), Changes{});
     answer("set path.samples 64");
-    EXPECT_EQ(state.settings().path.samples, 64);
+    EXPECT_EQ(document.settings().path.samples, 64);
     std::ofstream(folder / "path.set") << "version = 1\n[live]\nintegrator = 'path'\n";
     EXPECT_NE(refusal("load set DIR/path.set").text.find(text), std::string::npos);
 }
@@ -131,31 +130,31 @@ TEST_F(Commands, WhoseFramesFindNoRoomAreRefused) {
     const Failure failure = refusal("resolution 64 48");
     EXPECT_EQ(failure.code, 75);
     EXPECT_EQ(failure.text, "no room for that");
-    EXPECT_EQ(state.settings().width, 32);
+    EXPECT_EQ(document.settings().width, 32);
     EXPECT_EQ(changes(), Changes{});
 }
 
 TEST_F(Commands, WalkWithABodyThatFitsTheModel) {
     rtcore::LoadedScene room = test::makeRoom();
     room.scene.metresPerUnit = 0.1F;
-    state.show(test::worldOf(room));
+    document.show(test::worldOf(room));
     EXPECT_NE(refusal("walk").text.find("too small to walk"), std::string::npos);
     room.scene.walk.height = 0.12F;
-    state.show(test::worldOf(std::move(room)));
+    document.show(test::worldOf(std::move(room)));
     answer("walk");
-    EXPECT_TRUE(state.walking());
+    EXPECT_TRUE(walk.walking());
 }
 
 /// All of what the model is about is in the image.
-void expectShownWhole(ServerState& state) {
-    const rtcore::Camera& camera = state.camera();
+void expectShownWhole(Document& document) {
+    const rtcore::Camera& camera = document.camera();
     const rtcore::Vec3 forward = normalize(camera.forward);
     const rtcore::Vec3 right = normalize(cross(forward, camera.up)), up = cross(right, forward);
     const float half = std::tan(camera.horizontalFov * 3.14159265F / 360);
     const float aspect =
-        static_cast<float>(state.settings().width) / static_cast<float>(state.settings().height);
-    const rtcore::Mesh& mesh = state.scene()->model.mesh;
-    const rtcore::Box3 box = rtcore::subjectOf(mesh, rtcore::axesOf(*state.scene())).bounds;
+        static_cast<float>(document.settings().width) / static_cast<float>(document.settings().height);
+    const rtcore::Mesh& mesh = document.scene()->model.mesh;
+    const rtcore::Box3 box = rtcore::subjectOf(mesh, rtcore::axesOf(*document.scene())).bounds;
     for (const rtcore::Vertex& vertex : mesh.vertices) {
         if (!box.contains(vertex.position())) continue;
         const rtcore::Vec3 way = vertex.position() - camera.eye;
@@ -178,16 +177,16 @@ TEST_F(Commands, OrbitWithoutLosingTheModel) {
         answer(fmt::format("camera approach {}", std::exp(number(-2, 2))));
         if (i % 10 != 0) continue;
         answer("camera fit");
-        expectShownWhole(state);
+        expectShownWhole(document);
     }
-    EXPECT_EQ(state.camera().up, state.scene()->up);
+    EXPECT_EQ(document.camera().up, document.scene()->up);
 }
 
 TEST_F(Commands, ShowTheModelFromItsSides) {
     const auto forwardOf = [&](const std::string& side) {
         answer("camera view " + side);
-        expectShownWhole(state);
-        return normalize(state.camera().forward);
+        expectShownWhole(document);
+        return normalize(document.camera().forward);
     };
     EXPECT_EQ(forwardOf("front"), (rtcore::Vec3{0, 0, -1}));
     EXPECT_EQ(forwardOf("back"), (rtcore::Vec3{0, 0, 1}));
@@ -204,83 +203,83 @@ TEST_F(Commands, PanByPartsOfTheImage) {
     answer("camera look-at 0 1 10 0 1 0");
     answer("camera pivot");
     EXPECT_EQ(refusal("camera pivot 0.5").code, 2) << "half a place";
-    const rtcore::Camera before = state.camera();
+    const rtcore::Camera before = document.camera();
     answer("camera pan 0.25 0");
-    EXPECT_LT(state.camera().eye.x, before.eye.x) << "the model goes to the right";
+    EXPECT_LT(document.camera().eye.x, before.eye.x) << "the model goes to the right";
     answer("camera pan -0.25 0.5");
-    EXPECT_NEAR(state.camera().eye.x, before.eye.x, 1e-4);
-    EXPECT_LT(state.camera().eye.y, before.eye.y);
-    EXPECT_EQ(state.camera().forward, before.forward);
+    EXPECT_NEAR(document.camera().eye.x, before.eye.x, 1e-4);
+    EXPECT_LT(document.camera().eye.y, before.eye.y);
+    EXPECT_EQ(document.camera().forward, before.forward);
 }
 
 TEST_F(Commands, PlaceTheCamera) {
     answer("camera set 1 2 3 0 0 -2 40");
-    EXPECT_EQ(state.camera().eye, (rtcore::Vec3{1, 2, 3}));
-    EXPECT_EQ(state.camera().horizontalFov, 40);
+    EXPECT_EQ(document.camera().eye, (rtcore::Vec3{1, 2, 3}));
+    EXPECT_EQ(document.camera().horizontalFov, 40);
     answer("camera look-at 0 2 3 0 2 0");
-    EXPECT_EQ(normalize(state.camera().forward), (rtcore::Vec3{0, 0, -1}));
-    EXPECT_EQ(state.camera().horizontalFov, 40) << "stays";
+    EXPECT_EQ(normalize(document.camera().forward), (rtcore::Vec3{0, 0, -1}));
+    EXPECT_EQ(document.camera().horizontalFov, 40) << "stays";
     answer("camera orthographic 0 2 3 0 0 -1 4");
-    EXPECT_EQ(state.camera().kind, rtcore::CameraKind::Orthographic);
-    EXPECT_EQ(state.camera().orthographicWidth, 4);
+    EXPECT_EQ(document.camera().kind, rtcore::CameraKind::Orthographic);
+    EXPECT_EQ(document.camera().orthographicWidth, 4);
     answer("camera reset");
-    EXPECT_EQ(state.camera(), test::makeRoom().camera);
+    EXPECT_EQ(document.camera(), test::makeRoom().camera);
     answer("walk");
-    EXPECT_TRUE(state.walking());
+    EXPECT_TRUE(walk.walking());
     answer("fly");
-    EXPECT_FALSE(state.walking());
+    EXPECT_FALSE(walk.walking());
     answer("camera set 0 -50 0 0 0 -1");
     EXPECT_EQ(refusal("walk").code, 1);
 }
 
 TEST_F(Commands, WidenAndNarrowTheFieldOfView) {
-    const rtcore::Camera framed = state.camera();
+    const rtcore::Camera framed = document.camera();
     answer("camera angle 90");
-    EXPECT_EQ(state.camera().horizontalFov, 90);
-    EXPECT_EQ(state.camera().eye, framed.eye);
+    EXPECT_EQ(document.camera().horizontalFov, 90);
+    EXPECT_EQ(document.camera().eye, framed.eye);
     answer("camera lens 50");
-    EXPECT_NEAR(state.camera().horizontalFov, 39.598, 1e-3) << "of a lens of 50 mm, by its maker";
+    EXPECT_NEAR(document.camera().horizontalFov, 39.598, 1e-3) << "of a lens of 50 mm, by its maker";
     answer("camera lens 18");
-    EXPECT_NEAR(state.camera().horizontalFov, 90, 1e-4);
+    EXPECT_NEAR(document.camera().horizontalFov, 90, 1e-4);
     EXPECT_NEAR(std::stod(answer("camera zoom 2")), 53.13, 0.01);
     EXPECT_NEAR(std::stod(answer("camera zoom 0.5")), 90, 1e-3) << "and back";
     EXPECT_NEAR(std::stod(answer("camera zoom 1000")), 0.5, 1e-3);
     EXPECT_NEAR(std::stod(answer("camera zoom 0.001")), 154.2, 0.1) << "from there";
     for (int i = 0; i < 5; ++i) answer("camera zoom 0.1");
-    EXPECT_EQ(state.camera().horizontalFov, 170);
+    EXPECT_EQ(document.camera().horizontalFov, 170);
     answer("camera angle 175");
     EXPECT_EQ(answer("camera zoom 0.9"), "175") << "never the other way";
     answer("camera orthographic 0 2 3 0 0 -1 4");
     EXPECT_EQ(answer("camera zoom 2"), "2");
-    EXPECT_EQ(state.camera().kind, rtcore::CameraKind::Orthographic);
+    EXPECT_EQ(document.camera().kind, rtcore::CameraKind::Orthographic);
     answer("camera angle 60");
-    EXPECT_EQ(state.camera().kind, rtcore::CameraKind::Perspective);
+    EXPECT_EQ(document.camera().kind, rtcore::CameraKind::Perspective);
 }
 
 TEST_F(Commands, FocusOnWhatIsSeen) {
     answer("camera look-at 0 2 0 0 0 0.001");
     EXPECT_NEAR(std::stod(answer("focus 0.5 0.5")), 2, 0.01);
-    EXPECT_TRUE(state.settings().depthOfField.on);
-    EXPECT_NEAR(state.settings().depthOfField.focus, 2, 0.01);
+    EXPECT_TRUE(document.settings().depthOfField.on);
+    EXPECT_NEAR(document.settings().depthOfField.focus, 2, 0.01);
 }
 
 TEST_F(Commands, PressKeys) {
     const Result timed = run("key press w 50");
-    EXPECT_TRUE(state.keyboard().isDown(timed.press));
-    state.move(0ms, {});
-    state.move(60ms, {});
-    EXPECT_FALSE(state.keyboard().isDown(timed.press));
+    EXPECT_TRUE(walk.keyboard().isDown(timed.press));
+    move(0ms, {});
+    move(60ms, {});
+    EXPECT_FALSE(walk.keyboard().isDown(timed.press));
     EXPECT_EQ(changes(), Changes{Change::View});
     answer("key tap 1");
-    state.move(0ms, {});
+    move(0ms, {});
     EXPECT_FALSE(lightIsOn(0));
     answer("bind k toggleLight 2");
     answer("key tap k");
-    state.move(0ms, {});
+    move(0ms, {});
     EXPECT_FALSE(lightIsOn(1));
     answer("unbind k");
     answer("key tap k");
-    state.move(0ms, {});
+    move(0ms, {});
     EXPECT_FALSE(lightIsOn(1));
     answer("bindings default");
     EXPECT_EQ(answer("bindings").find("K "), std::string::npos);
@@ -315,7 +314,7 @@ TEST_F(Commands, WriteWhatWasShownWhenTheyRan) {
     camera.work()();
     scene.work()();
     const rtcore::CameraFile cam = rtcore::readCameraFile(folder / "b.cam");
-    EXPECT_EQ(cam.camera.eye, state.camera().eye);
+    EXPECT_EQ(cam.camera.eye, document.camera().eye);
     EXPECT_NEAR(cam.camera.forward.z, -1, 1e-5);
     EXPECT_EQ(cam.width, 640);
     EXPECT_EQ(cam.height, 24);
@@ -337,7 +336,7 @@ TEST_F(Commands, WriteASkyAndNotWhatComesOfIt) {
     EXPECT_EQ(answer("lights"), "1 on left\n2 on\n3 on sun");
     run("export scene DIR/b.scn").work()();
     rtcore::SceneFile scn = rtcore::readSceneFile(folder / "b.scn");
-    EXPECT_EQ(scn.sky, state.scene()->sky);
+    EXPECT_EQ(scn.sky, document.scene()->sky);
     EXPECT_EQ(scn.sky->date->second, 9 * 3600);
     EXPECT_EQ(scn.lights.size(), 2U);
     EXPECT_EQ(scn.environments.size(), 2U);
@@ -357,7 +356,7 @@ TEST_F(Commands, WriteASkyAndNotWhatComesOfIt) {
     answer("sky on");
     EXPECT_EQ(refusal("environment rotation 10").text, "the sky is turned by 'sky north'");
     answer("environment strength 4");
-    EXPECT_EQ(state.scene()->sky->strength, 4);
+    EXPECT_EQ(document.scene()->sky->strength, 4);
     answer("environment none");
     EXPECT_EQ(refusal("environment strength 4").text, "no environment map is shown");
 }
@@ -365,7 +364,7 @@ TEST_F(Commands, WriteASkyAndNotWhatComesOfIt) {
 TEST_F(Commands, WriteOverNoFileThatTheSceneWasReadFrom) {
     rtcore::LoadedScene room = test::makeRoom();
     room.files = {folder / "a.cam", folder / "a.set"};
-    state.show(test::worldOf(std::move(room)));
+    document.show(test::worldOf(std::move(room)));
     drawFrame();
     EXPECT_NE(refusal("screenshot DIR/a.set").code, 0);
     EXPECT_NE(refusal("export scene DIR/a.cam").code, 0);
@@ -380,17 +379,17 @@ TEST_F(Commands, RecordAndPlay) {
     const Failure second = refusal("export video start DIR/s.lst");
     EXPECT_EQ(second.code, 1);
     EXPECT_NE(second.text.find("a recording is under way"), std::string::npos);
-    state.move(0ms, {});
-    state.move(100ms, {});
+    move(0ms, {});
+    move(100ms, {});
     EXPECT_EQ(answer("export video stop"), "2 frames");
     EXPECT_EQ(answer("export video"), inFolder("off DIR/r.lst"));
     changes();
     answer("play DIR/a.lst");
-    state.move(1ms, {});
+    move(1ms, {});
     EXPECT_EQ(changes(), (Changes{Change::View, Change::Light}));
-    EXPECT_FALSE(state.atRest());
+    EXPECT_FALSE(walk.atRest());
     answer("play stop");
-    EXPECT_TRUE(state.atRest());
+    EXPECT_TRUE(walk.atRest());
 }
 
 TEST_F(Commands, SayWhatTheyDoToALongFrame) {

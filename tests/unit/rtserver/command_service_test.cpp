@@ -94,22 +94,22 @@ TEST_F(CommandServiceTest, WhatWaitsForAFrameIsForgottenWithItsClient) {
 
 TEST_F(CommandServiceTest, PausesEndPressesForATime) {
     serve({"key press w 60000"});
-    state.move(0ms, {});
+    move(0ms, {});
     service.answerRequests(false);
     EXPECT_EQ(told.take(), Lines{});
     service.serve({commandOf("pause", 2)});
     service.answerRequests(false);
     EXPECT_EQ(told.take(), (Lines{"pause: ", "key press w 60000: 1 the server was paused"}));
-    EXPECT_TRUE(state.keyboard().down().none());
+    EXPECT_TRUE(walk.keyboard().down().none());
     serve({"key press w 50"});
     EXPECT_EQ(told.take(), Lines{"key press w 50: 1 the server is paused; resume it first"});
     service.serve({commandOf("resume", 2)});
-    EXPECT_TRUE(state.keyboard().down().none()) << "nothing is pressed later";
+    EXPECT_TRUE(walk.keyboard().down().none()) << "nothing is pressed later";
 }
 
 TEST_F(CommandServiceTest, EditsAreOfAClientAndOfWhomItServes) {
     service.serve({commandOf("by 7 set maxDepth 3", 2)});
-    const auto last = [&](std::uint64_t client) { return stateReportOf(state, client).undoEdit; };
+    const auto last = [&](std::uint64_t client) { return stateReportOf(document, client).undoEdit; };
     const app::ReportedEdit first = last(2);
     EXPECT_EQ(first.person, 7);
     EXPECT_EQ(last(3), (app::ReportedEdit{first.number, 0})) << "another client is not told for whom";
@@ -119,11 +119,11 @@ TEST_F(CommandServiceTest, EditsAreOfAClientAndOfWhomItServes) {
     told.take();
     service.serve(
         {commandOf("undo " + std::to_string(first.number), 2), commandOf("also set maxDepth 4", 3)});
-    EXPECT_EQ(state.settings().maxDepth, 4) << "the other's edit stands";
+    EXPECT_EQ(document.settings().maxDepth, 4) << "the other's edit stands";
     ASSERT_EQ(told.lines.size(), 2U);
     EXPECT_NE(told.take()[0].find("is not the last one"), std::string::npos);
 
-    const auto steps = [&] { return state.history().position(); };
+    const auto steps = [&] { return document.history().position(); };
     const auto before = steps();
     service.serve({commandOf("by 7 also set maxDepth 5", 2)});
     EXPECT_EQ(steps(), before + 1) << "not joined to another's";
@@ -135,7 +135,7 @@ TEST_F(CommandServiceTest, EditsAreOfAClientAndOfWhomItServes) {
     EXPECT_EQ(steps(), before + 3);
     const app::ReportedEdit newest = last(4);
     service.serve({commandOf("undo " + std::to_string(newest.number), 2)});
-    EXPECT_EQ(stateReportOf(state, 4).redoEdit.number, newest.number);
+    EXPECT_EQ(stateReportOf(document, 4).redoEdit.number, newest.number);
     EXPECT_EQ(last(2).person, 8);
     told.take();
     for (const char* wrong :
@@ -212,10 +212,10 @@ TEST_F(CommandServiceTest, IdlenessIsAnsweredWhenItIsThere) {
 
 TEST_F(CommandServiceTest, AKeyIsAnsweredWhenItIsUp) {
     serve({"key press w 50"});
-    state.move(0ms, {});
+    move(0ms, {});
     service.answerRequests(false);
     EXPECT_EQ(told.lines, Lines{});
-    state.move(60ms, {});
+    move(60ms, {});
     service.answerRequests(false);
     EXPECT_EQ(told.take(), Lines{"key press w 50: "});
 }

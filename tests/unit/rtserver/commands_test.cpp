@@ -204,10 +204,10 @@ TEST_P(ACommand, ChangesNoSettingButThoseOfItsRow) {
     const std::vector<std::string> words = app::splitWords(inFolder(GetParam().line));
     const app::FoundCommand found = app::findCommand(words);
     if (!isForPages(*found.command) || found.command->id == app::CommandId::Defaults) return;
-    const rtcore::RenderSettings before = state.settings();
+    const rtcore::RenderSettings before = document.settings();
     run(GetParam().line);
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {
-        if (setting.get(before) == setting.get(state.settings())) continue;
+        if (setting.get(before) == setting.get(document.settings())) continue;
         const bool named = std::ranges::find(found.command->sets, setting.name) != found.command->sets.end();
         const bool given = found.words < words.size() && words[found.words] == setting.name;
         EXPECT_TRUE(named || given) << setting.name;
@@ -336,7 +336,7 @@ using Commands = test::CommandRoom;
 
 TEST_F(Commands, AWrongOneIsRefusedWithItsCodeAndChangesNothing) {
     drawFrame();
-    const auto scene = state.scene();
+    const auto scene = document.scene();
     for (const Refusal& expected : kRefusals) {
         const Failure failure = refusal(expected.line);
         EXPECT_EQ(failure.code, expected.code) << expected.line << ": " << failure.text;
@@ -344,7 +344,7 @@ TEST_F(Commands, AWrongOneIsRefusedWithItsCodeAndChangesNothing) {
             << expected.line << ": " << failure.text;
         EXPECT_EQ(changes(), Changes{}) << expected.line;
     }
-    EXPECT_EQ(state.scene(), scene);
+    EXPECT_EQ(document.scene(), scene);
     EXPECT_TRUE(host.loads.empty());
 }
 
@@ -361,7 +361,7 @@ TEST_F(Commands, OfTheTableAreAllTriedHere) {
 TEST(CommandsWithoutAScene, WaitForOneIfTheyNeedIt) {
     Options options;
     Messages messages;
-    ServerState state(
+    Workspace state(
         options, [](const rtcore::RenderSettings&) {}, messages);
     test::FakeHost host;
     EXPECT_EQ(runCommand("ping", state, host).answer, "pong");

@@ -18,7 +18,7 @@ rtcore::RenderSettings with(const rtcore::RenderSettings& settings, int width, i
     return changed;
 }
 
-class ServerStateTest : public test::ShownRoom {
+class DocumentTest : public test::ShownRoom {
   protected:
     /// What the edit throws; "" when it does not.
     template <typename Error, typename Edit>
@@ -32,206 +32,206 @@ class ServerStateTest : public test::ShownRoom {
     }
 };
 
-TEST_F(ServerStateTest, BeginsWithoutAScene) {
-    const ServerState fresh(options, {}, messages);
+TEST_F(DocumentTest, BeginsWithoutAScene) {
+    const Document fresh(options, {}, messages);
     EXPECT_FALSE(fresh.ready());
     EXPECT_EQ(fresh.revisions().revision(), 0U);
 }
 
-TEST_F(ServerStateTest, ShowsASceneAsItSays) {
-    EXPECT_TRUE(state.ready());
-    EXPECT_EQ(state.title(), "room.scn");
-    EXPECT_EQ(state.camera(), test::makeRoom().camera);
-    EXPECT_EQ(state.settings().width, 32);
+TEST_F(DocumentTest, ShowsASceneAsItSays) {
+    EXPECT_TRUE(document.ready());
+    EXPECT_EQ(document.title(), "room.scn");
+    EXPECT_EQ(document.camera(), test::makeRoom().camera);
+    EXPECT_EQ(document.settings().width, 32);
     EXPECT_EQ(reserved, (std::vector{std::pair(32, 24)}));
-    EXPECT_EQ(state.revisions().since(0), Changes::all());
+    EXPECT_EQ(document.revisions().since(0), Changes::all());
 }
 
-TEST_F(ServerStateTest, AnotherSceneChangesEverythingButTheSize) {
-    const auto last = state.scene();
-    state.setSettings(with(state.settings(), 64, 3));
+TEST_F(DocumentTest, AnotherSceneChangesEverythingButTheSize) {
+    const auto last = document.scene();
+    document.setSettings(with(document.settings(), 64, 3));
     changes();
     rtcore::LoadedScene dark = test::makeRoom(0.1F);
     dark.camera.eye.x = 1;
     dark.live = {{"width", 100}, {"maxDepth", 7}};
-    state.show(test::worldOf(std::move(dark)));
+    document.show(test::worldOf(std::move(dark)));
     EXPECT_EQ(changes(), Changes::all());
-    EXPECT_EQ(state.camera().eye.x, 1);
-    EXPECT_EQ(state.settings().width, 64);
-    EXPECT_EQ(state.settings().maxDepth, 7);
-    EXPECT_EQ(state.settings().antialiasing, 1) << "of the command line again";
-    EXPECT_NE(state.scene(), last);
+    EXPECT_EQ(document.camera().eye.x, 1);
+    EXPECT_EQ(document.settings().width, 64);
+    EXPECT_EQ(document.settings().maxDepth, 7);
+    EXPECT_EQ(document.settings().antialiasing, 1) << "of the command line again";
+    EXPECT_NE(document.scene(), last);
     EXPECT_EQ(last->materials.at(0).diffuse.r, 0.5F) << "lives on for those that hold it";
 }
 
-TEST_F(ServerStateTest, ASceneThatCannotBeShownLeavesTheLast) {
-    const auto last = state.scene();
+TEST_F(DocumentTest, ASceneThatCannotBeShownLeavesTheLast) {
+    const auto last = document.scene();
     full = true;
-    EXPECT_THROW(state.show(test::worldOf(test::makeRoom(0.1F))), rtcore::FileError);
-    EXPECT_EQ(state.scene(), last);
+    EXPECT_THROW(document.show(test::worldOf(test::makeRoom(0.1F))), rtcore::FileError);
+    EXPECT_EQ(document.scene(), last);
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, AnEditPublishesAnotherSceneAndLeavesTheLastAsItWas) {
-    const auto last = state.scene();
-    state.switchLight(1, false);
-    EXPECT_NE(state.scene(), last);
+TEST_F(DocumentTest, AnEditPublishesAnotherSceneAndLeavesTheLastAsItWas) {
+    const auto last = document.scene();
+    switchLight(document, 1, false);
+    EXPECT_NE(document.scene(), last);
     EXPECT_FALSE(lightIsOn(0));
     EXPECT_EQ(last->lights.at(0).light.on, 1U);
-    EXPECT_EQ(state.world().loaded.scene.lights.at(0).light.on, 1U) << "as the files say";
-    EXPECT_EQ(state.scene()->mesh().triangles.data(), last->mesh().triangles.data()) << "shared";
-    EXPECT_EQ(state.scene()->environments, last->environments) << "shared";
+    EXPECT_EQ(document.world().loaded.scene.lights.at(0).light.on, 1U) << "as the files say";
+    EXPECT_EQ(document.scene()->mesh().triangles.data(), last->mesh().triangles.data()) << "shared";
+    EXPECT_EQ(document.scene()->environments, last->environments) << "shared";
 }
 
-TEST_F(ServerStateTest, LightsAreSwitched) {
-    state.switchLight(2, std::nullopt);
+TEST_F(DocumentTest, LightsAreSwitched) {
+    switchLight(document, 2, std::nullopt);
     EXPECT_FALSE(lightIsOn(1));
     EXPECT_EQ(changes(), Changes{Change::Light});
-    state.switchLight(2, true);
+    switchLight(document, 2, true);
     EXPECT_TRUE(lightIsOn(1));
     EXPECT_EQ(changes(), Changes{Change::Light});
-    const auto last = state.scene();
-    state.switchLight(2, true);
+    const auto last = document.scene();
+    switchLight(document, 2, true);
     EXPECT_EQ(changes(), Changes{}) << "it was on";
-    EXPECT_EQ(state.scene(), last);
+    EXPECT_EQ(document.scene(), last);
 }
 
-TEST_F(ServerStateTest, TheEnvironmentIsChosen) {
-    state.setEnvironment(1);
+TEST_F(DocumentTest, TheEnvironmentIsChosen) {
+    setEnvironment(document, 1);
     EXPECT_EQ(environment(), 1);
     EXPECT_EQ(changes(), Changes{Change::Sky});
-    state.setEnvironment(1);
+    setEnvironment(document, 1);
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, WhatTheSceneLacksIsRefused) {
+TEST_F(DocumentTest, WhatTheSceneLacksIsRefused) {
     using Wrong = std::invalid_argument;
-    EXPECT_EQ(refusal<Wrong>([&] { state.switchLight(3, true); }),
+    EXPECT_EQ(refusal<Wrong>([&] { switchLight(document, 3, true); }),
               "there is no light 3; the scene has numbers 1 to 2");
-    EXPECT_EQ(refusal<Wrong>([&] { state.switchLight(0, true); }),
+    EXPECT_EQ(refusal<Wrong>([&] { switchLight(document, 0, true); }),
               "there is no light 0; the scene has numbers 1 to 2");
-    EXPECT_EQ(refusal<Wrong>([&] { state.setEnvironment(2); }),
+    EXPECT_EQ(refusal<Wrong>([&] { setEnvironment(document, 2); }),
               "there is no environment 3; the scene has numbers 1 to 2");
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, SettingsAreTakenOver) {
-    state.setSettings(with(state.settings(), 32, 2));
-    EXPECT_EQ(state.settings().antialiasing, 2);
+TEST_F(DocumentTest, SettingsAreTakenOver) {
+    document.setSettings(with(document.settings(), 32, 2));
+    EXPECT_EQ(document.settings().antialiasing, 2);
     EXPECT_EQ(changes(), Changes{Change::Setting});
     EXPECT_EQ(reserved.size(), 1U) << "the size is the same";
-    state.setSettings(with(state.settings(), 64, 2));
+    document.setSettings(with(document.settings(), 64, 2));
     EXPECT_EQ(reserved.back(), std::pair(64, 24));
     EXPECT_EQ(changes(), Changes{Change::Setting});
-    state.setSettings(state.settings());
+    document.setSettings(document.settings());
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, SettingsThatAreRefusedChangeNothing) {
+TEST_F(DocumentTest, SettingsThatAreRefusedChangeNothing) {
     full = true;
-    EXPECT_THROW(state.setSettings(with(state.settings(), 64, 2)), rtcore::FileError);
-    EXPECT_THROW(state.assign({{"antialiasing", 2}, {"width", 64}}), rtcore::FileError);
-    EXPECT_THROW(state.assign({{"antialiasing", 2}, {"width", -1}}), std::invalid_argument);
-    EXPECT_EQ(state.settings().width, 32);
-    EXPECT_EQ(state.settings().antialiasing, 1);
+    EXPECT_THROW(document.setSettings(with(document.settings(), 64, 2)), rtcore::FileError);
+    EXPECT_THROW(document.assign({{"antialiasing", 2}, {"width", 64}}), rtcore::FileError);
+    EXPECT_THROW(document.assign({{"antialiasing", 2}, {"width", -1}}), std::invalid_argument);
+    EXPECT_EQ(document.settings().width, 32);
+    EXPECT_EQ(document.settings().antialiasing, 1);
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, GoesBackWithoutAskingForRoom) {
-    const rtcore::RenderSettings before = state.settings();
-    state.setSettings(with(before, 64, 2));
+TEST_F(DocumentTest, GoesBackWithoutAskingForRoom) {
+    const rtcore::RenderSettings before = document.settings();
+    document.setSettings(with(before, 64, 2));
     changes();
     full = true;
-    state.goBackTo(before);
-    EXPECT_EQ(state.settings().width, 32);
+    document.goBackTo(before);
+    EXPECT_EQ(document.settings().width, 32);
     EXPECT_EQ(changes(), Changes{Change::Setting});
 }
 
-TEST_F(ServerStateTest, BloomIsAsStrongAsItWas) {
-    state.assign({{"bloom.radius", 5}});
+TEST_F(DocumentTest, BloomIsAsStrongAsItWas) {
+    document.assign({{"bloom.radius", 5}});
     changes();
-    state.switchBloom(true);
+    document.switchBloom(true);
     EXPECT_EQ(changes(), Changes{});
-    state.switchBloom(false);
-    EXPECT_EQ(state.settings().bloom.radius, 0);
+    document.switchBloom(false);
+    EXPECT_EQ(document.settings().bloom.radius, 0);
     EXPECT_EQ(changes(), Changes{Change::Setting});
-    state.switchBloom(true);
-    EXPECT_EQ(state.settings().bloom.radius, 5);
+    document.switchBloom(true);
+    EXPECT_EQ(document.settings().bloom.radius, 5);
 }
 
-TEST_F(ServerStateTest, TheCameraIsSet) {
-    rtcore::Camera camera = state.camera();
-    state.setCamera(camera);
+TEST_F(DocumentTest, TheCameraIsSet) {
+    rtcore::Camera camera = document.camera();
+    document.setCamera(camera);
     EXPECT_EQ(changes(), Changes{});
     camera.eye.x = 1;
-    state.setCamera(camera);
-    EXPECT_EQ(state.camera(), camera);
+    document.setCamera(camera);
+    EXPECT_EQ(document.camera(), camera);
     EXPECT_EQ(changes(), Changes{Change::View});
-    state.turn(90, 0);
-    EXPECT_NEAR(state.camera().forward.x, 1, 1e-5);
+    walk.turn(90, 0);
+    EXPECT_NEAR(document.camera().forward.x, 1, 1e-5);
     EXPECT_EQ(changes(), Changes{Change::View});
 }
 
-TEST_F(ServerStateTest, ACameraThatSeesNothingIsRefused) {
-    const rtcore::Camera good = state.camera();
+TEST_F(DocumentTest, ACameraThatSeesNothingIsRefused) {
+    const rtcore::Camera good = document.camera();
     rtcore::Camera blind = good, skew = good, wide = good, narrow = good;
     blind.forward = {0, 0, 0};
     skew.up = good.forward;
     wide.horizontalFov = 180;
     narrow.kind = rtcore::CameraKind::Orthographic;
     for (const rtcore::Camera& camera : {blind, skew, wide, narrow})
-        EXPECT_THROW(state.setCamera(camera), std::invalid_argument);
-    EXPECT_EQ(state.camera(), good);
+        EXPECT_THROW(document.setCamera(camera), std::invalid_argument);
+    EXPECT_EQ(document.camera(), good);
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, TheCameraOfAModelGetsAnotherUpWhereItIsTheDirectionToLookIn) {
+TEST_F(DocumentTest, TheCameraOfAModelGetsAnotherUpWhereItIsTheDirectionToLookIn) {
     rtcore::LoadedScene loaded = test::makeRoom();
     loaded.camera.up = loaded.camera.forward;
-    state.show(test::worldOf(std::move(loaded)));
-    EXPECT_FALSE(rtcore::areParallel(state.camera().forward, state.camera().up));
-    EXPECT_NO_THROW(state.setCamera(state.world().loaded.camera));
+    document.show(test::worldOf(std::move(loaded)));
+    EXPECT_FALSE(rtcore::areParallel(document.camera().forward, document.camera().up));
+    EXPECT_NO_THROW(document.setCamera(document.world().loaded.camera));
 }
 
-TEST_F(ServerStateTest, ACamFileSaysMoreThanTheView) {
-    rtcore::CameraFile file = test::cameraFileOf(state.camera());
+TEST_F(DocumentTest, ACamFileSaysMoreThanTheView) {
+    rtcore::CameraFile file = test::cameraFileOf(document.camera());
     file.camera.eye.x = 1;
     file.width = 40;
     file.lights = {false, true};
     file.environment = 1;
-    EXPECT_EQ(state.applyCameraFile(file, "a.cam"), "");
+    EXPECT_EQ(document.applyCameraFile(file, "a.cam"), "");
     EXPECT_EQ(changes(), (Changes{Change::View, Change::Light, Change::Sky, Change::Setting}));
-    EXPECT_EQ(state.camera().eye.x, 1);
-    EXPECT_EQ(state.settings().width, 40);
-    EXPECT_EQ(state.settings().height, 24);
+    EXPECT_EQ(document.camera().eye.x, 1);
+    EXPECT_EQ(document.settings().width, 40);
+    EXPECT_EQ(document.settings().height, 24);
     EXPECT_FALSE(lightIsOn(0));
     EXPECT_EQ(environment(), 1);
     file.lights = {false, true, true};
     file.camera.eye.x = 2;
-    EXPECT_EQ(state.applyCameraFile(file, "a.cam"),
+    EXPECT_EQ(document.applyCameraFile(file, "a.cam"),
               "a.cam switches 3 lights, but the scene has 2; these stay as they are");
     EXPECT_EQ(changes(), Changes{Change::View});
 }
 
-TEST_F(ServerStateTest, ACamFileWithoutRoomForItsFramesChangesNothing) {
-    const auto scene = state.scene();
-    rtcore::CameraFile file = test::cameraFileOf(state.camera());
+TEST_F(DocumentTest, ACamFileWithoutRoomForItsFramesChangesNothing) {
+    const auto scene = document.scene();
+    rtcore::CameraFile file = test::cameraFileOf(document.camera());
     file.camera.eye.x = 1;
     file.width = 40;
     file.lights = {false, true};
     full = true;
-    EXPECT_THROW(state.applyCameraFile(file, "a.cam"), rtcore::FileError);
-    EXPECT_EQ(state.scene(), scene);
-    EXPECT_EQ(state.settings().width, 32);
-    EXPECT_EQ(state.camera().eye.x, 0);
+    EXPECT_THROW(document.applyCameraFile(file, "a.cam"), rtcore::FileError);
+    EXPECT_EQ(document.scene(), scene);
+    EXPECT_EQ(document.settings().width, 32);
+    EXPECT_EQ(document.camera().eye.x, 0);
     EXPECT_EQ(changes(), Changes{});
 }
 
-TEST_F(ServerStateTest, AnotherTreeChangesNoFrame) {
+TEST_F(DocumentTest, AnotherTreeChangesNoFrame) {
     rtcore::LoadedScene same = test::makeRoom();
-    const auto tracer = std::make_shared<const rtcore::KdRayTracer>(same.tree, state.scene()->mesh());
-    state.useTree(same.tree, tracer);
-    EXPECT_EQ(state.world().tracer, tracer);
+    const auto tracer = std::make_shared<const rtcore::KdRayTracer>(same.tree, document.scene()->mesh());
+    document.useTree(same.tree, tracer);
+    EXPECT_EQ(document.world().tracer, tracer);
     EXPECT_EQ(changes(), Changes{});
 }
 

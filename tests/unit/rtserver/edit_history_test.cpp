@@ -20,20 +20,20 @@ using rtcore::Changes;
 class Edits : public test::CommandRoom {
   protected:
     /// All that edits can change.
-    void expectShown(const Shown& expected) const {
-        EXPECT_EQ(state.scene()->lights, expected.scene->lights);
-        EXPECT_EQ(state.scene()->activeEnvironment, expected.scene->activeEnvironment);
+    void expectShown(const Snapshot& expected) const {
+        EXPECT_EQ(document.scene()->lights, expected.scene->lights);
+        EXPECT_EQ(document.scene()->activeEnvironment, expected.scene->activeEnvironment);
         expectSurroundings(expected.scene->environments);
-        EXPECT_EQ(state.scene()->sky, expected.scene->sky);
-        EXPECT_EQ(state.settings(), expected.settings);
-        EXPECT_EQ(state.camera(), expected.camera);
-        EXPECT_EQ(state.frame().up, expected.frame.up);
-        EXPECT_EQ(state.frame().metresPerUnit, expected.frame.metresPerUnit);
-        EXPECT_EQ(state.scene()->up, expected.scene->up);
+        EXPECT_EQ(document.scene()->sky, expected.scene->sky);
+        EXPECT_EQ(document.settings(), expected.settings);
+        EXPECT_EQ(document.camera(), expected.camera);
+        EXPECT_EQ(document.modelUnits().up, expected.modelUnits.up);
+        EXPECT_EQ(document.modelUnits().metresPerUnit, expected.modelUnits.metresPerUnit);
+        EXPECT_EQ(document.scene()->up, expected.scene->up);
     }
     /// Maps of a sky are drawn again: what they show counts, not which object shows it.
     void expectSurroundings(const decltype(rtcore::Scene::environments)& expected) const {
-        const auto& shown = state.scene()->environments;
+        const auto& shown = document.scene()->environments;
         ASSERT_EQ(shown.size(), expected.size());
         for (std::size_t i = 0; i < shown.size(); ++i) {
             EXPECT_EQ(shown[i]->name(), expected[i]->name());
@@ -49,14 +49,14 @@ class Edits : public test::CommandRoom {
     }
     void tap(const std::string& key) {
         answer("key tap " + key);
-        state.move(0ms, {});
+        move(0ms, {});
     }
     decltype(rtcore::LdrImage::pixels) frame() {
         drawFrame();
         return host.maker.image().pixels;
     }
     void undoAll() {
-        while (state.history().last() != nullptr) answer("undo");
+        while (document.history().last() != nullptr) answer("undo");
     }
 };
 
@@ -88,13 +88,13 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"up +z", "up"},
         {"units cm", "units"},
     };
-    std::vector<Shown> states{state.shown()};
+    std::vector<Snapshot> states{document.snapshot()};
     for (const auto& [line, label] : edits) {
         answer(line);
-        states.push_back(state.shown());
-        ASSERT_NE(state.history().last(), nullptr) << line;
-        EXPECT_EQ(state.history().last()->label, label);
-        EXPECT_EQ(state.history().position(), states.size() - 1);
+        states.push_back(document.snapshot());
+        ASSERT_NE(document.history().last(), nullptr) << line;
+        EXPECT_EQ(document.history().last()->label, label);
+        EXPECT_EQ(document.history().position(), states.size() - 1);
     }
     for (std::size_t i = edits.size(); i-- > 0;) {
         EXPECT_EQ(answer("undo"), edits[i].second);
@@ -110,42 +110,42 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
 }
 
 TEST_F(Edits, ATextIsPastedAsOneStep) {
-    const Shown before = state.shown();
+    const Snapshot before = document.snapshot();
     answer("camera paste \"version = 1\neye = [1, 2, 3]\nforward = [0, 0, -1]\nantialiasing = 2\n"
            "lights = [false, true]\nenvironment = 1\"");
-    EXPECT_EQ(state.camera().eye, (rtcore::Vec3{1, 2, 3}));
-    EXPECT_EQ(state.settings().antialiasing, 2);
+    EXPECT_EQ(document.camera().eye, (rtcore::Vec3{1, 2, 3}));
+    EXPECT_EQ(document.settings().antialiasing, 2);
     EXPECT_FALSE(lightIsOn(0));
     EXPECT_EQ(environment(), 1);
     answer("undo");
     expectShown(before);
     EXPECT_EQ(refusal("camera paste nonsense").code, 65);
-    EXPECT_EQ(state.history().last(), nullptr) << "what is refused is no step";
+    EXPECT_EQ(document.history().last(), nullptr) << "what is refused is no step";
 }
 
 TEST_F(Edits, KeysMakeStepsAndMovementMakesNone) {
     tap("1");
     EXPECT_FALSE(lightIsOn(0));
-    ASSERT_NE(state.history().last(), nullptr);
-    EXPECT_EQ(state.history().last()->label, "light 1");
+    ASSERT_NE(document.history().last(), nullptr);
+    EXPECT_EQ(document.history().last()->label, "light 1");
     answer("key press w");
-    state.move(100ms, {});
+    move(100ms, {});
     answer("key release w");
-    state.move(100ms, {});
-    const rtcore::Camera there = state.camera();
+    move(100ms, {});
+    const rtcore::Camera there = document.camera();
     EXPECT_EQ(answer("undo"), "light 1");
     EXPECT_TRUE(lightIsOn(0));
-    EXPECT_EQ(state.camera(), there) << "the step did not place it";
-    EXPECT_EQ(state.history().last(), nullptr);
+    EXPECT_EQ(document.camera(), there) << "the step did not place it";
+    EXPECT_EQ(document.history().last(), nullptr);
 }
 
 TEST_F(Edits, LookingAroundIsNone) {
     answer("light 1 off");
     answer("camera turn 10 5");
-    const rtcore::Camera there = state.camera();
-    EXPECT_EQ(state.history().position(), 1U);
+    const rtcore::Camera there = document.camera();
+    EXPECT_EQ(document.history().position(), 1U);
     EXPECT_EQ(answer("undo"), "light 1");
-    EXPECT_EQ(state.camera(), there) << "one goes on looking there";
+    EXPECT_EQ(document.camera(), there) << "one goes on looking there";
     EXPECT_EQ(refusal("also camera turn 1 1").code, 2);
     answer("camera turn 1 1");
     EXPECT_EQ(answer("redo"), "light 1") << "nothing took its place";
@@ -155,23 +155,23 @@ TEST_F(Edits, WhatChangesNothingIsNoStep) {
     answer("light 1 on");
     answer("set antialiasing 1");
     answer("environment 1");
-    EXPECT_EQ(state.history().last(), nullptr);
+    EXPECT_EQ(document.history().last(), nullptr);
 }
 
 TEST_F(Edits, OfOneGestureAreOneStep) {
     answer("set maxDepth 3");
     for (const char* depth : {"4", "6", "7"}) answer(std::string("also set maxDepth ") + depth);
-    EXPECT_EQ(state.history().position(), 1U);
+    EXPECT_EQ(document.history().position(), 1U);
     answer("also set antialiasing 3");
-    EXPECT_EQ(state.history().position(), 2U) << "of another thing";
+    EXPECT_EQ(document.history().position(), 2U) << "of another thing";
     answer("undo");
     answer("undo");
-    EXPECT_EQ(state.settings().maxDepth, 5);
-    EXPECT_EQ(state.settings().antialiasing, 1);
+    EXPECT_EQ(document.settings().maxDepth, 5);
+    EXPECT_EQ(document.settings().antialiasing, 1);
     answer("set maxDepth 3");
     answer("also set maxDepth 5");
-    EXPECT_EQ(state.history().position(), 0U) << "all as it was";
-    EXPECT_EQ(state.history().next(), nullptr);
+    EXPECT_EQ(document.history().position(), 0U) << "all as it was";
+    EXPECT_EQ(document.history().next(), nullptr);
     EXPECT_EQ(refusal("also walk").code, 2);
     EXPECT_EQ(refusal("also").code, 2);
     EXPECT_EQ(refusal("also also set maxDepth 3").code, 2);
@@ -183,7 +183,7 @@ TEST_F(Edits, ANewStepTakesThePlaceOfThoseTakenBack) {
     answer("undo");
     answer("undo");
     answer("light 2 off");
-    EXPECT_EQ(state.history().next(), nullptr);
+    EXPECT_EQ(document.history().next(), nullptr);
     EXPECT_EQ(answer("undo"), "light 2");
     EXPECT_EQ(refusal("undo").code, 1);
 }
@@ -192,40 +192,40 @@ TEST_F(Edits, LeaveTheSizeToTheWindow) {
     answer("set maxDepth 3");
     answer("resolution 48 36");
     answer("undo");
-    EXPECT_EQ(state.settings().width, 48) << "a window was resized meanwhile";
-    EXPECT_EQ(state.settings().maxDepth, 5);
+    EXPECT_EQ(document.settings().width, 48) << "a window was resized meanwhile";
+    EXPECT_EQ(document.settings().maxDepth, 5);
     answer("set width 40");
     answer("undo");
-    EXPECT_EQ(state.settings().width, 48);
+    EXPECT_EQ(document.settings().width, 48);
 }
 
 TEST_F(Edits, WithoutRoomForTheFrameNothingIsTakenBack) {
     answer("set width 40");
-    const Shown wide = state.shown();
+    const Snapshot wide = document.snapshot();
     full = true;
     EXPECT_EQ(refusal("undo").code, 75);
     expectShown(wide);
     full = false;
     EXPECT_EQ(answer("undo"), "set width");
-    EXPECT_EQ(state.settings().width, 32);
+    EXPECT_EQ(document.settings().width, 32);
 }
 
 TEST_F(Edits, OfAnotherSceneAreForgotten) {
     answer("light 1 off");
     answer("undo");
     answer("light 2 off");
-    state.show(test::worldOf(test::makeRoom()));
-    EXPECT_EQ(state.history().last(), nullptr);
-    EXPECT_EQ(state.history().next(), nullptr);
-    EXPECT_EQ(state.history().position(), 0U);
+    document.show(test::worldOf(test::makeRoom()));
+    EXPECT_EQ(document.history().last(), nullptr);
+    EXPECT_EQ(document.history().next(), nullptr);
+    EXPECT_EQ(document.history().position(), 0U);
 }
 
 TEST_F(Edits, AreKeptUpToFiveThousand) {
     for (int i = 0; i < 5100; ++i) answer("camera set " + std::to_string(i + 1) + " 2 3 0 0 -1");
-    EXPECT_EQ(state.history().position(), 5100U);
+    EXPECT_EQ(document.history().position(), 5100U);
     undoAll();
-    EXPECT_EQ(state.history().position(), 100U);
-    EXPECT_EQ(state.camera().eye.x, 100);
+    EXPECT_EQ(document.history().position(), 100U);
+    EXPECT_EQ(document.camera().eye.x, 100);
 }
 
 TEST_F(Edits, TakenBackAllGiveTheFirstBits) {
@@ -248,8 +248,8 @@ TEST_F(Edits, TakenBackAllGiveTheFirstBits) {
                                               "undo",
                                               "redo"};
     answer("set exposure.mode fixed");
-    state.show(test::worldOf(test::makeRoom()));
-    const Shown first = state.shown();
+    document.show(test::worldOf(test::makeRoom()));
+    const Snapshot first = document.snapshot();
     const auto original = frame();
     std::mt19937 random{31415};
     for (int i = 0; i < 400; ++i) {

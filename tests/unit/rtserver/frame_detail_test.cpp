@@ -1,6 +1,7 @@
 #include "rtserver/frame_detail.h"
 
 #include "rtcore/live/live_renderer.h"
+#include "rtcore/settings/settings_table.h"
 
 #include <gtest/gtest.h>
 

@@ -18,13 +18,13 @@ using Outcome = FrameDrawing::Outcome;
 class FrameDrawingTest : public test::ShownRoom {
   protected:
     Outcome draw(bool waitedFor = false) { return drawing.draw(waitedFor).outcome; }
-    void change() { state.switchLight(1, std::nullopt); }
+    void change() { switchLight(document, 1, std::nullopt); }
     /// Whole frames take long, and coarse ones come before them.
     void makeSlow() {
-        state.assign({{"width", 600}, {"height", 400}, {"antialiasing", 3}});
+        document.assign({{"width", 600}, {"height", 400}, {"antialiasing", 3}});
         state.frameSeconds = 0.02;
     }
-    void fixExposure() { state.assign({{"exposure.mode", "fixed"}}); }
+    void fixExposure() { document.assign({{"exposure.mode", "fixed"}}); }
 
     std::function<Arrivals()> poll = [] { return Arrivals{}; };
     bool memory = true;
@@ -51,14 +51,14 @@ TEST_F(FrameDrawingTest, TellsWhatAWholeFrameTakes) {
         underWay = std::max(underWay, drawing.wholeSeconds());
         return Arrivals{};
     };
-    while (!drawing.frames().whole() || drawing.frames().stale(state)) draw();
+    while (!drawing.frames().whole() || drawing.frames().stale(document)) draw();
     const double took = drawing.wholeSeconds();
     EXPECT_GT(took, 0);
     EXPECT_DOUBLE_EQ(took, drawing.frames().seconds());
     EXPECT_GT(underWay, 0);
     change();
     // One that would take too long is left, and a coarser one begun.
-    while (drawing.frames().stale(state)) draw();
+    while (drawing.frames().stale(document)) draw();
     ASSERT_FALSE(drawing.frames().whole()) << "a quick one comes first";
     EXPECT_GE(drawing.wholeSeconds(), took) << "that is no other whole one";
 }
@@ -73,7 +73,7 @@ TEST_F(FrameDrawingTest, DrawsWhatTheStateShowsAndIdles) {
     EXPECT_EQ(published[0].width, 32U);
     EXPECT_EQ(published[0].height, 24U);
     EXPECT_EQ(published[0].samples, 1U);
-    EXPECT_EQ(drawing.frames().revision(), state.revisions().revision());
+    EXPECT_EQ(drawing.frames().revision(), document.revisions().revision());
     EXPECT_FALSE(drawing.wantsFrame(false));
     EXPECT_TRUE(drawing.idle());
     EXPECT_TRUE(drawing.pace().complete);
@@ -82,12 +82,12 @@ TEST_F(FrameDrawingTest, DrawsWhatTheStateShowsAndIdles) {
 
 TEST_F(FrameDrawingTest, EachKindOfChangeWantsAFrame) {
     fixExposure();
-    const std::vector<std::function<void()>> edits = {[&] { state.turn(1, 0); }, [&] { change(); },
-                                                      [&] { state.setEnvironment(1); },
-                                                      [&] {
-                                                          state.assign({{"antialiasing", 2}});
-                                                      },
-                                                      [&] { state.show(test::worldOf(test::makeRoom())); }};
+    const std::vector<std::function<void()>> edits = {
+        [&] { walk.turn(1, 0); }, [&] { change(); }, [&] { setEnvironment(document, 1); },
+        [&] {
+            document.assign({{"antialiasing", 2}});
+        },
+        [&] { document.show(test::worldOf(test::makeRoom())); }};
     draw();
     for (const auto& edit : edits) {
         EXPECT_FALSE(drawing.wantsFrame(false));
@@ -124,13 +124,13 @@ TEST_F(FrameDrawingTest, ACoarseFrameComesFirstWhereTheWholeOneTakesLong) {
     EXPECT_EQ(draw(), Outcome::Published);
     EXPECT_EQ(published.back().samples, 0U);
     EXPECT_LT(published.back().width, 600U);
-    EXPECT_FALSE(drawing.frames().stale(state));
+    EXPECT_FALSE(drawing.frames().stale(document));
     EXPECT_FALSE(drawing.pace().complete);
     EXPECT_GT(drawing.pace().coarsest, 0);
     EXPECT_TRUE(drawing.wantsFrame(false)) << "the whole one";
     EXPECT_EQ(draw(), Outcome::Published);
     EXPECT_EQ(published.back().samples, 9U);
-    state.show(test::worldOf(test::makeRoom()));
+    document.show(test::worldOf(test::makeRoom()));
     EXPECT_EQ(drawing.pace().coarsest, 0) << "nothing is known of another scene";
 }
 
@@ -138,7 +138,7 @@ TEST_F(FrameDrawingTest, TheImageGoesOverToAWholeFrameInSteps) {
     fixExposure();
     makeSlow();
     draw();
-    state.assign({{"antialiasing", 6}});
+    document.assign({{"antialiasing", 6}});
     draw();
     ASSERT_EQ(published.size(), 2U);
     EXPECT_EQ(published.back().samples, 0U);
@@ -158,7 +158,7 @@ TEST_F(FrameDrawingTest, AWholeFrameOfAnotherViewComesAtOnce) {
     makeSlow();
     draw();
     state.frameSeconds = 0;
-    state.turn(20, 0);
+    walk.turn(20, 0);
     EXPECT_EQ(draw(), Outcome::Published);
     ASSERT_EQ(published.size(), 2U);
     EXPECT_EQ(published.back().samples, 9U);
@@ -205,13 +205,13 @@ TEST_F(FrameDrawingTest, WhatFailsDuringAFrameIsThrownAfterIt) {
 
 TEST_F(FrameDrawingTest, WithoutMemoryItGoesBackToTheLastWholeFrame) {
     draw();
-    state.assign({{"width", 64}});
+    document.assign({{"width", 64}});
     memory = false;
     const FrameDrawing::Drawn drawn = drawing.draw(true);
     EXPECT_EQ(drawn.outcome, Outcome::NoMemory);
     EXPECT_EQ(drawn.why, "not enough memory for frames of 64 x 24 at these settings; back to those of the "
                          "last frame, 32 x 24");
-    EXPECT_EQ(state.settings().width, 32);
+    EXPECT_EQ(document.settings().width, 32);
     EXPECT_TRUE(drawing.wantsFrame(false)) << "its memory is gone, too";
     EXPECT_LE(drawing.due(), FrameDrawing::Clock::now());
     EXPECT_EQ(draw(), Outcome::NoMemory);

@@ -53,43 +53,43 @@ class FramesOfAState : public test::ShownRoom {
 
 TEST_F(FramesOfAState, SayWhichRevisionTheyShow) {
     EXPECT_EQ(frames.revision(), 0U);
-    EXPECT_TRUE(frames.stale(state));
+    EXPECT_TRUE(frames.stale(document));
     test::draw(frames, state);
-    EXPECT_EQ(frames.revision(), state.revisions().revision());
-    EXPECT_FALSE(frames.stale(state));
+    EXPECT_EQ(frames.revision(), document.revisions().revision());
+    EXPECT_FALSE(frames.stale(document));
     const std::uint64_t drawn = frames.revision();
-    state.switchLight(1, false);
-    EXPECT_TRUE(frames.stale(state));
+    switchLight(document, 1, false);
+    EXPECT_TRUE(frames.stale(document));
     EXPECT_EQ(frames.revision(), drawn);
     test::draw(frames, state, rtserver::kCoarsest);
-    EXPECT_FALSE(frames.stale(state)) << "coarse as it is";
+    EXPECT_FALSE(frames.stale(document)) << "coarse as it is";
     EXPECT_FALSE(frames.whole());
     frames.drop();
-    EXPECT_TRUE(frames.stale(state));
+    EXPECT_TRUE(frames.stale(document));
     EXPECT_EQ(frames.revision(), 0U);
 }
 
 TEST_F(FramesOfAState, ThatAreLeftShowNothingNew) {
     test::draw(frames, state);
     const std::uint64_t drawn = frames.revision();
-    state.turn(10, 0);
+    walk.turn(10, 0);
     rtcore::RenderControl control;
     control.cancel = true;
     EXPECT_FALSE(frames.trace(state, {}, nullptr, control));
     EXPECT_EQ(frames.revision(), drawn);
-    EXPECT_TRUE(frames.stale(state));
+    EXPECT_TRUE(frames.stale(document));
     EXPECT_FALSE(frames.image().empty()) << "the last one";
 }
 
 TEST_F(FramesOfAState, AdaptToAChangeButNotToAnotherScene) {
-    state.assign({{"exposure.brighterSeconds", 1000.0F}, {"exposure.darkerSeconds", 1000.0F}});
+    document.assign({{"exposure.brighterSeconds", 1000.0F}, {"exposure.darkerSeconds", 1000.0F}});
     test::draw(frames, state);
     EXPECT_TRUE(frames.settled());
     const float bright = frames.exposure();
-    state.switchLight(1, false);
+    switchLight(document, 1, false);
     test::draw(frames, state);
     EXPECT_FALSE(frames.settled());
-    state.show(test::worldOf(test::makeRoom(0.05F)));
+    document.show(test::worldOf(test::makeRoom(0.05F)));
     test::draw(frames, state);
     EXPECT_TRUE(frames.settled());
     EXPECT_NE(frames.exposure(), bright);
@@ -102,8 +102,8 @@ TEST_F(FramesOfAState, AreExposedByTheLightAlone) {
     float exposures[3] = {};
     for (int i = 0; i < 3; ++i) {
         const float albedo = i == 2 ? 0.1F : 0.6F;
-        state.show(test::worldOf(test::makeRoom(albedo)));
-        state.assign({{"exposure.mode", "incident"}});
+        document.show(test::worldOf(test::makeRoom(albedo)));
+        document.assign({{"exposure.mode", "incident"}});
         rtserver::FrameMaker maker(1);
         test::draw(maker, state, i == 0 ? rtserver::kCoarsest : rtserver::FrameDetail());
         exposures[i] = maker.exposure();
@@ -115,10 +115,10 @@ TEST_F(FramesOfAState, AreExposedByTheLightAlone) {
 TEST_F(FramesOfAState, LiveOnesBeginWithTheLightOfTheWholeOne) {
     state.frameSeconds = 0.03;
     test::draw(frames, state);
-    state.turn(1, 0);
+    walk.turn(1, 0);
     test::draw(frames, state, kLive);
     EXPECT_FALSE(frames.whole());
-    EXPECT_FALSE(frames.stale(state));
+    EXPECT_FALSE(frames.stale(document));
     const auto pixels = static_cast<double>(frames.radiance().pixels.size());
     EXPECT_LT(frames.liveCost().samples, 0.3 * pixels);
     rtserver::FrameMaker without(1);
@@ -141,7 +141,7 @@ TEST_F(FramesOfAState, LiveOnesKeepNoLightThatIsOffNow) {
     state.frameSeconds = 0.03;
     test::draw(frames, state);
     const double lit = brightness(frames);
-    for (const int light : {1, 2}) state.switchLight(light, false);
+    for (const int light : {1, 2}) switchLight(document, light, false);
     test::draw(frames, state, kLive);
     rtserver::FrameMaker without(1);
     test::draw(without, state);
@@ -153,13 +153,13 @@ TEST_F(FramesOfAState, LiveOnesKeepNoLightThatIsOffNow) {
 TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
     rtcore::LoadedScene room = test::makeRoom();
     room.scene.lights.push_back(test::pointLight({2, 0.1F, -4}, 4e-4F));
-    state.show(test::worldOf(std::move(room)));
-    state.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
+    document.show(test::worldOf(std::move(room)));
+    document.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
     state.frameSeconds = 0.03;
     test::draw(frames, state);
     const std::vector<rtcore::Colour> lit = frames.radiance().pixels;
-    state.switchLight(3, false);
-    ASSERT_TRUE(frames.drawsLive(state));
+    switchLight(document, 3, false);
+    ASSERT_TRUE(frames.drawsLive(document));
     for (int frame = 0; frame < 3; ++frame) test::draw(frames, state, {1, true, 0.05});
     rtserver::FrameMaker without(1);
     test::draw(without, state);
@@ -174,12 +174,12 @@ TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
     };
     EXPECT_GT(most(lit), 0.01F) << "near the light";
     EXPECT_LT(most(frames.radiance().pixels), 0.3F * most(lit));
-    state.switchLight(1, false);
-    EXPECT_FALSE(frames.drawsLive(state));
+    switchLight(document, 1, false);
+    EXPECT_FALSE(frames.drawsLive(document));
 }
 
 TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
-    state.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
+    document.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
     state.frameSeconds = 0.03;
     const auto truth = [&] {
         rtserver::FrameMaker whole(1);
@@ -187,16 +187,16 @@ TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
         return whole.radiance().pixels;
     };
     test::draw(frames, state);
-    state.switchLight(1, false);
-    ASSERT_FALSE(frames.drawsLive(state));
+    switchLight(document, 1, false);
+    ASSERT_FALSE(frames.drawsLive(document));
     test::draw(frames, state, {0.5, true});
     for (int frame = 2; frame <= 8; ++frame) {
-        state.turn(0.05, 0);
-        ASSERT_TRUE(frames.drawsLive(state));
+        walk.turn(0.05, 0);
+        ASSERT_TRUE(frames.drawsLive(document));
         test::draw(frames, state, {1, true, 0.05});
     }
     const std::vector<rtcore::Colour> shown = frames.radiance().pixels, off = truth();
-    state.switchLight(1, true);
+    switchLight(document, 1, true);
     const std::vector<rtcore::Colour> on = truth();
     double light = 0, error = 0, wrong = 0, relit = 0;
     for (std::size_t i = 0; i < off.size(); ++i) {
@@ -215,7 +215,7 @@ TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
 }
 
 TEST_F(FramesOfAState, LiveOnesGoOnFromAWholeOneThatWasLeft) {
-    state.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
+    document.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
     state.frameSeconds = 0.03;
     rtserver::FrameMaker without(1);
     test::draw(without, state);
@@ -227,7 +227,7 @@ TEST_F(FramesOfAState, LiveOnesGoOnFromAWholeOneThatWasLeft) {
         return sum;
     };
     test::draw(frames, state, rtserver::kCoarsest);
-    state.turn(0, 0);
+    walk.turn(0, 0);
     test::draw(frames, state, {1, true, 0.02});
     const double before = error();
     rtcore::RenderControl control;
@@ -246,18 +246,18 @@ TEST_F(FramesOfAState, LiveOnesGoOnFromAWholeOneThatWasLeft) {
 
 TEST_F(FramesOfAState, KeepAFixedExposureWhileAWholeOneIsDrawn) {
     constexpr float kExposure = 0.3F;
-    state.assign({{"width", 640},
-                  {"height", 400},
-                  {"antialiasing", 8},
-                  {"exposure.mode", "fixed"},
-                  {"exposure.value", kExposure}});
+    document.assign({{"width", 640},
+                     {"height", 400},
+                     {"antialiasing", 8},
+                     {"exposure.mode", "fixed"},
+                     {"exposure.value", kExposure}});
     test::draw(frames, state, rtserver::kCoarsest);
     int steps = 0, wrong = 0;
     std::atomic<bool> over = false;
     {
         const std::jthread watcher([&] {
             while (!over) {
-                if (frames.underWay(state) == nullptr) continue;
+                if (frames.underWay(document) == nullptr) continue;
                 ++steps;
                 wrong += frames.exposure() == kExposure ? 0 : 1;
             }
@@ -272,25 +272,25 @@ TEST_F(FramesOfAState, KeepAFixedExposureWhileAWholeOneIsDrawn) {
 
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     state.frameSeconds = 0.03;
-    EXPECT_FALSE(frames.drawsLive(state)) << "there was none";
+    EXPECT_FALSE(frames.drawsLive(document)) << "there was none";
     test::draw(frames, state, rtserver::kCoarsest);
-    EXPECT_TRUE(frames.drawsLive(state)) << "a coarse one is enough";
-    state.turn(1, 0);
-    EXPECT_TRUE(frames.drawsLive(state));
-    state.assign({{"exposure.key", 0.3F}});
-    EXPECT_TRUE(frames.drawsLive(state));
-    state.switchLight(1, false);
-    EXPECT_FALSE(frames.drawsLive(state)) << "it does not hold";
+    EXPECT_TRUE(frames.drawsLive(document)) << "a coarse one is enough";
+    walk.turn(1, 0);
+    EXPECT_TRUE(frames.drawsLive(document));
+    document.assign({{"exposure.key", 0.3F}});
+    EXPECT_TRUE(frames.drawsLive(document));
+    switchLight(document, 1, false);
+    EXPECT_FALSE(frames.drawsLive(document)) << "it does not hold";
     test::draw(frames, state);
-    EXPECT_TRUE(frames.drawsLive(state));
-    state.assign({{"shadows", false}});
-    EXPECT_FALSE(frames.drawsLive(state));
+    EXPECT_TRUE(frames.drawsLive(document));
+    document.assign({{"shadows", false}});
+    EXPECT_FALSE(frames.drawsLive(document));
     test::draw(frames, state);
-    rtcore::Camera camera = state.camera();
+    rtcore::Camera camera = document.camera();
     camera.kind = rtcore::CameraKind::Orthographic;
     camera.orthographicWidth = 4;
-    state.setCamera(camera);
-    EXPECT_FALSE(frames.drawsLive(state));
+    document.setCamera(camera);
+    EXPECT_FALSE(frames.drawsLive(document));
 }
 
 } // namespace

@@ -28,10 +28,12 @@ using rtcore::Vec3;
 
 class LightCommands : public test::CommandRoom {
   protected:
-    LightDescription light(int id) const { return describeLight(*state.scene(), state.lightOf(id)); }
+    LightDescription light(int id) const {
+        return describeLight(*document.scene(), lightOf(*document.scene(), id));
+    }
     std::vector<int> ids() const {
         std::vector<int> all;
-        for (const rtcore::SceneLight& each : state.scene()->lights) all.push_back(each.notes.id);
+        for (const rtcore::SceneLight& each : document.scene()->lights) all.push_back(each.notes.id);
         return all;
     }
     void expectNear(Vec3 is, Vec3 expected, float error = 1e-4F) {
@@ -53,7 +55,7 @@ TEST_F(LightCommands, AddEachKind) {
             EXPECT_EQ(added.light.position, (Vec3{1, 2, 3}));
         }
         // What a file could not say is never made.
-        rtcore::SceneFile file = sceneFileOf(state);
+        rtcore::SceneFile file = sceneFileOf(document);
         EXPECT_NO_THROW(rtcore::parseSceneFile(rtcore::formatSceneFile(file, "x.scn"), "x.scn"));
     }
     drawFrame();
@@ -106,11 +108,11 @@ TEST_F(LightCommands, IdsStayWhileOthersComeAndGo) {
 TEST_F(LightCommands, KeysNameLightsByTheirIds) {
     answer("light remove 1");
     answer("key tap 2");
-    state.move(std::chrono::milliseconds(0), {});
+    move(std::chrono::milliseconds(0), {});
     EXPECT_EQ(answer("lights"), "2 off");
     EXPECT_NE(messages.since(0).find("light 2 off"), std::string::npos);
     answer("key tap 1");
-    state.move(std::chrono::milliseconds(0), {});
+    move(std::chrono::milliseconds(0), {});
     EXPECT_NE(messages.since(0).find("there is no light 1"), std::string::npos);
 }
 
@@ -118,12 +120,12 @@ TEST_F(LightCommands, CamerasNameLightsByTheirIds) {
     answer("light remove 1");
     answer("light copy 2");
     answer("light 2 off");
-    const rtcore::CameraFile file = cameraFileOf(state, 1);
+    const rtcore::CameraFile file = cameraFileOf(document, 1);
     EXPECT_EQ(file.lightsOn, (std::vector<int>{3}));
     EXPECT_EQ(file.lightsOff, (std::vector<int>{2}));
     answer("light remove 3");
     answer("light 2 on");
-    EXPECT_EQ(state.applyCameraFile(file, "a.cam"),
+    EXPECT_EQ(document.applyCameraFile(file, "a.cam"),
               "a.cam names lights that the scene lacks (3); these stay as they are");
     EXPECT_EQ(answer("lights"), "2 off");
 }
@@ -169,16 +171,16 @@ TEST_F(LightCommands, ColourAndTemperatureKeepThePower) {
     EXPECT_NEAR(light(1).light.intensity.r / light(1).light.intensity.b, 4, 1e-4);
     answer("light temperature 1 2700");
     EXPECT_NEAR(powerOf(light(1)), 50, 1e-3);
-    const Colour lit = state.scene()->lights[0].light.intensity, body = rtcore::blackbodyColour(2700);
+    const Colour lit = document.scene()->lights[0].light.intensity, body = rtcore::blackbodyColour(2700);
     EXPECT_NEAR(lit.r / lit.g, body.r / body.g, 1e-4);
     EXPECT_EQ(light(1).temperature, 2700);
     answer("light power 1 25");
     EXPECT_EQ(light(1).temperature, 2700);
     EXPECT_NEAR(powerOf(light(1)), 25, 1e-3);
-    const Colour before = state.scene()->lights[0].light.intensity;
+    const Colour before = document.scene()->lights[0].light.intensity;
     answer("light temperature 1 none");
     EXPECT_EQ(light(1).temperature, 0);
-    EXPECT_EQ(state.scene()->lights[0].light.intensity, before);
+    EXPECT_EQ(document.scene()->lights[0].light.intensity, before);
     answer("light temperature 1 5000");
     answer("light colour 1 1 1 1");
     EXPECT_EQ(light(1).temperature, 0);
@@ -196,7 +198,7 @@ TEST_F(LightCommands, TurnWhatHasADirection) {
     answer("light aim 1 along 0 -3 0");
     EXPECT_EQ(light(1).light.direction, (Vec3{0, -1, 0}));
     answer("light aim 1 ahead");
-    EXPECT_EQ(light(1).light.direction, state.camera().forward);
+    EXPECT_EQ(light(1).light.direction, document.camera().forward);
     EXPECT_EQ(refusal("light aim 1 along 0 0 0").text,
               "the direction is zero; give where the light shines to");
     EXPECT_EQ(refusal("light aim 1 along 0 0").code, 2);
@@ -268,11 +270,11 @@ TEST_F(LightCommands, WrongPlacesAreRefused) {
 /// A film that is rendered from a recording shows the light that was seen.
 TEST_F(LightCommands, AnEditEndsARecordingButASwitchDoesNot) {
     answer("export video start DIR/walk.lst");
-    ASSERT_TRUE(state.recording());
+    ASSERT_TRUE(walk.recording());
     answer("light 1 off");
-    EXPECT_TRUE(state.recording());
+    EXPECT_TRUE(walk.recording());
     answer("light power 1 5");
-    EXPECT_FALSE(state.recording());
+    EXPECT_FALSE(walk.recording());
     EXPECT_NE(messages.since(0).find("the lights were edited"), std::string::npos);
     EXPECT_NE(refusal("export video stop").text.find("the lights were edited"), std::string::npos);
 }
@@ -290,19 +292,19 @@ TEST_F(LightCommands, MirrorsShowWhatHasASurface) {
 }
 
 TEST_F(LightCommands, ADragIsOneStep) {
-    const auto before = state.scene();
+    const auto before = document.scene();
     answer("light move 1 at 1 1 1");
     answer("also light move 1 at 1 2 1");
     answer("also light move 1 at 1 3 1");
     EXPECT_EQ(light(1).light.position, (Vec3{1, 3, 1}));
     EXPECT_EQ(answer("undo"), "light move 1");
-    EXPECT_EQ(state.scene()->lights, before->lights);
+    EXPECT_EQ(document.scene()->lights, before->lights);
 }
 
 TEST_F(LightCommands, AreTakenBackToTheSameBits) {
     drawFrame();
     const auto image = host.maker.image().pixels;
-    const auto lights = state.scene()->lights;
+    const auto lights = document.scene()->lights;
     for (const char* edit :
          {"light add sphere at 0 2 0", "light copy 3 at 1 2 0", "light remove 1", "light temperature 2 3000",
           "light colour 3 1 0 0", "light kind 2 spot", "light aim 2 seen 0.5 0.9", "light angles 2 10 30",
@@ -311,8 +313,8 @@ TEST_F(LightCommands, AreTakenBackToTheSameBits) {
         answer(edit);
     drawFrame();
     EXPECT_NE(host.maker.image().pixels, image);
-    while (state.history().last() != nullptr) answer("undo");
-    EXPECT_EQ(state.scene()->lights, lights);
+    while (document.history().last() != nullptr) answer("undo");
+    EXPECT_EQ(document.scene()->lights, lights);
     drawFrame();
     EXPECT_EQ(host.maker.image().pixels, image);
 }
@@ -322,10 +324,10 @@ TEST_F(LightCommands, AFileGivesThemBack) {
                              "light colour 3 1 0.7 0.2", "light name 3 \"a bulb\"", "light 3 off"})
         answer(edit);
     const rtcore::SceneFile file =
-        rtcore::parseSceneFile(rtcore::formatSceneFile(sceneFileOf(state), "x.scn"), "x.scn");
+        rtcore::parseSceneFile(rtcore::formatSceneFile(sceneFileOf(document), "x.scn"), "x.scn");
     rtcore::Scene scene;
     for (const LightDescription& each : file.lights) putLight(scene, scene.lights.size(), each);
-    EXPECT_EQ(scene.lights, state.scene()->lights);
+    EXPECT_EQ(scene.lights, document.scene()->lights);
 }
 
 TEST_F(LightCommands, PrintALight) {

@@ -55,10 +55,10 @@ class ModelCommands : public test::CommandRoom {
   protected:
     void SetUp() override {
         options.settings.push_back({"exposure.mode", std::string("fixed")});
-        state.show(test::worldOf(furnished()));
+        document.show(test::worldOf(furnished()));
         changes();
     }
-    const rtcore::Material& material(std::size_t index) { return state.scene()->materials.at(index); }
+    const rtcore::Material& material(std::size_t index) { return document.scene()->materials.at(index); }
     auto frame() {
         drawFrame();
         return host.maker.image().pixels;
@@ -89,7 +89,7 @@ TEST_F(ModelCommands, TellOfEveryTextureThatItIsThere) {
         room.scene = b.finish();
         room.tree = rtcore::buildKdTree(room.scene.mesh(), {});
         room.sceneFile.reset();
-        state.show(test::worldOf(std::move(room)));
+        document.show(test::worldOf(std::move(room)));
         EXPECT_NE(answer("material get 1").find("textures = true"), std::string::npos);
         answer("material set 1 textures false");
         EXPECT_NE(answer("material get 1").find("textures = false"), std::string::npos);
@@ -124,11 +124,11 @@ TEST_F(ModelCommands, EditMaterialsByTheKeysOfAScene) {
     EXPECT_EQ(material(1).diffuse, (Colour{0.9F, 0.8F, 0.7F}));
     EXPECT_EQ(answer("materials"), "1 - oak\n2 edited steel\n3 -");
     answer("material set 3 opacity 0.1");
-    EXPECT_TRUE(state.scene()->isClosed(20)) << "the ball";
+    EXPECT_TRUE(document.scene()->isClosed(20)) << "the ball";
     answer("material set * emission 1 1 1");
     EXPECT_EQ(material(0).emission, rtcore::kWhite);
     answer("material reset steel");
-    EXPECT_EQ(material(1), state.world().loaded.scene.materials[1]);
+    EXPECT_EQ(material(1), document.world().loaded.scene.materials[1]);
     EXPECT_EQ(refusal("material set steel roughness 2").code, 2);
     EXPECT_EQ(refusal("material set steel opactiy 1").text, "unknown key 'opactiy'; did you mean 'opacity'?");
     EXPECT_EQ(refusal("material set steel diffuseTexture a.png").code, 2);
@@ -146,12 +146,12 @@ TEST_F(ModelCommands, HideAndShowParts) {
     answer("part isolate ball room/box");
     EXPECT_EQ(answer("parts"), "1 hidden 2 room/floor\n2 shown 12 room/box\n3 shown 120 ball");
     answer("part show room/*");
-    EXPECT_EQ(state.scene()->hiddenParts, nullptr);
-    EXPECT_EQ(state.tracer(), state.world().tracer) << "nothing is slower than before";
+    EXPECT_EQ(document.scene()->hiddenParts, nullptr);
+    EXPECT_EQ(document.tracer(), document.world().tracer) << "nothing is slower than before";
     answer("part hide *");
     EXPECT_EQ(refusal("seen 0.5 0.9").text, "nothing of the model is seen there");
     answer("part show-all");
-    EXPECT_EQ(state.scene()->hiddenParts, nullptr);
+    EXPECT_EQ(document.scene()->hiddenParts, nullptr);
     EXPECT_EQ(refusal("part hide attic").text, "no part of the model is 'attic'; 'parts' lists them");
 }
 
@@ -182,18 +182,18 @@ TEST_F(ModelCommands, AreTakenBackToTheSameBits) {
 
 TEST_F(ModelCommands, AHiddenFloorCarriesNothing) {
     answer("walk");
-    state.move(std::chrono::milliseconds(200), {});
-    EXPECT_FALSE(state.onUnseenFloor());
+    move(std::chrono::milliseconds(200), {});
+    EXPECT_FALSE(walk.onUnseenFloor());
     answer("part hide room/floor");
-    for (int i = 0; i < 20; ++i) state.move(std::chrono::milliseconds(100), {});
-    EXPECT_TRUE(state.onUnseenFloor());
+    for (int i = 0; i < 20; ++i) move(std::chrono::milliseconds(100), {});
+    EXPECT_TRUE(walk.onUnseenFloor());
 }
 
 TEST_F(ModelCommands, AWrittenSceneNamesThem) {
     answer("part isolate ball");
     answer("material set oak roughness 0.3");
     answer("material set 3 opacity 0.5");
-    const rtcore::SceneFile file = sceneFileOf(state);
+    const rtcore::SceneFile file = sceneFileOf(document);
     ASSERT_EQ(file.parts.size(), 2U);
     EXPECT_EQ(file.parts[0], (rtcore::PartDescription{"*", {}, true}));
     EXPECT_EQ(file.parts[1], (rtcore::PartDescription{"ball", {}, false}));
@@ -214,7 +214,7 @@ TEST_F(ModelCommands, AWrittenSceneShowsTheSame) {
                                        "[0, 0, 5]\nlookAt = [0, 0, 0]\n[[material]]\nname = "
                                        "\"red\"\nshininess = 4\n";
     const auto show = [&](const std::filesystem::path& path) {
-        state.show(std::make_unique<World>(rtcore::loadScene(path), path, rtcore::ImportOptions()));
+        document.show(std::make_unique<World>(rtcore::loadScene(path), path, rtcore::ImportOptions()));
         answer("camera reset");
     };
     show(folder / "m.scn");
@@ -223,13 +223,13 @@ TEST_F(ModelCommands, AWrittenSceneShowsTheSame) {
           "material set blue diffuse 0.3 0.6 0.2", "material set red opacity 0.5", "part hide front/blue"})
         answer(edit);
     answer("export scene DIR/e.scn");
-    const rtcore::Scene edited = *state.scene();
+    const rtcore::Scene edited = *document.scene();
     const auto whole = frame();
     show(folder / "e.scn");
-    EXPECT_EQ(state.scene()->materials, edited.materials);
-    EXPECT_TRUE(rtcore::sameHidden(state.scene()->hiddenParts, edited.hiddenParts));
-    EXPECT_NE(state.scene()->hiddenParts, nullptr);
-    EXPECT_EQ(state.scene()->closed == nullptr, edited.closed == nullptr);
+    EXPECT_EQ(document.scene()->materials, edited.materials);
+    EXPECT_TRUE(rtcore::sameHidden(document.scene()->hiddenParts, edited.hiddenParts));
+    EXPECT_NE(document.scene()->hiddenParts, nullptr);
+    EXPECT_EQ(document.scene()->closed == nullptr, edited.closed == nullptr);
     EXPECT_EQ(frame(), whole);
 }
 

@@ -23,8 +23,8 @@ class RandomEdits : public test::ShownRoom {
     /// Never both off: little would be seen but a strip of the sky.
     void switchOneOfTwo() {
         const int light = static_cast<int>(below(2));
-        state.switchLight(light + 1, std::nullopt);
-        if (!lightIsOn(0) && !lightIsOn(1)) state.switchLight(2 - light, true);
+        switchLight(document, light + 1, std::nullopt);
+        if (!lightIsOn(0) && !lightIsOn(1)) switchLight(document, 2 - light, true);
     }
     void edit() {
         switch (below(8)) {
@@ -33,20 +33,20 @@ class RandomEdits : public test::ShownRoom {
             switchOneOfTwo();
             break;
         case 2:
-            state.setEnvironment(static_cast<int>(below(2)));
+            setEnvironment(document, static_cast<int>(below(2)));
             break;
         case 3:
-            state.assign({{"shadows", either()}});
+            document.assign({{"shadows", either()}});
             break;
         case 4:
-            state.assign({{"antialiasing", static_cast<int>(below(2) + 1)}});
+            document.assign({{"antialiasing", static_cast<int>(below(2) + 1)}});
             break;
         case 5:
-            state.assign(
+            document.assign(
                 {{"width", static_cast<int>(60 + below(60))}, {"height", static_cast<int>(40 + below(40))}});
             break;
         case 6:
-            state.assign({{"exposure.key", 0.1F + 0.1F * static_cast<float>(below(4))}});
+            document.assign({{"exposure.key", 0.1F + 0.1F * static_cast<float>(below(4))}});
             break;
         default:
             look();
@@ -54,15 +54,15 @@ class RandomEdits : public test::ShownRoom {
     }
     /// From anywhere over the floor.
     void look() {
-        rtcore::Camera camera = state.camera();
+        rtcore::Camera camera = document.camera();
         std::uniform_real_distribution<float> between(-1, 1);
         camera.eye = {4 * between(random), 1.8F + 0.8F * between(random), 4 + 2 * between(random)};
         camera.forward = {0.5F * between(random), -0.3F + 0.2F * between(random), -1};
-        state.setCamera(camera);
+        document.setCamera(camera);
     }
     /// As the server would: a coarse frame where no light holds; sometimes a whole one, or a part of one.
     void drawNext(int frame) {
-        state.turn(0.05, 0);
+        walk.turn(0.05, 0);
         if (below(20) == 0) {
             test::draw(frames, state);
         } else if (below(20) == 0) {
@@ -70,7 +70,7 @@ class RandomEdits : public test::ShownRoom {
             control.cancel = true;
             EXPECT_FALSE(frames.trace(state, {}, nullptr, control));
         }
-        const bool live = frames.drawsLive(state);
+        const bool live = frames.drawsLive(document);
         EXPECT_TRUE(live || frame == 0) << "one coarse frame is enough";
         const double scale = below(4) == 0 ? 0.75 : 1;
         test::draw(frames, state,
@@ -79,7 +79,7 @@ class RandomEdits : public test::ShownRoom {
     /// Mean difference of the last frame from the whole one, of the mean light.
     double error() {
         test::draw(frames, state, {1, true, 0.05});
-        state.assign({{"antialiasing", 1}}); // as live frames have it
+        document.assign({{"antialiasing", 1}}); // as live frames have it
         rtserver::FrameMaker whole(1);
         test::draw(whole, state);
         double wrong = 0, light = 0;
@@ -102,7 +102,7 @@ TEST_F(RandomEdits, AreSeenWithinAFewFrames) {
     // Of 10,000 one is above 0.12: a row of bright sky at the edge of the image that is not found at once.
     constexpr double kMost = 0.2, kMostMean = 0.01;
     state.frameSeconds = 0.03;
-    state.assign({{"width", 100}, {"height", 70}});
+    document.assign({{"width", 100}, {"height", 70}});
     double sum = 0;
     for (int i = 0; i < edits; ++i) {
         edit();

@@ -37,17 +37,17 @@ class SavedEdits : public test::CommandRoom {
                "[[environment]]\nequirectangular = 'a.pfm'\n"
                "[sky]\ndirection = [1, 2, 1]\n[live]\nwidth = 20\nheight = 14\nmaxDepth = 2\n";
         options.settings = {};
-        show(state, folder / "room.scn");
+        show(document, folder / "room.scn");
         changes();
     }
-    static void show(ServerState& to, const std::filesystem::path& scene) {
+    static void show(Document& to, const std::filesystem::path& scene) {
         to.show(std::make_unique<World>(rtcore::loadScene(scene), scene, rtcore::ImportOptions()));
     }
     int sun() const {
-        const auto light = rtcore::sunOf(*state.scene());
-        return light ? state.scene()->lights[*light].notes.id : 0;
+        const auto light = rtcore::sunOf(*document.scene());
+        return light ? document.scene()->lights[*light].notes.id : 0;
     }
-    static std::vector<rtcore::Colour> imageOf(const ServerState& shown) {
+    static std::vector<rtcore::Colour> imageOf(const Document& shown) {
         rtcore::RenderControl control;
         rtcore::Frame frame;
         control.threads = 1;
@@ -58,64 +58,65 @@ class SavedEdits : public test::CommandRoom {
     /// Another server shows the exported scene.
     void expectSaved(const std::string& after) {
         SCOPED_TRACE(after);
-        rtcore::writeSceneFile(folder / "export.scn", sceneFileOf(state));
-        ServerState other{options, [](const rtcore::RenderSettings&) {}, messages};
+        rtcore::writeSceneFile(folder / "export.scn", sceneFileOf(document));
+        Document other{options, [](const rtcore::RenderSettings&) {}, messages};
         show(other, folder / "export.scn");
-        EXPECT_TRUE(imageOf(other) == imageOf(state));
-        EXPECT_EQ(skyOf(other), skyOf(state));
-        EXPECT_EQ(other.scene()->materials, state.scene()->materials);
+        EXPECT_TRUE(imageOf(other) == imageOf(document));
+        EXPECT_EQ(skyOf(other), skyOf(document));
+        EXPECT_EQ(other.scene()->materials, document.scene()->materials);
         // A sky whose light was taken away comes back with one that is off.
-        const std::optional<rtcore::Sky>& sky = state.scene()->sky;
-        if (sky && !sky->studio && !rtcore::sunOf(*state.scene())) {
-            EXPECT_EQ(other.scene()->lights.size(), state.scene()->lights.size() + 1);
+        const std::optional<rtcore::Sky>& sky = document.scene()->sky;
+        if (sky && !sky->studio && !rtcore::sunOf(*document.scene())) {
+            EXPECT_EQ(other.scene()->lights.size(), document.scene()->lights.size() + 1);
             EXPECT_EQ(other.scene()->lights.back().light.on, 0U);
             return;
         }
-        EXPECT_EQ(other.scene()->lights, state.scene()->lights);
+        EXPECT_EQ(other.scene()->lights, document.scene()->lights);
     }
     /// As a file has it: with a date the direction says nothing.
-    static std::optional<rtcore::Sky> skyOf(const ServerState& shown) {
+    static std::optional<rtcore::Sky> skyOf(const Document& shown) {
         std::optional<rtcore::Sky> sky = shown.scene()->sky;
         if (sky && sky->date) sky->direction = {};
         return sky;
     }
-    bool modified() const { return stateReportOf(state).modified; }
+    bool modified() const { return stateReportOf(document).modified; }
 };
 
 TEST_F(SavedEdits, EachCommandOnTheSun) {
     const std::string number = std::to_string(sun());
-    const auto before = imageOf(state);
-    EXPECT_EQ(state.scene()->lights[state.lightOf(sun())].light.discSine, rtcore::sineOfHalf(0.53));
+    const auto before = imageOf(document);
+    EXPECT_EQ(document.scene()->lights[lightOf(*document.scene(), sun())].light.discSine,
+              rtcore::sineOfHalf(0.53));
     expectSaved("nothing");
     for (const char* edit : {"N off", "N on", "power N 1", "colour N 1 0.5 0.2", "temperature N 3000",
                              "temperature N none", "aim N along 1 -1 -0.5", "size N 4", "N off", "N on",
                              "name N sunlight", "kind N spot", "remove N"}) {
         std::string line = "light " + std::string(edit);
         line.replace(line.find(" N") + 1, 1, number);
-        state.noteSaved(folder / "room.scn", state.history().state());
+        document.noteSaved(folder / "room.scn", document.history().state());
         ASSERT_FALSE(modified());
         answer(line);
         EXPECT_TRUE(modified()) << line;
         expectSaved(line);
     }
-    EXPECT_FALSE(imageOf(state) == before);
+    EXPECT_FALSE(imageOf(document) == before);
 }
 
 TEST_F(SavedEdits, AnEditOfTheSunIsToBeSavedAndTakenBack) {
     const std::string number = std::to_string(sun());
-    const auto before = state.scene();
+    const auto before = document.scene();
     answer("light power " + number + " 1");
     EXPECT_TRUE(modified());
-    const auto edited = state.scene()->lights;
+    const auto edited = document.scene()->lights;
     EXPECT_NE(edited, before->lights);
     answer("undo");
     EXPECT_FALSE(modified());
-    EXPECT_EQ(state.scene()->lights, before->lights);
+    EXPECT_EQ(document.scene()->lights, before->lights);
     answer("redo");
-    EXPECT_EQ(state.scene()->lights, edited);
+    EXPECT_EQ(document.scene()->lights, edited);
     expectSaved("redo");
     answer("sky hour 9"); // gives its own light back
-    EXPECT_FALSE(rtcore::isSunEdited(*state.scene()));
+    EXPECT_FALSE(rtcore::isSunEdited(*document.scene()));
     expectSaved("sky hour");
 }
 
@@ -123,26 +124,26 @@ TEST_F(SavedEdits, TheSkyChangesNoOtherLightThatIsCalledSun) {
     answer("light remove " + std::to_string(sun()));
     const std::string number = answer("light add directional at 0 2 0");
     answer("light name " + number + " sun");
-    const auto lights = state.scene()->lights;
+    const auto lights = document.scene()->lights;
     for (const char* edit : {"sky hour 9", "sky direction -1 1 0", "sky turbidity 4"}) {
         answer(edit);
-        EXPECT_EQ(state.scene()->lights, lights) << edit;
-        EXPECT_EQ(stateReportOf(state).sun, 0);
+        EXPECT_EQ(document.scene()->lights, lights) << edit;
+        EXPECT_EQ(stateReportOf(document).sun, 0);
         expectSaved(edit);
     }
     answer("sky off");
-    EXPECT_EQ(state.scene()->lights, lights);
+    EXPECT_EQ(document.scene()->lights, lights);
     expectSaved("sky off");
     answer("sky on");
-    EXPECT_EQ(state.scene()->lights.size(), lights.size() + 1);
-    EXPECT_EQ(stateReportOf(state).sun, sun());
+    EXPECT_EQ(document.scene()->lights.size(), lights.size() + 1);
+    EXPECT_EQ(stateReportOf(document).sun, sun());
     EXPECT_NE(std::to_string(sun()), number);
     expectSaved("sky on");
 }
 
 TEST_F(SavedEdits, TheSunOfAFileGoesWithTheSkyOfTheFile) {
     answer("light power " + std::to_string(sun()) + " 1");
-    rtcore::writeSceneFile(folder / "edited.scn", sceneFileOf(state));
+    rtcore::writeSceneFile(folder / "edited.scn", sceneFileOf(document));
     rtcore::LoadOptions evening;
     evening.surroundings.sky.emplace().direction = {1, 0.1F, 0};
     evening.surroundings.sky->date.reset();
@@ -227,7 +228,7 @@ TEST_F(SavedEdits, OfEveryKindGiveTheSameBits) {
     for (int i = 0; i < states && !HasFailure(); ++i) {
         std::string done;
         for (int k = 0; k < 5; ++k) {
-            const std::string line = commands.next(*state.scene());
+            const std::string line = commands.next(*document.scene());
             if (refusal(line).code == 0) done += line + "; ";
         }
         expectSaved(std::to_string(i) + ": " + done);

@@ -43,8 +43,8 @@ class SavingRounds : public test::CommandRoom {
         show("0.scn");
     }
     void show(const std::string& name) {
-        state.show(std::make_unique<World>(rtcore::loadScene(folder / name), folder / name,
-                                           rtcore::ImportOptions()));
+        document.show(std::make_unique<World>(rtcore::loadScene(folder / name), folder / name,
+                                              rtcore::ImportOptions()));
     }
     std::string saved(const std::string& name) {
         answer("save as DIR/" + name);
@@ -148,10 +148,10 @@ TEST_F(SavingRounds, GiveTheSameBytesAndTheSameScene) {
         for (int i = 0; i < 4; ++i) edit(kEdits[random() % kEdits.size()]);
         const auto name = [round](const char* half) { return std::to_string(round) + half + ".scn"; };
         const std::string first = saved(name("a"));
-        const auto scene = state.scene();
+        const auto scene = document.scene();
         show(name("a"));
-        EXPECT_EQ(materials(*state.scene()), materials(*scene)) << round;
-        EXPECT_EQ(lightsButTheSun(*state.scene()), lightsButTheSun(*scene)) << round;
+        EXPECT_EQ(materials(*document.scene()), materials(*scene)) << round;
+        EXPECT_EQ(lightsButTheSun(*document.scene()), lightsButTheSun(*scene)) << round;
         ASSERT_EQ(saved(name("b")), first) << round;
         for (const char* one : {"wall", "floor", "grass"})
             EXPECT_LE(count(first, std::string("[[material]]\nname = \"") + one + "\""), 1) << first;

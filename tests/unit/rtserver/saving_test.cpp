@@ -26,7 +26,7 @@ class Saving : public test::CommandRoom {
         std::ifstream in(folder / name, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
-    bool modified() const { return stateReportOf(state).modified; }
+    bool modified() const { return stateReportOf(document).modified; }
     bool nothingLeftBeside() const {
         for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
             if (entry.path().filename().string().starts_with(".")) return false;
@@ -47,16 +47,16 @@ TEST_F(Saving, TheSceneHasWhatEditsMadeOfIt) {
     ASSERT_EQ(file.lights.size(), 2U);
     EXPECT_EQ(file.lights[0].name, "left");
     EXPECT_EQ(file.lights[0].light.on, 0U);
-    EXPECT_EQ(file.lights[1].light, state.scene()->lights[1].light);
+    EXPECT_EQ(file.lights[1].light, document.scene()->lights[1].light);
     EXPECT_FALSE(file.modelLights);
     EXPECT_FALSE(file.defaultLight) << "without lights it stays without";
     EXPECT_EQ(file.activeEnvironment, 1);
     EXPECT_EQ(file.environments.size(), 2U);
     EXPECT_EQ(file.metresPerUnit, 0.01F);
-    EXPECT_EQ(file.camera, state.camera());
+    EXPECT_EQ(file.camera, document.camera());
     ASSERT_EQ(file.bookmarks.size(), 2U);
     EXPECT_EQ(file.bookmarks[0].name, "door");
-    EXPECT_EQ(file.bookmarks[1].camera, state.camera());
+    EXPECT_EQ(file.bookmarks[1].camera, document.camera());
 }
 
 TEST_F(Saving, StillsKeepWhatTheyHaveOfTheirOwnButForWhatWasChanged) {
@@ -64,7 +64,7 @@ TEST_F(Saving, StillsKeepWhatTheyHaveOfTheirOwnButForWhatWasChanged) {
     room.live = {{"maxDepth", 2}, {"width", 640}, {"height", 480}, {"exposure.key", 0.3F}};
     room.still = {{"maxDepth", 6}, {"antialiasing", 4}, {"exposure.key", 0.3F}};
     options.settings.clear();
-    state.show(test::worldOf(std::move(room)));
+    document.show(test::worldOf(std::move(room)));
     answer("set exposure.key 0.18");
     answer("set shadows false");
     answer("resolution 48 36");
@@ -147,7 +147,7 @@ TEST_F(Saving, TheMarkOutlivesForgottenSteps) {
     answer("light 1 off");
     answer("save as DIR/b.scn");
     for (int i = 0; i < 5000; ++i) answer("set maxDepth " + std::to_string(3 + i % 2));
-    while (state.history().last() != nullptr) answer("undo");
+    while (document.history().last() != nullptr) answer("undo");
     EXPECT_FALSE(modified()) << "the step before those that are kept";
     answer("redo");
     EXPECT_TRUE(modified());
@@ -183,7 +183,7 @@ TEST_F(Saving, EditsMeanwhileAreNotInTheFile) {
 TEST_F(Saving, AnotherSceneThatIsShownMeanwhileKeepsItsName) {
     answer("light 1 off");
     const Finish finish = run("save as DIR/b.scn").work();
-    state.show(test::worldOf(test::makeRoom()));
+    document.show(test::worldOf(test::makeRoom()));
     answer("light 2 off");
     finish();
     EXPECT_EQ(answer("scene"), "/rooms/room.scn");
@@ -205,7 +205,7 @@ TEST_F(Saving, AModelIsNoScene) {
     rtcore::LoadedScene room = test::makeRoom();
     room.sceneFile.reset();
     room.scene.environments.clear();
-    state.show(std::make_unique<World>(std::move(room), "/rooms/room.obj", rtcore::ImportOptions()));
+    document.show(std::make_unique<World>(std::move(room), "/rooms/room.obj", rtcore::ImportOptions()));
     EXPECT_EQ(refusal("save").code, 1);
     EXPECT_NE(refusal("save").text.find("save as"), std::string::npos);
     answer("save as DIR/b.scn");
@@ -253,7 +253,7 @@ TEST_F(Saving, OverTheModelIsRefused) {
     std::ofstream(folder / "model.scn") << "v 0 0 0";
     rtcore::LoadedScene room = test::makeRoom();
     room.files = {folder / "a.set"};
-    state.show(test::worldOf(std::move(room)));
+    document.show(test::worldOf(std::move(room)));
     std::filesystem::create_hard_link(folder / "a.set", folder / "link.scn");
     EXPECT_EQ(refusal("save as DIR/link.scn replace").code, 2);
     EXPECT_EQ(text("a.set"), "version = 1\n[live]\nantialiasing = 3\n");

@@ -63,24 +63,24 @@ TEST_F(SceneUpkeepTest, ShowsAnotherSceneWhenItIsLoaded) {
     const auto loaded = finishLoad();
     ASSERT_TRUE(loaded);
     EXPECT_FALSE(loaded->failure);
-    EXPECT_EQ(state.title(), "room.bsp");
+    EXPECT_EQ(document.title(), "room.bsp");
     EXPECT_EQ(changes(), Changes::all());
     EXPECT_EQ(messages.since(0), "");
     EXPECT_FALSE(upkeep.loads());
 }
 
 TEST_F(SceneUpkeepTest, ASceneThatCannotBeLoadedLeavesTheLast) {
-    const auto last = state.scene();
+    const auto last = document.scene();
     upkeep.load(folder / "none.bsp", std::nullopt);
     const auto loaded = finishLoad();
     ASSERT_TRUE(loaded && loaded->failure);
     EXPECT_EQ(loaded->failure->code, 66);
     EXPECT_NE(messages.since(0).find("none.bsp"), std::string::npos);
-    EXPECT_EQ(state.scene(), last);
+    EXPECT_EQ(document.scene(), last);
 }
 
 TEST_F(SceneUpkeepTest, TheFirstSceneMustLoad) {
-    ServerState fresh(
+    Workspace fresh(
         options, [](const rtcore::RenderSettings&) {}, messages);
     SceneUpkeep first(options, fresh, messages);
     first.load(folder / "none.bsp", std::nullopt);
@@ -93,70 +93,70 @@ TEST_F(SceneUpkeepTest, TheFirstSceneMustLoad) {
 TEST_F(SceneUpkeepTest, AFastTreeIsFollowedByTheExactOne) {
     rtcore::LoadedScene room = test::makeRoom();
     room.fastTree = true;
-    state.show(test::worldOf(std::move(room)));
+    document.show(test::worldOf(std::move(room)));
     changes();
-    const auto tracer = state.world().tracer;
+    const auto tracer = document.world().tracer;
     upkeep.advance({});
     EXPECT_FALSE(upkeep.works()) << "the first frame comes first";
     advance({.current = true, .complete = true, .idle = false, .seconds = 0, .coarsest = 0});
-    EXPECT_NE(state.world().tracer, tracer);
-    EXPECT_FALSE(state.world().loaded.fastTree);
+    EXPECT_NE(document.world().tracer, tracer);
+    EXPECT_FALSE(document.world().loaded.fastTree);
     EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
 }
 
 rtcore::HiddenParts boxHidden() { return std::make_shared<const std::vector<std::uint8_t>>(1, 1); }
 
 TEST_F(SceneUpkeepTest, ATreeOfWhatIsVisibleFollowsThePrunedOne) {
-    state.hideParts(boxHidden());
+    hideParts(document, boxHidden());
     changes();
-    EXPECT_TRUE(state.prunes());
-    const auto pruned = state.tracer();
+    EXPECT_TRUE(document.visible().pruned());
+    const auto pruned = document.tracer();
     upkeep.advance({});
     EXPECT_FALSE(upkeep.works()) << "a first frame comes first";
     test::FakeHost host;
     test::draw(host.maker, state);
     const auto before = host.maker.image().pixels;
     advance({.current = true, .complete = false, .idle = false, .seconds = 0, .coarsest = 0});
-    EXPECT_FALSE(state.prunes());
-    EXPECT_NE(state.tracer(), pruned);
-    EXPECT_NE(state.tracer(), state.world().tracer);
-    EXPECT_EQ(state.tracer()->bounds(), state.world().tracer->bounds());
-    const auto* const byTree = dynamic_cast<const rtcore::KdRayTracer*>(state.tracer().get());
+    EXPECT_FALSE(document.visible().pruned());
+    EXPECT_NE(document.tracer(), pruned);
+    EXPECT_NE(document.tracer(), document.world().tracer);
+    EXPECT_EQ(document.tracer()->bounds(), document.world().tracer->bounds());
+    const auto* const byTree = dynamic_cast<const rtcore::KdRayTracer*>(document.tracer().get());
     ASSERT_NE(byTree, nullptr);
-    EXPECT_LT(byTree->memory(), state.world().tracer->memory());
+    EXPECT_LT(byTree->memory(), document.world().tracer->memory());
     EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
     test::draw(host.maker, state);
     EXPECT_EQ(host.maker.image().pixels, before);
-    state.hideParts(nullptr);
-    EXPECT_EQ(state.tracer(), state.world().tracer);
+    hideParts(document, nullptr);
+    EXPECT_EQ(document.tracer(), document.world().tracer);
 }
 
 TEST_F(SceneUpkeepTest, ATreeOfWhatWasVisibleIsNotUsed) {
     const SceneUpkeep::Pace pace{
         .current = true, .complete = false, .idle = false, .seconds = 0, .coarsest = 0};
-    state.hideParts(boxHidden());
+    hideParts(document, boxHidden());
     upkeep.advance(pace);
     EXPECT_TRUE(upkeep.works());
-    state.hideParts(nullptr);
+    hideParts(document, nullptr);
     advance(pace);
-    EXPECT_EQ(state.tracer(), state.world().tracer);
+    EXPECT_EQ(document.tracer(), document.world().tracer);
     EXPECT_FALSE(upkeep.works());
-    const rtcore::KdTree tree = state.world().loaded.tree;
-    state.useVisibleTree(tree, nullptr, boxHidden());
-    EXPECT_EQ(state.tracer(), state.world().tracer);
+    const rtcore::KdTree tree = document.world().loaded.tree;
+    document.useVisibleTree(tree, nullptr, boxHidden());
+    EXPECT_EQ(document.tracer(), document.world().tracer);
 }
 
 TEST_F(SceneUpkeepTest, TheExactTreeLeavesThatOfWhatIsVisible) {
     rtcore::LoadedScene room = test::makeRoom();
     room.fastTree = true;
-    state.show(test::worldOf(std::move(room)));
-    state.hideParts(boxHidden());
+    document.show(test::worldOf(std::move(room)));
+    hideParts(document, boxHidden());
     advance({.current = true, .complete = false, .idle = false, .seconds = 0, .coarsest = 0});
-    EXPECT_FALSE(state.prunes());
-    const auto visible = state.tracer();
+    EXPECT_FALSE(document.visible().pruned());
+    const auto visible = document.tracer();
     advance({.current = true, .complete = true, .idle = false, .seconds = 0, .coarsest = 0});
-    EXPECT_FALSE(state.world().loaded.fastTree);
-    EXPECT_EQ(state.tracer(), visible);
+    EXPECT_FALSE(document.world().loaded.fastTree);
+    EXPECT_EQ(document.tracer(), visible);
 }
 
 TEST_F(SceneUpkeepTest, ShadowMapsAreMadeWhereFramesTakeLong) {
@@ -181,17 +181,17 @@ TEST_F(SceneUpkeepTest, ShadowMapsOutliveWhatLeavesShadowsWhereTheyAre) {
     makeMaps();
     const rtcore::ShadowMaps* const maps = upkeep.shadowMaps();
     ASSERT_NE(maps, nullptr);
-    state.switchLight(1, false);
-    state.setEnvironment(1);
-    state.turn(10, 0);
-    state.assign({{"antialiasing", 2}});
+    switchLight(document, 1, false);
+    setEnvironment(document, 1);
+    walk.turn(10, 0);
+    document.assign({{"antialiasing", 2}});
     EXPECT_EQ(upkeep.shadowMaps(), maps);
 }
 
 TEST_F(SceneUpkeepTest, ShadowMapsDieWithTheirScene) {
     makeMaps();
     ASSERT_NE(upkeep.shadowMaps(), nullptr);
-    state.show(test::worldOf(test::makeRoom()));
+    document.show(test::worldOf(test::makeRoom()));
     EXPECT_EQ(upkeep.shadowMaps(), nullptr);
     makeMaps();
     EXPECT_NE(upkeep.shadowMaps(), nullptr);

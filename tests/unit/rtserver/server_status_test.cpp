@@ -12,13 +12,13 @@ using ServerStatus = test::ShownRoom;
 TEST_F(ServerStatus, TellsOfTheStateAndItsFrame) {
     FrameMaker frames(1);
     test::draw(frames, state);
-    state.setWalking(true);
+    walk.setWalking(true);
     const ipc::Status status =
         statusOf(state, frames, {.progress = 0.5F, .framesPerSecond = 20, .messages = 3, .idle = true});
     EXPECT_EQ(status.width, 32U);
     EXPECT_EQ(status.height, 24U);
-    EXPECT_EQ(status.polygons, state.scene()->mesh().triangles.size());
-    EXPECT_EQ(status.eye[1], state.camera().eye.y);
+    EXPECT_EQ(status.polygons, document.scene()->mesh().triangles.size());
+    EXPECT_EQ(status.eye[1], document.camera().eye.y);
     EXPECT_EQ(status.mode, 1U);
     EXPECT_EQ(status.exposure, frames.exposure());
     EXPECT_GT(status.frameSeconds, 0);
@@ -39,7 +39,7 @@ TEST_F(ServerStatus, TellsWhichPartOfALiveFrameIsKept) {
     state.frameSeconds = 0.03;
     test::draw(frames, state);
     EXPECT_EQ(statusOf(state, frames, {}).kept, 0);
-    state.turn(1, 0);
+    walk.turn(1, 0);
     test::draw(frames, state, {1, true, 0.1});
     EXPECT_GT(statusOf(state, frames, {}).kept, 0.7F);
     EXPECT_LT(statusOf(state, frames, {}).kept, 1);
@@ -48,7 +48,7 @@ TEST_F(ServerStatus, TellsWhichPartOfALiveFrameIsKept) {
 }
 
 TEST_F(ServerStatus, WithoutASceneTellsWhatIsKnown) {
-    const ServerState fresh(options, {}, messages);
+    const Workspace fresh(options, {}, messages);
     const ipc::Status status = statusOf(fresh, FrameMaker(1), {.progress = 0.25F});
     EXPECT_EQ(status.progress, 0.25F);
     EXPECT_EQ(status.width, 0U);

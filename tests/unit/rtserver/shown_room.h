@@ -1,8 +1,12 @@
-/// A server's state that shows a room made in memory, and what a server has around it, without ipc.
+/// A document that shows a room made in memory, and what a server has around it, without ipc.
 #pragma once
 
 #include "rtserver/commands.h"
-#include "rtserver/document.h"
+#include "rtserver/key_edits.h"
+#include "rtserver/light_list.h"
+#include "rtserver/model_edits.h"
+#include "rtserver/sky_edits.h"
+#include "rtserver/workspace.h"
 
 #include "rtcore/platform/error.h"
 
@@ -10,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,36 +66,6 @@ inline rtcore::CameraFile cameraFileOf(const rtcore::Camera& camera) {
     return file;
 }
 
-/// Fixture: the state, small frames, and what changed since the last look.
-class ShownRoom : public testing::Test {
-  protected:
-    ShownRoom() {
-        options.settings = {{"width", 32}, {"height", 24}, {"antialiasing", 1}};
-        options.threads = 1;
-    }
-    void SetUp() override {
-        state.show(worldOf(makeRoom()));
-        changes();
-    }
-
-    /// Since the last call.
-    rtcore::Changes changes() { return seen.take(state.revisions()); }
-    void reserve(const rtcore::RenderSettings& settings) {
-        if (full) throw rtcore::FileError(rtcore::FailureKind::TryAgain, "", "no room for that");
-        reserved.emplace_back(settings.width, settings.height);
-    }
-    bool lightIsOn(std::size_t light) const { return state.scene()->lights.at(light).light.on != 0; }
-    int environment() const { return state.scene()->activeEnvironment; }
-
-    rtserver::Options options;
-    rtserver::Messages messages;
-    bool full = false; ///< no further frame can be reserved
-    std::vector<std::pair<int, int>> reserved;
-    rtserver::ServerState state{
-        options, [this](const rtcore::RenderSettings& settings) { reserve(settings); }, messages};
-    rtcore::Subscription seen;
-};
-
 /// Notes what commands ask of the server.
 class FakeHost final : public rtserver::Host {
   public:
@@ -110,12 +86,50 @@ class FakeHost final : public rtserver::Host {
     std::vector<std::pair<std::filesystem::path, std::optional<std::filesystem::path>>> loads;
 };
 
-/// Draws a frame of the state.
-inline void draw(rtserver::FrameMaker& frames, const rtserver::ServerState& state,
+/// Fixture: the document and the walk in it, small frames, and what changed since the last look.
+class ShownRoom : public testing::Test {
+  protected:
+    ShownRoom() {
+        options.settings = {{"width", 32}, {"height", 24}, {"antialiasing", 1}};
+        options.threads = 1;
+    }
+    void SetUp() override {
+        document.show(worldOf(makeRoom()));
+        changes();
+    }
+
+    /// Keys edit as they do in a server.
+    void move(std::chrono::nanoseconds time, const ipc::KeyState& keys) {
+        walk.move(time, keys,
+                  [&](const rtcore::ActionTap& tap) { rtserver::editByKey(tap, state, keyHost, messages); });
+    }
+    /// Since the last call.
+    rtcore::Changes changes() { return seen.take(document.revisions()); }
+    void reserve(const rtcore::RenderSettings& settings) {
+        if (full) throw rtcore::FileError(rtcore::FailureKind::TryAgain, "", "no room for that");
+        reserved.emplace_back(settings.width, settings.height);
+    }
+    bool lightIsOn(std::size_t light) const { return document.scene()->lights.at(light).light.on != 0; }
+    int environment() const { return document.scene()->activeEnvironment; }
+
+    rtserver::Options options;
+    rtserver::Messages messages;
+    bool full = false; ///< no further frame can be reserved
+    std::vector<std::pair<int, int>> reserved;
+    rtserver::Workspace state{options, [this](const rtcore::RenderSettings& settings) { reserve(settings); },
+                              messages};
+    rtserver::Document& document = state.document;
+    rtserver::Walk& walk = state.walk;
+    FakeHost keyHost;
+    rtcore::Subscription seen;
+};
+
+/// Draws a frame of the document.
+inline void draw(rtserver::FrameMaker& frames, const rtserver::Workspace& state,
                  const rtserver::FrameDetail& detail = {}) {
     rtcore::RenderControl control;
     ASSERT_TRUE(frames.trace(state, detail, nullptr, control));
-    frames.develop(state);
+    frames.develop(state.document);
 }
 
 } // namespace test

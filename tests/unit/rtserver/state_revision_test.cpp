@@ -23,12 +23,12 @@ TEST_F(Revised, GrowsWithEachAnswerThatIsAnother) {
          {"set maxDepth 3", "resolution 64 48", "light 1 off", "light name 1 bulb", "environment 2", "undo",
           "redo", "bookmark add here", "material set 1 diffuse 1 0 0", "part hide box", "camera angle 80",
           "camera turn 10 0", "up -y", "units cm", "bind k jump", "sky on"}) {
-        const std::string before = app::formatStateReport(stateReportOf(state, 0), 65520);
+        const std::string before = app::formatStateReport(stateReportOf(document, 0), 65520);
         answer(line);
         EXPECT_GT(now(), last) << line;
         last = now();
         const bool bindings = std::string(line).starts_with("bind");
-        EXPECT_TRUE(bindings || before != app::formatStateReport(stateReportOf(state, 0), 65520)) << line;
+        EXPECT_TRUE(bindings || before != app::formatStateReport(stateReportOf(document, 0), 65520)) << line;
     }
     for (const char* const line :
          {"ping", "state", "lights", "get maxDepth", "camera pivot", "pause", "resume"}) {

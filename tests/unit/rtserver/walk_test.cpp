@@ -26,7 +26,7 @@ ipc::KeyState keys(std::initializer_list<int> down) {
     return state;
 }
 
-class ServerMotion : public test::ShownRoom {
+class WalkTest : public test::ShownRoom {
   protected:
     /// The first camera looks as the room does, the second one from aside with a light off, at a fixed
     /// exposure.
@@ -59,98 +59,98 @@ ipc::KeyState restrainedKeys(std::initializer_list<int> down, std::size_t restra
 }
 
 // Whatever they are bound to by now.
-TEST_F(ServerMotion, RestrainedKeysMoveAndEditNothing) {
-    const int radius = state.settings().bloom.radius;
-    const bool light = state.scene()->lights[0].light.on != 0;
-    state.setBindings(rtcore::KeyBindings(
+TEST_F(WalkTest, RestrainedKeysMoveAndEditNothing) {
+    const int radius = document.settings().bloom.radius;
+    const bool light = document.scene()->lights[0].light.on != 0;
+    walk.setBindings(rtcore::KeyBindings(
         std::vector<rtcore::KeyBinding>{{'K', rtcore::Action::ToggleBloom},
                                         {'L', rtcore::Action::ToggleLight, rtcore::KeyNone, 1},
                                         {'W', rtcore::Action::Forward}}));
-    state.move(1ms, restrainedKeys({'K', 'L', 'W'}, 2));
-    state.move(50ms, {});
-    EXPECT_EQ(state.settings().bloom.radius, radius);
-    EXPECT_EQ(state.scene()->lights[0].light.on != 0, light);
-    EXPECT_EQ(state.history().last(), nullptr);
+    move(1ms, restrainedKeys({'K', 'L', 'W'}, 2));
+    move(50ms, {});
+    EXPECT_EQ(document.settings().bloom.radius, radius);
+    EXPECT_EQ(document.scene()->lights[0].light.on != 0, light);
+    EXPECT_EQ(document.history().last(), nullptr);
     EXPECT_TRUE(changes().has(Change::View)) << "but it moves";
-    state.move(1ms, restrainedKeys({'K', 'L'}, 1));
-    state.move(1ms, {});
-    EXPECT_EQ(state.settings().bloom.radius, radius);
-    EXPECT_NE(state.scene()->lights[0].light.on != 0, light) << "bloom alone is withheld";
+    move(1ms, restrainedKeys({'K', 'L'}, 1));
+    move(1ms, {});
+    EXPECT_EQ(document.settings().bloom.radius, radius);
+    EXPECT_NE(document.scene()->lights[0].light.on != 0, light) << "bloom alone is withheld";
     ipc::KeyState both = restrainedKeys({'K'}, 2); // and another client's
     both.presses['K'] += 1;
-    state.move(1ms, both);
-    EXPECT_NE(state.settings().bloom.radius, radius) << "the other one may";
+    move(1ms, both);
+    EXPECT_NE(document.settings().bloom.radius, radius) << "the other one may";
 }
 
-TEST_F(ServerMotion, NothingMovesUntilAKeyIsPressed) {
-    state.move(100ms, {});
-    EXPECT_TRUE(state.atRest());
+TEST_F(WalkTest, NothingMovesUntilAKeyIsPressed) {
+    move(100ms, {});
+    EXPECT_TRUE(walk.atRest());
     EXPECT_EQ(changes(), Changes{});
-    EXPECT_EQ(state.untilEvent(), std::chrono::nanoseconds::max());
+    EXPECT_EQ(walk.untilEvent(), std::chrono::nanoseconds::max());
 }
 
-TEST_F(ServerMotion, AKeyThatIsHeldMovesTheView) {
-    const float before = state.camera().eye.z;
-    state.move(0ms, keys({'W'}));
-    EXPECT_FALSE(state.atRest());
+TEST_F(WalkTest, AKeyThatIsHeldMovesTheView) {
+    const float before = document.camera().eye.z;
+    move(0ms, keys({'W'}));
+    EXPECT_FALSE(walk.atRest());
     EXPECT_EQ(changes(), Changes{}) << "it acts from now on";
-    state.move(100ms, keys({'W'}));
+    move(100ms, keys({'W'}));
     EXPECT_EQ(changes(), Changes{Change::View});
-    EXPECT_LT(state.camera().eye.z, before);
+    EXPECT_LT(document.camera().eye.z, before);
 }
 
-TEST_F(ServerMotion, KeysSwitchWhatTheSceneHas) {
-    state.move(0ms, keys({'2'}));
+TEST_F(WalkTest, KeysSwitchWhatTheSceneHas) {
+    move(0ms, keys({'2'}));
     EXPECT_FALSE(lightIsOn(1));
     EXPECT_EQ(changes(), Changes{Change::Light});
-    state.move(0ms, {});
-    state.move(0ms, keys({'M', '2'}));
+    move(0ms, {});
+    move(0ms, keys({'M', '2'}));
     EXPECT_EQ(environment(), 1);
     EXPECT_EQ(changes(), Changes{Change::Sky});
-    state.move(0ms, {});
-    state.move(0ms, keys({'B'}));
+    move(0ms, {});
+    move(0ms, keys({'B'}));
     EXPECT_EQ(changes(), Changes{Change::Setting});
-    EXPECT_GT(state.settings().bloom.radius, 0);
-    state.move(0ms, {});
-    state.move(0ms, keys({'9'}));
+    EXPECT_GT(document.settings().bloom.radius, 0);
+    move(0ms, {});
+    move(0ms, keys({'9'}));
     EXPECT_EQ(changes(), Changes{}) << "the scene has two";
     EXPECT_EQ(messages.since(0), "1 event light 2 off\n2 event environment 2\n3 event bloom on\n"
                                  "4 event there is no light 9");
 }
 
-TEST_F(ServerMotion, WalksWhereThereIsAFloor) {
-    EXPECT_FALSE(state.walking());
-    state.setWalking(true);
-    EXPECT_TRUE(state.walking());
-    EXPECT_FALSE(state.onUnseenFloor());
-    state.setWalking(false);
-    EXPECT_FALSE(state.walking());
-    rtcore::Camera below = state.camera();
+TEST_F(WalkTest, WalksWhereThereIsAFloor) {
+    EXPECT_FALSE(walk.walking());
+    walk.setWalking(true);
+    EXPECT_TRUE(walk.walking());
+    EXPECT_FALSE(walk.onUnseenFloor());
+    walk.setWalking(false);
+    EXPECT_FALSE(walk.walking());
+    rtcore::Camera below = document.camera();
     below.eye.y = -50;
-    state.setCamera(below);
-    EXPECT_THROW(state.setWalking(true), std::runtime_error);
-    EXPECT_FALSE(state.walking());
-    state.move(0ms, keys({'F'}));
+    document.setCamera(below);
+    EXPECT_THROW(walk.setWalking(true), std::runtime_error);
+    EXPECT_FALSE(walk.walking());
+    move(0ms, keys({'F'}));
     EXPECT_NE(messages.since(0).find("there is no room to stand here"), std::string::npos);
 }
 
-TEST_F(ServerMotion, RecordsTheCameraAtAnEvenPace) {
-    EXPECT_FALSE(state.recording());
-    state.startRecording(std::make_unique<Recording>(folder / "r.lst", 10));
-    EXPECT_TRUE(state.recording());
-    EXPECT_EQ(state.recordedList(), folder / "r.lst");
-    EXPECT_THROW(state.startRecording(std::make_unique<Recording>(folder / "s.lst", 10)), std::runtime_error);
-    state.move(0ms, keys({'W'}));
-    state.settleRecording(1);
+TEST_F(WalkTest, RecordsTheCameraAtAnEvenPace) {
+    EXPECT_FALSE(walk.recording());
+    walk.startRecording(std::make_unique<Recording>(folder / "r.lst", 10));
+    EXPECT_TRUE(walk.recording());
+    EXPECT_EQ(walk.recordedList(), folder / "r.lst");
+    EXPECT_THROW(walk.startRecording(std::make_unique<Recording>(folder / "s.lst", 10)), std::runtime_error);
+    move(0ms, keys({'W'}));
+    walk.settleRecording(1);
     for (int i = 0; i < 2; ++i) {
-        EXPECT_LE(state.untilEvent(), 100ms);
-        state.move(100ms, keys({'W'}));
-        state.settleRecording(2);
+        EXPECT_LE(walk.untilEvent(), 100ms);
+        move(100ms, keys({'W'}));
+        walk.settleRecording(2);
     }
-    EXPECT_EQ(state.recordedTime(), 200ms);
-    EXPECT_EQ(state.stopRecording(2), 3);
-    EXPECT_FALSE(state.recording());
-    EXPECT_EQ(state.recordedTime(), 0ms);
+    EXPECT_EQ(walk.recordedTime(), 200ms);
+    EXPECT_EQ(walk.stopRecording(2), 3);
+    EXPECT_FALSE(walk.recording());
+    EXPECT_EQ(walk.recordedTime(), 0ms);
     const auto files = rtcore::readCameraList(folder / "r.lst");
     ASSERT_EQ(files.size(), 3U);
     const rtcore::CameraFile first = rtcore::readCameraFile(files[0]),
@@ -161,60 +161,60 @@ TEST_F(ServerMotion, RecordsTheCameraAtAnEvenPace) {
     EXPECT_EQ(last.lightsOn, (std::vector{1, 2}));
 }
 
-TEST_F(ServerMotion, ARecordingEndsWithItsScene) {
-    EXPECT_THROW(state.stopRecording(1), std::runtime_error);
-    state.startRecording(std::make_unique<Recording>(folder / "r.lst", 10));
-    state.show(test::worldOf(test::makeRoom()));
-    EXPECT_FALSE(state.recording());
+TEST_F(WalkTest, ARecordingEndsWithItsScene) {
+    EXPECT_THROW(walk.stopRecording(1), std::runtime_error);
+    walk.startRecording(std::make_unique<Recording>(folder / "r.lst", 10));
+    document.show(test::worldOf(test::makeRoom()));
+    EXPECT_FALSE(walk.recording());
     try {
-        state.stopRecording(1);
+        walk.stopRecording(1);
         FAIL();
     } catch (const std::runtime_error& error) {
         EXPECT_NE(std::string(error.what()).find("another scene was shown"), std::string::npos);
     }
 }
 
-TEST_F(ServerMotion, APathShowsItsCamerasInTime) {
-    state.play(path());
-    EXPECT_FALSE(state.atRest());
-    state.move(1ms, {});
+TEST_F(WalkTest, APathShowsItsCamerasInTime) {
+    walk.play(path());
+    EXPECT_FALSE(walk.atRest());
+    move(1ms, {});
     EXPECT_EQ(changes(), Changes{}) << "the first camera sees what was shown";
-    state.move(100ms, {});
+    move(100ms, {});
     EXPECT_EQ(changes(), (Changes{Change::View, Change::Light, Change::Setting}));
-    EXPECT_EQ(state.camera().eye.x, 1);
+    EXPECT_EQ(document.camera().eye.x, 1);
     EXPECT_FALSE(lightIsOn(0));
-    EXPECT_EQ(state.shownSettings().exposure.mode, rtcore::ExposureMode::Fixed);
-    EXPECT_EQ(state.shownSettings().exposure.value, 3.0F);
-    EXPECT_EQ(state.settings().exposure.mode, rtcore::ExposureMode::Automatic) << "of the path alone";
-    state.move(100ms, {});
-    EXPECT_TRUE(state.atRest()) << "its last camera had its time";
-    EXPECT_EQ(state.shownSettings().exposure.mode, rtcore::ExposureMode::Automatic);
+    EXPECT_EQ(document.frameSettings().exposure.mode, rtcore::ExposureMode::Fixed);
+    EXPECT_EQ(document.frameSettings().exposure.value, 3.0F);
+    EXPECT_EQ(document.settings().exposure.mode, rtcore::ExposureMode::Automatic) << "of the path alone";
+    move(100ms, {});
+    EXPECT_TRUE(walk.atRest()) << "its last camera had its time";
+    EXPECT_EQ(document.frameSettings().exposure.mode, rtcore::ExposureMode::Automatic);
     EXPECT_EQ(changes(), Changes{Change::Setting}) << "the exposure is found anew";
-    EXPECT_EQ(state.camera().eye.x, 1) << "it stays there";
+    EXPECT_EQ(document.camera().eye.x, 1) << "it stays there";
 }
 
-TEST_F(ServerMotion, AKeyThatMovesEndsAPath) {
-    state.play(path());
-    state.move(1ms, {});
-    state.move(1ms, keys({'W'}));
-    state.move(200ms, keys({'W'}));
-    EXPECT_EQ(state.camera().eye.x, 0);
+TEST_F(WalkTest, AKeyThatMovesEndsAPath) {
+    walk.play(path());
+    move(1ms, {});
+    move(1ms, keys({'W'}));
+    move(200ms, keys({'W'}));
+    EXPECT_EQ(document.camera().eye.x, 0);
     EXPECT_TRUE(lightIsOn(0));
 }
 
-TEST_F(ServerMotion, APathEndsWalking) {
-    state.setWalking(true);
-    state.play(path());
-    EXPECT_FALSE(state.walking());
-    state.stopPlaying();
-    EXPECT_TRUE(state.atRest());
+TEST_F(WalkTest, APathEndsWalking) {
+    walk.setWalking(true);
+    walk.play(path());
+    EXPECT_FALSE(walk.walking());
+    walk.stopPlaying();
+    EXPECT_TRUE(walk.atRest());
 }
 
-TEST_F(ServerMotion, APathThatCannotBeReadIsAnError) {
+TEST_F(WalkTest, APathThatCannotBeReadIsAnError) {
     auto playback = path();
     std::ofstream(folder / "1.cam") << "nonsense";
-    EXPECT_NO_THROW(state.play(std::move(playback)));
-    EXPECT_THROW(state.move(200ms, {}), rtcore::FileError);
+    EXPECT_NO_THROW(walk.play(std::move(playback)));
+    EXPECT_THROW(move(200ms, {}), rtcore::FileError);
 }
 
 } // namespace
