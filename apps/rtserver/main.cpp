@@ -1,6 +1,6 @@
 /// RTServer: renders a scene in real time for the programs that look at it and command it.
+#include "rtserver/loop/server_run.h"
 #include "rtserver/server_options.h"
-#include "rtserver/server_run.h"
 
 #include "common/cli/run_program.h"
 #include "common/process/threads.h"

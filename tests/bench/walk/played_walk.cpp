@@ -1,7 +1,7 @@
 #include "bench/walk/played_walk.h"
 
 #include "rtcore/io/recording/path_recorder.h"
-#include "rtserver/playback.h"
+#include "rtserver/walk/playback.h"
 #include "support/temporary_folder.h"
 
 #include <algorithm>

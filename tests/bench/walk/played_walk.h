@@ -8,10 +8,10 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtserver/frame_drawing.h"
-#include "rtserver/scene_upkeep.h"
+#include "rtserver/frames/frame_drawing.h"
+#include "rtserver/frames/scene_upkeep.h"
 #include "rtserver/server_options.h"
-#include "rtserver/workspace.h"
+#include "rtserver/walk/workspace.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/scene/camera.h"
-#include "rtserver/frame_detail.h"
+#include "rtserver/frames/frame_detail.h"
 
 #include <filesystem>
 #include <vector>

@@ -9,7 +9,7 @@
 #include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
 #include "cui/cui_spec.h"
-#include "rtserver/commands.h"
+#include "rtserver/commands/commands.h"
 #include "support/document_section.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "rtserver/adaptation.h"
+#include "rtserver/frames/adaptation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rtserver/command_book.h"
+#include "rtserver/commands/command_book.h"
 
 #include <gtest/gtest.h>
 

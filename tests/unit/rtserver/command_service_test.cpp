@@ -1,9 +1,9 @@
-#include "rtserver/command_service.h"
+#include "rtserver/commands/command_service.h"
 
 #include "command_room.h"
 #include "told_clients.h"
 
-#include "rtserver/state_report_of.h"
+#include "rtserver/commands/state_report_of.h"
 
 #include <gtest/gtest.h>
 

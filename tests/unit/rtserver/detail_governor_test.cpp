@@ -1,4 +1,4 @@
-#include "rtserver/detail_governor.h"
+#include "rtserver/frames/detail_governor.h"
 
 #include <gtest/gtest.h>
 

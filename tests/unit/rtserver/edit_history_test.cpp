@@ -1,7 +1,7 @@
 /// Edits that are taken back and made again, whichever command or key made them.
 #include "command_room.h"
 
-#include "rtserver/edit_history.h"
+#include "rtserver/document/edit_history.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rtserver/frame_detail.h"
+#include "rtserver/frames/frame_detail.h"
 
 #include "rtcore/live/live_renderer.h"
 #include "rtcore/settings/settings_table.h"

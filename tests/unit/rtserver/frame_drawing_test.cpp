@@ -1,4 +1,4 @@
-#include "rtserver/frame_drawing.h"
+#include "rtserver/frames/frame_drawing.h"
 
 #include "shown_room.h"
 

@@ -1,4 +1,4 @@
-#include "rtserver/frame_maker.h"
+#include "rtserver/frames/frame_maker.h"
 
 #include "shown_room.h"
 

@@ -1,4 +1,4 @@
-#include "rtserver/frame_pacer.h"
+#include "rtserver/frames/frame_pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rtserver/frame_schedule.h"
+#include "rtserver/frames/frame_schedule.h"
 
 #include <gtest/gtest.h>
 

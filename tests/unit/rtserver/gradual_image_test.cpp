@@ -1,4 +1,4 @@
-#include "rtserver/gradual_image.h"
+#include "rtserver/frames/gradual_image.h"
 
 #include <gtest/gtest.h>
 

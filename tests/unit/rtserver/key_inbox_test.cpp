@@ -1,4 +1,4 @@
-#include "rtserver/key_inbox.h"
+#include "rtserver/walk/key_inbox.h"
 
 #include <gtest/gtest.h>
 

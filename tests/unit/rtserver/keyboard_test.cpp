@@ -1,4 +1,4 @@
-#include "rtserver/keyboard.h"
+#include "rtserver/walk/keyboard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 /// Lights that commands add, remove and change.
 #include "command_room.h"
 
-#include "rtserver/exports.h"
-#include "rtserver/light_edits.h"
+#include "rtserver/document/exports.h"
+#include "rtserver/document/light_edits.h"
 
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/math/blackbody.h"

@@ -1,4 +1,4 @@
-#include "rtserver/live_governor.h"
+#include "rtserver/frames/live_governor.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // and that a scene that is written shows the same.
 #include "command_room.h"
 
-#include "rtserver/exports.h"
+#include "rtserver/document/exports.h"
 
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/scene/material_textures.h"

@@ -1,6 +1,6 @@
 /// Recording and playing, apart from a server.
-#include "rtserver/playback.h"
-#include "rtserver/recording.h"
+#include "rtserver/walk/playback.h"
+#include "rtserver/walk/recording.h"
 
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"

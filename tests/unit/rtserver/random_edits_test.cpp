@@ -1,6 +1,6 @@
 /// What is seen while a scene is edited, and while one walks on: after few frames it is the truth, whatever
 /// was edited. RT_EDITS sets how many edits (check-long.sh: 10,000, under sanitizers).
-#include "rtserver/frame_maker.h"
+#include "rtserver/frames/frame_maker.h"
 
 #include "shown_room.h"
 

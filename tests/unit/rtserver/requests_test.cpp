@@ -1,4 +1,4 @@
-#include "rtserver/requests.h"
+#include "rtserver/commands/requests.h"
 
 #include "told_clients.h"
 

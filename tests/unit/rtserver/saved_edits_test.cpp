@@ -8,8 +8,8 @@
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/sky/scene_sky.h"
-#include "rtserver/exports.h"
-#include "rtserver/state_report_of.h"
+#include "rtserver/commands/state_report_of.h"
+#include "rtserver/document/exports.h"
 #include "support/one_frame.h"
 
 #include <gtest/gtest.h>

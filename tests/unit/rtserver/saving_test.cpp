@@ -3,7 +3,7 @@
 
 #include "common/commands/state_report.h"
 #include "rtcore/io/text/scn.h"
-#include "rtserver/state_report_of.h"
+#include "rtserver/commands/state_report_of.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rtserver/scene_upkeep.h"
+#include "rtserver/frames/scene_upkeep.h"
 
 #include "shown_room.h"
 

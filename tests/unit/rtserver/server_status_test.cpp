@@ -1,4 +1,4 @@
-#include "rtserver/server_status.h"
+#include "rtserver/loop/server_status.h"
 
 #include "shown_room.h"
 

@@ -1,12 +1,12 @@
 /// A document that shows a room made in memory, and what a server has around it, without ipc.
 #pragma once
 
-#include "rtserver/commands.h"
-#include "rtserver/key_edits.h"
-#include "rtserver/light_list.h"
-#include "rtserver/model_edits.h"
-#include "rtserver/sky_edits.h"
-#include "rtserver/workspace.h"
+#include "rtserver/commands/commands.h"
+#include "rtserver/commands/key_edits.h"
+#include "rtserver/document/light_list.h"
+#include "rtserver/document/model_edits.h"
+#include "rtserver/document/sky_edits.h"
+#include "rtserver/walk/workspace.h"
 
 #include "rtcore/platform/error.h"
 

@@ -1,5 +1,5 @@
-#include "rtserver/server_run.h"
-#include "rtserver/side_work.h"
+#include "rtserver/commands/side_work.h"
+#include "rtserver/loop/server_run.h"
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/temporary_names.h"

@@ -1,7 +1,7 @@
 #include "command_room.h"
 
-#include "rtserver/state_report_of.h"
-#include "rtserver/state_revision.h"
+#include "rtserver/commands/state_report_of.h"
+#include "rtserver/loop/state_revision.h"
 
 #include <gtest/gtest.h>
 

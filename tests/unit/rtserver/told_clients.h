@@ -1,7 +1,7 @@
 /// Clients that need no ipc: what they send, and what they are told.
 #pragma once
 
-#include "rtserver/requests.h"
+#include "rtserver/commands/requests.h"
 
 #include <cstdint>
 #include <string>

@@ -1,0 +1,40 @@
+#include "rtserver/commands/command_call.h"
+
+#include "common/cli/command_line.h"
+
+#include "rtcore/motion/key_codes.h"
+#include "rtcore/settings/plain_text.h"
+
+#include <optional>
+
+namespace rtserver {
+
+float number(const std::string& text) { return static_cast<float>(preciseNumber(text)); }
+double preciseNumber(const std::string& text) { return app::parseNumber(text).value(); }
+int integer(const std::string& text) { return static_cast<int>(app::parseInteger(text).value()); }
+bool flag(const std::string& text) { return text == "on"; }
+
+int keyOf(const std::string& name) {
+    const std::optional<int> code = rtcore::keyNamed(name);
+    if (!code) {
+        throw app::UsageError(
+            "unknown key " + rtcore::inQuotes(name) +
+            "; there are letters, digits, Space, Left, Right, Up, Down, Shift, Control, CapsLock "
+            "and others");
+    }
+    return *code;
+}
+
+std::filesystem::path pathOf(const std::string& text) {
+    std::filesystem::path path(text);
+    if (!path.is_absolute()) throw app::UsageError("the path " + rtcore::inQuotes(text) + " is not absolute");
+    return path;
+}
+
+void refuseInput(const app::InputFiles& inputs, const std::filesystem::path& path,
+                 std::string_view replaces) {
+    const auto input = inputs.find(path);
+    if (input && (replaces.empty() || input->extension() != replaces)) inputs.refuse(path);
+}
+
+} // namespace rtserver

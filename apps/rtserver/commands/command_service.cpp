@@ -1,0 +1,193 @@
+#include "rtserver/commands/command_service.h"
+
+#include "rtcore/settings/plain_text.h"
+
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+constexpr auto kPatience = std::chrono::seconds(1); ///< for files that are being written when the server ends
+constexpr const char* kPaused = "the server was paused";
+constexpr std::size_t kMostPending = 64; ///< of a client; then its further commands stay in its queue
+
+bool isEnd(const ipc::Command& command) { return command.text == "quit" || command.text == "exit"; }
+
+} // namespace
+
+CommandService::CommandService(Workspace& state, Messages& messages, Surroundings surroundings)
+    : state_(state), messages_(messages), around_(std::move(surroundings)), requests_(around_.replies) {}
+
+CommandService::~CommandService() {
+    longWork_.stopWhere([](const ipc::Command&) { return true; });
+    sideWork_.waitFor(kPatience);
+    longWork_.waitFor(kPatience);
+}
+
+// --- Running ---
+
+ipc::ClientSet CommandService::full() const {
+    ipc::ClientSet full;
+    for (const ipc::Command* command : commands_.ofClientsWith(kMostPending)) {
+        if (around_.replies.isConnected(*command)) full.set(static_cast<std::size_t>(command->slot));
+    }
+    return full;
+}
+
+void CommandService::add(std::vector<ipc::Command> commands) {
+    for (ipc::Command& command : commands) commands_.add(std::move(command));
+}
+
+void CommandService::serve(std::vector<ipc::Command> commands) {
+    for (const ipc::Command& command : commands) {
+        // Not to be held up by a file that does not answer.
+        if (isEnd(command) && commands_.isBeside(command.client)) around_.host.quit();
+    }
+    add(std::move(commands));
+    commands_.forgetWaiting([this](const ipc::Command& command) {
+        return command.wantsAnswer && !around_.replies.isConnected(command);
+    });
+    commands_.serve([this](const ipc::Command& command) {
+        return around_.host.quits() ? Served::Again : serveOne(command);
+    });
+}
+
+Served CommandService::serveOne(const ipc::Command& command) {
+    Served served = Served::Done;
+    answerBy(command, [&] {
+        return begin(command, runCommand(command.text, state_, around_.host, command.client), served);
+    });
+    return served;
+}
+
+// The answer, if it is there. `served` stays Done where it comes later without the command.
+std::optional<std::string> CommandService::begin(const ipc::Command& command, Result result, Served& served) {
+    switch (result.when) {
+    case ReplyWhen::Done:
+        return std::move(result.answer);
+    case ReplyWhen::Again:
+        served = Served::Again;
+        break;
+    case ReplyWhen::Beside:
+        sideWork_.start(command, std::move(result.work));
+        served = Served::Beside;
+        break;
+    case ReplyWhen::Apart:
+        longWork_.start(command, std::move(result.work), std::move(result.stop));
+        break;
+    case ReplyWhen::WhenIdle:
+        requests_.addForIdle(command);
+        break;
+    case ReplyWhen::WhenLoaded:
+        requests_.addForLoad(command);
+        break;
+    case ReplyWhen::WhenReleased:
+        requests_.addForKey(command, result.press);
+        break;
+    }
+    return std::nullopt;
+}
+
+void CommandService::finishSideWork() {
+    for (const SideWork::Done& done : sideWork_.takeDone()) {
+        answerBy(done.command, [&] { return std::optional(done.finish()); });
+        commands_.resume(done.command.client);
+    }
+    // A client that has left, by Ctrl-C for example, takes no answer any more.
+    longWork_.stopWhere([this](const ipc::Command& command) {
+        return command.wantsAnswer && !around_.replies.isConnected(command);
+    });
+    for (const SideWork::Done& done : longWork_.takeDone())
+        answerBy(done.command, [&] { return std::optional(done.finish()); });
+}
+
+// --- Answering ---
+
+// Nothing: the answer comes later.
+void CommandService::answerBy(const ipc::Command& command, const Act& act) {
+    try {
+        const std::optional<std::string> text = act();
+        if (!text) return;
+        around_.publishStatus();
+        around_.replies.answer(command, *text);
+    } catch (const std::exception& error) {
+        refuseFor(command, error);
+        if (!command.wantsAnswer) messages_.complain(rtcore::inQuotes(command.text) + ": " + error.what());
+    }
+}
+
+void CommandService::loaded(const std::optional<Failure>& failure) {
+    if (failure) return requests_.loadFailed(failure->code, failure->text);
+    if (requests_.waitsForLoad()) around_.publishStatus();
+    requests_.loaded();
+}
+
+void CommandService::answerRequests(bool idle) {
+    const auto release = [this](std::uint64_t press) { state_.walk.keyboard().endPress(press); };
+    if (requests_.waitForKeys()) {
+        around_.publishStatus();
+        requests_.answerReleased([this](std::uint64_t press) { return state_.walk.keyboard().isDown(press); },
+                                 release);
+    }
+    if (state_.paused) requests_.refuseKeys(app::ExitCode::Failed, kPaused, release);
+    if (state_.paused || !state_.idles)
+        requests_.refuseIdle(app::ExitCode::Failed, state_.paused ? kPaused : "idling was turned off");
+    if (!idle || !requests_.waitForIdle()) return;
+    around_.publishStatus();
+    requests_.idle();
+}
+
+void CommandService::refuseWaiting(const std::string& why) {
+    requests_.refuseIdle(app::ExitCode::TryAgain, why);
+    refuseAll(commands_.takeWaiting(), why);
+}
+
+void CommandService::refuseObstructing(const std::string& why) {
+    refuseAll(commands_.takeObstructing(), why);
+}
+
+void CommandService::refuseFor(const ipc::Command& command, const std::exception& error) {
+    const Failure failure = failureOf(error);
+    around_.replies.refuse(command, failure.code, failure.text);
+}
+
+void CommandService::refuseAll(const std::vector<ipc::Command>& commands, const std::string& why) {
+    for (const ipc::Command& command : commands)
+        around_.replies.refuse(command, static_cast<int>(app::ExitCode::TryAgain), why);
+}
+
+// --- While a frame is drawn ---
+
+Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
+    Arrivals arrivals;
+    for (ipc::Command& command : commands) {
+        const app::CommandEffect effect = effectOf(command.text);
+        const bool tells = effect == app::CommandEffect::Tells, waits = effect == app::CommandEffect::Waits;
+        if (tells && !commands_.hasMore(command.client)) {
+            tell(command);
+            continue;
+        }
+        arrivals.end = arrivals.end || isEnd(command);
+        arrivals.change = arrivals.change || (!tells && !waits && !commands_.hasMore(command.client));
+        commands_.add(std::move(command));
+    }
+    arrivals.change = arrivals.change || sideWork_.anyDone() || longWork_.anyDone();
+    arrivals.obstructed = commands_.obstructs();
+    return arrivals;
+}
+
+// The status stays as it is: it tells of the frame that is drawn, too.
+void CommandService::tell(const ipc::Command& command) {
+    try {
+        around_.replies.answer(command,
+                               runCommand(command.text, state_, around_.host, command.client).answer);
+    } catch (const std::exception& error) {
+        refuseFor(command, error);
+    }
+}
+
+} // namespace rtserver

@@ -1,0 +1,93 @@
+#include "rtserver/commands/state_report_of.h"
+
+#include "rtcore/sky/scene_sky.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+std::string nameOf(const rtcore::EnvironmentFile& environment) {
+    if (environment.name.empty() && !environment.parts.empty()) return environment.parts.front();
+    const bool named = !environment.name.empty() || environment.files.empty();
+    return named ? environment.name : environment.files.front().stem().string();
+}
+
+std::optional<app::ReportedMap> mapOf(const Document& document) {
+    const rtcore::Scene& scene = *document.scene();
+    const rtcore::Environment* const shown = scene.environment();
+    if (shown == nullptr || std::cmp_greater_equal(scene.activeEnvironment, scene.fileEnvironments()))
+        return {};
+    return app::ReportedMap{shown->rotation(), shown->intensity};
+}
+
+} // namespace
+
+std::string scenePathOf(const Document& document) {
+    return std::filesystem::absolute(document.world().source).lexically_normal().string();
+}
+
+std::vector<app::ReportedLight> lightsOf(const Document& document) {
+    const rtcore::Scene& scene = *document.scene();
+    std::vector<app::ReportedLight> all;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const rtcore::LightDescription light = rtcore::describeLight(scene, i);
+        all.push_back({light.id, light.light.on != 0, light.name, light});
+    }
+    return all;
+}
+
+std::vector<app::NamedSwitch> environmentsOf(const Document& document) {
+    const rtcore::Scene& scene = *document.scene();
+    std::vector<app::NamedSwitch> all;
+    for (std::size_t i = 0; i < scene.environments.size(); ++i) {
+        const bool described = i < scene.environmentFiles.size();
+        const std::string name =
+            described ? nameOf(scene.environmentFiles[i]) : scene.environments[i]->name();
+        all.push_back({std::cmp_equal(scene.activeEnvironment, i), name});
+    }
+    return all;
+}
+
+namespace {
+
+/// Of a step, as the asking client is told of it.
+app::ReportedEdit reportOf(const EditStep* step, std::uint64_t client) {
+    if (step == nullptr) return {};
+    const bool own = client != 0 && step->by.client == client;
+    return {step->number, own ? step->by.person : 0};
+}
+
+} // namespace
+
+app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
+    app::StateReport report{.scene = scenePathOf(document),
+                            .up = document.scene()->up,
+                            .metresPerUnit = document.scene()->metresPerUnit,
+                            .lights = lightsOf(document),
+                            .environments = environmentsOf(document),
+                            .map = mapOf(document),
+                            .sky = document.scene()->sky,
+                            .camera = document.camera(),
+                            .settings = rtcore::settingAssignments(document.settings(), true)};
+    if (const auto sun = rtcore::sunOf(*document.scene()))
+        report.sun = document.scene()->lights[*sun].notes.id;
+    report.camera.nameOffset = 0;
+    const EditHistory& history = document.history();
+    if (history.last() != nullptr) report.undo = history.last()->label;
+    if (history.next() != nullptr) report.redo = history.next()->label;
+    report.undoEdit = reportOf(history.last(), client);
+    report.redoEdit = reportOf(history.next(), client);
+    report.modified = document.modified();
+    report.indoors = document.world().loaded.indoors;
+    for (const rtcore::SceneBookmark& bookmark : document.bookmarks())
+        report.bookmarks.push_back(bookmark.name);
+    report.edits = static_cast<int>(history.position());
+    return report;
+}
+
+} // namespace rtserver

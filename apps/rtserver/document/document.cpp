@@ -1,0 +1,260 @@
+#include "rtserver/document/document.h"
+
+#include "rtserver/document/opening.h"
+
+#include "common/settings/settings_merge.h"
+
+#include "rtcore/settings/settings_table.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+constexpr int kBloomRadius = 16; ///< pixels, where none was set
+
+/// The kinds of an edit that made the one of the other.
+rtcore::Changes changesBetween(const rtcore::Scene& before, const rtcore::Scene& after) {
+    rtcore::Changes changes;
+    changes.set(rtcore::Change::Light,
+                !rtcore::shineAlike(after.lights, before.lights) || after.ambient != before.ambient);
+    changes.set(rtcore::Change::Sky, after.background != before.background ||
+                                         after.activeEnvironment != before.activeEnvironment ||
+                                         after.environments != before.environments);
+    changes.set(rtcore::Change::Material, after.materials != before.materials);
+    changes.set(rtcore::Change::Visibility, !rtcore::sameHidden(after.hiddenParts, before.hiddenParts));
+    return changes;
+}
+
+} // namespace
+
+Document::Document(const Options& options, Reserve reserve, Messages& messages)
+    : options_(options), reserve_(std::move(reserve)), messages_(messages), lastBloomRadius_(kBloomRadius) {}
+
+std::string Document::title() const { return world_->source.filename().string(); }
+
+void Document::show(std::unique_ptr<World> world) {
+    Opening opening = openingOf(*world, options_, ready() ? &settings_ : nullptr);
+    reserve_(opening.settings);
+    settings_ = opening.settings;
+    world_ = std::move(world);
+    scene_ = std::make_shared<const rtcore::Scene>(std::move(opening.scene));
+    visible_.prune(*world_, *scene_);
+    camera_ = world_->loaded.camera;
+    revisions_.note(rtcore::Changes::all());
+    bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(world_->loaded.bookmarks);
+    history_.clear();
+    savedState_ = history_.state();
+    if (follower_ != nullptr) follower_->sceneOpened();
+}
+
+// --- What is traced ---
+
+void Document::useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer) {
+    world_->loaded.tree = std::move(tree);
+    world_->loaded.fastTree = false;
+    world_->tracer = std::move(tracer);
+    if (scene_->hiddenParts != nullptr && !visible_.pruned()) return;
+    visible_.prune(*world_, *scene_);
+    if (follower_ != nullptr) follower_->treeReplaced();
+}
+
+void Document::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
+                              const rtcore::HiddenParts& hidden) {
+    if (!rtcore::sameHidden(hidden, scene_->hiddenParts)) return;
+    visible_.replace(std::move(tree), std::move(tracer), *scene_);
+    if (follower_ != nullptr) follower_->treeReplaced();
+}
+
+// --- Scene ---
+
+void Document::putScene(rtcore::Scene edited) {
+    scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    visible_.takeGround(*scene_);
+}
+
+void Document::publish(rtcore::Scene edited) {
+    const rtcore::Changes changes = changesBetween(*scene_, edited);
+    const bool renamed = edited.lights != scene_->lights;
+    if (!changes.any() && !renamed) return;
+    const std::shared_ptr<const rtcore::Scene> before = scene_;
+    putScene(std::move(edited));
+    revisions_.note(changes);
+    if (changes.has(rtcore::Change::Visibility)) visible_.prune(*world_, *scene_);
+    if (follower_ != nullptr) follower_->sceneEdited(*before, changes);
+}
+
+void Document::setModelUnits(std::optional<rtcore::Vec3> up, std::optional<double> metresPerUnit) {
+    useModelUnits(rtcore::withUserSays(modelUnits(), up, metresPerUnit));
+    if (up) messages_.withdrawOffers();
+}
+
+void Document::guessModelUnits(bool up, bool unit) {
+    const rtcore::LoadedScene& loaded = world_->loaded;
+    const rtcore::UpAndUnit guess = rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.model);
+    rtcore::UpAndUnit units = modelUnits();
+    if (up) {
+        units.up = guess.up;
+        units.otherUp = guess.otherUp;
+        units.upSaid = guess.upSaid;
+        units.upWhy = guess.upWhy;
+    }
+    if (unit) {
+        units.metresPerUnit = guess.metresPerUnit;
+        units.unitSaid = guess.unitSaid;
+        units.unitWhy = guess.unitWhy;
+    }
+    useModelUnits(units);
+}
+
+void Document::useModelUnits(const rtcore::UpAndUnit& units) {
+    rtcore::Scene edited = *scene_;
+    rtcore::Camera camera = camera_;
+    const bool same = units.up == edited.up && units.metresPerUnit == edited.metresPerUnit;
+    rtcore::reframe(world_->loaded, units, edited, camera);
+    if (same) return;
+    rtcore::Changes changes{rtcore::Change::View, rtcore::Change::Sky, rtcore::Change::Setting};
+    changes.set(rtcore::Change::Light, !rtcore::shineAlike(edited.lights, scene_->lights));
+    putScene(std::move(edited));
+    camera_ = camera;
+    revisions_.note(changes);
+    if (follower_ != nullptr) follower_->unitsChanged();
+}
+
+// --- Camera ---
+
+void Document::setCamera(const rtcore::Camera& camera) {
+    const bool finite = isFinite(camera.eye) && isFinite(camera.forward) && isFinite(camera.up);
+    if (!finite || normalize(camera.forward) == rtcore::Vec3{})
+        throw std::invalid_argument("the camera needs a direction to look in");
+    if (normalize(camera.up) == rtcore::Vec3{} || rtcore::areParallel(camera.forward, camera.up))
+        throw std::invalid_argument("the direction that is up must be another one than that to look in");
+    if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
+        throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
+    if (camera.kind == rtcore::CameraKind::Orthographic && !(camera.orthographicWidth > 0))
+        throw std::invalid_argument("the width of an orthographic view is more than 0");
+    placeCamera(camera);
+}
+
+void Document::placeCamera(const rtcore::Camera& camera) {
+    moveCamera(camera);
+    if (follower_ != nullptr) follower_->cameraPlaced();
+}
+
+void Document::moveCamera(const rtcore::Camera& camera) {
+    if (camera != camera_) revisions_.note({rtcore::Change::View});
+    camera_ = camera;
+}
+
+std::string Document::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
+    const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
+    rtcore::Scene edited = *scene_;
+    std::string warning = app::applyCameraToScene(file, path, edited);
+    setSettings(app::mergeSettings({.scene = now, .camera = &file}));
+    publish(std::move(edited));
+    placeCamera(file.camera);
+    return warning;
+}
+
+void Document::setBookmarks(rtcore::SceneBookmarks bookmarks) {
+    if (bookmarks == *bookmarks_) return;
+    bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(std::move(bookmarks));
+}
+
+// --- Settings ---
+
+void Document::setSettings(const rtcore::RenderSettings& settings) {
+    rtcore::checkLive(settings);
+    if (settings.width != settings_.width || settings.height != settings_.height) reserve_(settings);
+    takeSettings(settings);
+}
+
+void Document::takeSettings(const rtcore::RenderSettings& settings) {
+    if (rtcore::settingAssignments(settings, true) != rtcore::settingAssignments(settings_, true))
+        revisions_.note({rtcore::Change::Setting});
+    settings_ = settings;
+}
+
+void Document::assign(const std::vector<rtcore::SettingAssignment>& assignments) {
+    rtcore::RenderSettings settings = settings_;
+    rtcore::applySettings(settings, assignments);
+    setSettings(settings);
+}
+
+void Document::switchBloom(bool on) {
+    if ((settings_.bloom.radius != 0) == on) return;
+    if (!on) lastBloomRadius_ = settings_.bloom.radius;
+    rtcore::RenderSettings settings = settings_;
+    settings.bloom.radius = on ? lastBloomRadius_ : 0;
+    takeSettings(settings);
+}
+
+void Document::setPlayedExposure(std::optional<float> exposure) {
+    if (exposure != playedExposure_) revisions_.note({rtcore::Change::Setting});
+    playedExposure_ = exposure;
+}
+
+rtcore::RenderSettings Document::frameSettings() const {
+    rtcore::RenderSettings settings = settings_;
+    if (playedExposure_) {
+        settings.exposure.mode = rtcore::ExposureMode::Fixed;
+        settings.exposure.value = *playedExposure_;
+    }
+    return settings;
+}
+
+// --- Steps ---
+
+void Document::keepStep(std::string label, Snapshot before, const EditAuthor& by, bool goesOn) {
+    history_.add({std::move(label), std::move(before), snapshot(), by}, goesOn);
+}
+
+// Windows change the size as well: it goes back only where it still is what the step made it.
+void Document::makeOf(const EditStep& step, const Snapshot& from, const Snapshot& to) {
+    if (changesSettings(step)) {
+        rtcore::RenderSettings settings = to.settings;
+        if (settings_.width != from.settings.width || settings_.height != from.settings.height) {
+            settings.width = settings_.width;
+            settings.height = settings_.height;
+        }
+        setSettings(settings);
+    }
+    if (changesModelUnits(step)) useModelUnits(to.modelUnits);
+    if (changesScene(step)) publish(rtcore::withSkyMap(*to.scene, scene_.get()));
+    if (changesBookmarks(step)) bookmarks_ = to.bookmarks;
+    if (changesCamera(step) || changesModelUnits(step)) setCamera(to.camera);
+}
+
+std::string Document::undo(std::optional<int> number) {
+    const EditStep* const step = history_.last();
+    if (step == nullptr) throw std::runtime_error("there is nothing to undo");
+    if (number && step->number != *number)
+        throw std::runtime_error(fmt::format("edit {} is not the last one", *number));
+    makeOf(*step, step->after, step->before);
+    history_.moveBack();
+    return step->label;
+}
+
+std::string Document::redo(std::optional<int> number) {
+    const EditStep* const step = history_.next();
+    if (step == nullptr) throw std::runtime_error("there is nothing to redo");
+    if (number && step->number != *number)
+        throw std::runtime_error(fmt::format("edit {} is not the one that was taken back", *number));
+    makeOf(*step, step->before, step->after);
+    history_.moveForth();
+    return step->label;
+}
+
+void Document::noteSaved(const std::filesystem::path& path, std::uint64_t historyState) {
+    if (historyState < history_.firstState()) return;
+    savedState_ = historyState;
+    world_->source = path;
+    addInput(path);
+}
+
+} // namespace rtserver

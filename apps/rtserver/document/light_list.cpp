@@ -1,0 +1,73 @@
+#include "rtserver/document/light_list.h"
+
+#include "rtcore/sky/scene_sky.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace rtserver {
+
+namespace {
+
+/// "only number 3", "numbers 1 to 4", "numbers 1, 3 and 4".
+std::string idsOf(const rtcore::Scene& scene) {
+    std::vector<int> ids;
+    for (const rtcore::SceneLight& each : scene.lights) ids.push_back(each.notes.id);
+    std::ranges::sort(ids);
+    if (ids.empty()) return "none";
+    if (ids.size() == 1) return fmt::format("only number {}", ids.front());
+    constexpr std::size_t kMost = 20;
+    const bool inRow = std::cmp_equal(ids.back() - ids.front() + 1, ids.size());
+    if (inRow || ids.size() > kMost) return fmt::format("numbers {} to {}", ids.front(), ids.back());
+    const int last = ids.back();
+    ids.pop_back();
+    return fmt::format("numbers {} and {}", fmt::join(ids, ", "), last);
+}
+
+} // namespace
+
+std::size_t lightOf(const rtcore::Scene& scene, int id) {
+    const std::optional<std::size_t> light = rtcore::lightWithId(scene, id);
+    if (!light)
+        throw std::invalid_argument(fmt::format("there is no light {}; the scene has {}", id, idsOf(scene)));
+    return *light;
+}
+
+void switchLight(Document& document, int id, std::optional<bool> on) {
+    rtcore::Scene edited = *document.scene();
+    std::uint32_t& state = edited.lights[lightOf(edited, id)].light.on;
+    state = on.value_or(state == 0) ? 1 : 0;
+    document.publish(std::move(edited));
+}
+
+void changeLight(Document& document, int id, const std::function<void(rtcore::LightDescription&)>& change) {
+    rtcore::Scene edited = *document.scene();
+    const std::size_t light = lightOf(edited, id);
+    rtcore::LightDescription description = rtcore::describeLight(edited, light);
+    change(description);
+    rtcore::putLight(edited, light, description);
+    document.publish(std::move(edited));
+}
+
+int addLight(Document& document, rtcore::LightDescription light) {
+    rtcore::Scene edited = *document.scene();
+    light.id = rtcore::nextLightId(edited);
+    rtcore::putLight(edited, edited.lights.size(), light);
+    rtcore::moveSunBehind(edited);
+    document.publish(std::move(edited));
+    return light.id;
+}
+
+void removeLight(Document& document, int id) {
+    rtcore::Scene edited = *document.scene();
+    const std::size_t light = lightOf(edited, id);
+    edited.removedLightId = std::max(edited.removedLightId, id);
+    rtcore::eraseLight(edited, light);
+    document.publish(std::move(edited));
+}
+
+} // namespace rtserver

@@ -1,0 +1,22 @@
+/// Edits of what a model consists of: its materials and its parts.
+#pragma once
+
+#include "rtserver/document/document.h"
+
+#include "rtcore/scene/material_edit.h"
+
+#include <cstddef>
+#include <span>
+
+namespace rtserver {
+
+// Materials of the model, counted from 0; all must be there. What surfaces are closed follows.
+
+void editMaterials(Document& document, std::span<const std::size_t> materials,
+                   const rtcore::MaterialOverride& change);
+void resetMaterials(Document& document, std::span<const std::size_t> materials); ///< as the files have them
+
+/// Parts of this model. Rays and bodies pass through what is hidden.
+void hideParts(Document& document, rtcore::HiddenParts hidden);
+
+} // namespace rtserver

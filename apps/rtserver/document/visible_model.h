@@ -1,0 +1,40 @@
+/// The visible part of a model, as it is traced.
+#pragma once
+
+#include "rtserver/document/world.h"
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/scene.h"
+
+#include <memory>
+
+namespace rtserver {
+
+/// The tree of what is not hidden, and its tracers. Stays where it is: the player refers to its tree. One
+/// thread changes it; others may read while it does not.
+class VisibleModel {
+  public:
+    /// At once: the tree of all, pruned where parts are hidden.
+    void prune(const World& world, const rtcore::Scene& scene);
+    /// A tree that was built of the visible parts alone, by which rays are faster than by a pruned one.
+    void replace(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
+                 const rtcore::Scene& scene);
+    /// The scene has another ground, or none; the surfaces are the same.
+    void takeGround(const rtcore::Scene& scene);
+
+    const rtcore::KdTree& tree() const { return tree_; }
+    /// A pruned tree is in use.
+    bool pruned() const { return pruned_; }
+    /// Meets the surfaces and the ground. A thread of its own that traces keeps it, together with a scene:
+    /// that owns the triangles.
+    const std::shared_ptr<const rtcore::RayTracer>& tracer() const { return tracer_; }
+
+  private:
+    rtcore::KdTree tree_;
+    bool pruned_ = false;
+    std::shared_ptr<const rtcore::KdRayTracer> surfaces_; ///< by that tree
+    std::shared_ptr<const rtcore::RayTracer> tracer_;
+};
+
+} // namespace rtserver

@@ -1,0 +1,35 @@
+/// Chooses how many pixels of a live frame (rtcore/live) are traced in the time that it may take, and how
+/// large it is.
+#pragma once
+
+#include "rtserver/frames/frame_detail.h"
+
+namespace rtserver {
+
+/// One thread. Knows from frames before it what a traced pixel takes, and what each pixel takes besides. What
+/// gives way are traced pixels at first, down to kWantedSamples of them; then the size, by twelfths; then
+/// traced pixels again, down to kLeastSamples. Light that is older than 50 frames is worse than few pixels.
+class LiveGovernor {
+  public:
+    /// What a live frame took.
+    struct Cost {
+        double samples = 0;       ///< traced pixels
+        double sampleSeconds = 0; ///< that they took
+        double seconds = 0;       ///< of the whole frame, its display included
+    };
+
+    /// For a frame that may take `target` > 0 seconds. `pixels`: of a frame at full size; `rays`: about those
+    /// of a traced pixel, from which its time is guessed as long as it is not known.
+    FrameDetail detail(double pixels, double rays, double target) const;
+    /// Such a frame took so long. `target`: as above.
+    void learn(const FrameDetail& detail, double pixels, double target, const Cost& cost);
+    /// The next frame is of another scene.
+    void forget() { *this = {}; }
+
+  private:
+    double scale_ = 1;
+    double secondsPerSample_ = 0; ///< 0: not known
+    double secondsPerPixel_ = 0;
+};
+
+} // namespace rtserver

@@ -1,0 +1,181 @@
+#include "rtserver/frames/scene_upkeep.h"
+
+#include "common/settings/guess_text.h"
+
+#include "rtcore/platform/file_waits.h"
+#include "rtcore/scene/up_axis.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
+
+} // namespace
+
+// --- Loading ---
+
+void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
+    if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
+    rtcore::ImportOptions import = options_.import;
+    rtcore::Surroundings surroundings = options_.surroundings;
+    if (state_.document.ready()) { // what was said of the first model
+        import.up.reset();
+        import.metresPerUnit.reset();
+        surroundings = {.usual = options_.surroundings.usual};
+    }
+    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, surroundings, options_.threads);
+}
+
+std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
+    if (load_ == nullptr || !load_->done()) return std::nullopt;
+    const std::unique_ptr<SceneLoad> load = std::move(load_);
+    try {
+        show(load->take());
+    } catch (const std::exception& error) {
+        if (!state_.document.ready()) throw;
+        messages_.complain(error.what());
+        return Loaded{failureOf(error)};
+    }
+    return Loaded{};
+}
+
+void SceneUpkeep::show(std::unique_ptr<World> world) {
+    state_.document.show(std::move(world));
+    messages_.forget();
+    rtcore::allowRegularFilesOnly(); // from here on paths come from clients
+    tellModelUnits();
+    const rtcore::LoadedScene& loaded = state_.document.world().loaded;
+    if (!loaded.guesses.empty()) {
+        const std::string text = rtcore::guessedText(loaded.guesses);
+        Messages::print(state_.document.title() + ": " + text);
+        messages_.offer(text + "; 'material reset *' takes them as they are");
+    }
+    for (const std::string& warning : loaded.warnings) messages_.warn(warning);
+}
+
+void SceneUpkeep::tellModelUnits() {
+    const rtcore::UpAndUnit& units = state_.document.modelUnits();
+    const std::string guess = app::guessText(units);
+    if (guess.empty()) return;
+    Messages::print(state_.document.title() + ": " + guess);
+    if (units.unitSaid == rtcore::Said::Guessed && units.metresPerUnit != 1)
+        messages_.offer(fmt::format("{} m are taken for a unit ({}); 'units' sets another",
+                                    units.metresPerUnit, units.unitWhy));
+    if (!units.surprising) return;
+    messages_.offer(fmt::format("{} is taken for up ({}); 'up {}' turns the model",
+                                rtcore::axisName(units.up), units.upWhy, rtcore::axisName(units.otherUp)));
+}
+
+// --- What is kept of the scene ---
+
+void SceneUpkeep::noticeChanges() {
+    using rtcore::Change;
+    const rtcore::Changes changes = changes_.take(state_.document.revisions());
+    if (changes.has(Change::Scene)) {
+        giveUp(std::move(refinement_));
+        treeless_ = false;
+    }
+    if (changes.hasAny({Change::Scene, Change::Visibility})) {
+        giveUp(std::move(visible_));
+        prunedOnly_ = false;
+    }
+    // Maps hold what stands where, and what light passes through it.
+    const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
+    const bool lights = changes.has(Change::Light) && mapped_ != nullptr &&
+                        !castAlike(mapped_->lights, state_.document.scene()->lights);
+    if (!solid && !lights) return;
+    mapping_.reset();
+    maps_.reset();
+    mapped_.reset();
+    mapless_ = false;
+}
+
+const rtcore::ShadowMaps* SceneUpkeep::shadowMaps() {
+    noticeChanges();
+    return maps_.get();
+}
+
+void SceneUpkeep::advance(const Pace& pace) {
+    if (!state_.document.ready()) return;
+    noticeChanges();
+    std::erase_if(leaving_, [](const auto& each) { return each->done(); });
+    refineTree(pace);
+    buildVisible(pace);
+    mapShadows(pace);
+}
+
+// Its thread may need a while to notice, for which frames do not wait.
+void SceneUpkeep::giveUp(std::unique_ptr<TreeRefinement> refinement) {
+    if (refinement == nullptr) return;
+    refinement->giveUp();
+    leaving_.push_back(std::move(refinement));
+}
+
+void SceneUpkeep::refineTree(const Pace& pace) {
+    if (refinement_ == nullptr) {
+        // After the first frame, which nothing should slow down.
+        if (!state_.document.world().loaded.fastTree || treeless_ || !pace.complete) return;
+        const rtcore::LoadedScene& loaded = state_.document.world().loaded;
+        refinement_ =
+            std::make_unique<TreeRefinement>(loaded.scene, nullptr, loaded.tree.bounds, options_.threads);
+    }
+    if (!refinement_->done()) return;
+    const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
+    try {
+        TreeRefinement::Result result = refinement->take();
+        state_.document.useTree(std::move(result.tree), std::move(result.tracer));
+        Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
+    } catch (const std::bad_alloc&) { // then the fast one has to do
+        treeless_ = true;
+    }
+}
+
+// Soon, also while something moves, but after a first frame.
+void SceneUpkeep::buildVisible(const Pace& pace) {
+    if (visible_ == nullptr) {
+        const bool needed = state_.document.visible().pruned() && !prunedOnly_;
+        if (!needed || !pace.current || refinement_ != nullptr) return;
+        const rtcore::Scene& scene = *state_.document.scene();
+        visible_ = std::make_unique<TreeRefinement>(
+            scene, scene.hiddenParts, state_.document.world().loaded.tree.bounds, options_.threads);
+    }
+    if (!visible_->done()) return;
+    try {
+        TreeRefinement::Result result = std::exchange(visible_, nullptr)->take();
+        state_.document.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
+        Messages::print("the kd-tree of the visible parts is in use; it took " + shortNumber(result.seconds) +
+                        " s");
+    } catch (const std::bad_alloc&) {
+        prunedOnly_ = true;
+    }
+}
+
+// Where whole frames are not quick enough to be seen at once: while nothing else is to do; or soon, where not
+// even the coarsest are.
+void SceneUpkeep::mapShadows(const Pace& pace) {
+    if (maps_ != nullptr) return;
+    if (mapping_ == nullptr) {
+        const double quick = state_.frameSeconds;
+        const bool needed = quick > 0 && (pace.coarsest > quick || (pace.idle && pace.seconds > quick));
+        if (mapless_ || !needed || state_.document.world().loaded.fastTree) return;
+        mapped_ = state_.document.scene();
+        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.document.tracer());
+    }
+    if (!mapping_->done()) return;
+    try {
+        maps_ = std::exchange(mapping_, nullptr)->take();
+    } catch (const std::bad_alloc&) { // then without
+    }
+    mapless_ = maps_ == nullptr;
+}
+
+} // namespace rtserver

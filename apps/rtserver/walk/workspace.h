@@ -1,0 +1,27 @@
+/// A document, the walk in it, and how frames of it come, put together.
+#pragma once
+
+#include "rtserver/document/document.h"
+#include "rtserver/document/pack_progress.h"
+#include "rtserver/walk/walk.h"
+
+#include <memory>
+#include <utility>
+
+namespace rtserver {
+
+/// `options` and `messages` must outlive it.
+struct Workspace {
+    Workspace(const Options& options, Document::Reserve reserve, Messages& messages)
+        : document(options, std::move(reserve), messages), walk(document, messages, options.path),
+          frameSeconds(options.frameSeconds) {}
+
+    Document document;
+    Walk walk;
+    bool paused = false;
+    double frameSeconds; ///< what a frame may take while something moves: fewer pixels then; 0: any time
+    bool idles = true;   ///< false: every frame is drawn, though it equals the last
+    std::shared_ptr<PackProgress> packing = nullptr; ///< of the pack that is being made; null: none is
+};
+
+} // namespace rtserver
