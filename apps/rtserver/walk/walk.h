@@ -28,8 +28,8 @@ inline constexpr const char* kUnseenFloor =
     "nothing is below: walking on a floor at the model's lowest point that is not seen";
 
 /// Tells the document where the camera is, and follows where edits place it. What keys edit it leaves to
-/// others. All but the keyboard and the bindings needs a document that is ready. The thread that edits the
-/// document; others may read while that does not.
+/// others. Moving needs a document that is ready. For the thread that edits the document; others may read
+/// while that does not.
 class Walk final : private DocumentFollower {
   public:
     /// Both must outlive it. `path` is played in the first scene; `messages` are told what keys did, and why

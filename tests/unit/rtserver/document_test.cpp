@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace rtserver {
 namespace {
@@ -225,6 +230,70 @@ TEST_F(DocumentTest, ACamFileWithoutRoomForItsFramesChangesNothing) {
     EXPECT_EQ(document.settings().width, 32);
     EXPECT_EQ(document.camera().eye.x, 0);
     EXPECT_EQ(changes(), Changes{});
+}
+
+/// Notes what it is told.
+class Follower final : public DocumentFollower {
+  public:
+    void sceneOpened() override { told.push_back("opened"); }
+    void sceneEdited(const rtcore::Scene& before, const Changes& changes) override {
+        told.push_back("edited");
+        lights = before.lights.size();
+        kinds = changes;
+    }
+    void treeReplaced() override { told.push_back("tree"); }
+    void unitsChanged() override { told.push_back("units"); }
+    void cameraPlaced() override { told.push_back("camera"); }
+
+    std::vector<std::string> told;
+    std::size_t lights = 0;
+    Changes kinds;
+};
+
+TEST_F(DocumentTest, TellsItsFollowerOfEditsWhenTheyAreDone) {
+    Document other(
+        options, [](const rtcore::RenderSettings&) {}, messages);
+    Follower follower;
+    other.setFollower(&follower);
+    other.show(test::worldOf(test::makeRoom()));
+    removeLight(other, 2);
+    EXPECT_EQ(follower.lights, 2U) << "before it";
+    EXPECT_EQ(follower.kinds, Changes{Change::Light});
+    const rtcore::Camera camera = other.camera();
+    other.setCamera(camera);
+    other.moveCamera(camera);
+    other.setModelUnits(std::nullopt, 0.01);
+    other.setModelUnits(std::nullopt, 0.01);
+    other.useTree(other.world().loaded.tree, other.world().tracer);
+    other.switchBloom(true);
+    const std::vector<std::string> expected{"opened", "edited", "camera", "units", "tree"};
+    EXPECT_EQ(follower.told, expected);
+}
+
+TEST_F(DocumentTest, IsEditedWithoutAFollower) {
+    Document other(
+        options, [](const rtcore::RenderSettings&) {}, messages);
+    other.show(test::worldOf(test::makeRoom()));
+    const Snapshot before = other.snapshot();
+    hideParts(other, std::make_shared<const std::vector<std::uint8_t>>(1, 1));
+    EXPECT_TRUE(other.visible().pruned());
+    other.keepStep("part hide", before);
+    EXPECT_EQ(other.undo(), "part hide");
+    EXPECT_FALSE(other.visible().pruned());
+    EXPECT_EQ(other.tracer(), other.world().tracer);
+}
+
+TEST_F(DocumentTest, HasThePlayedExposureInFramesAlone) {
+    document.setPlayedExposure(3);
+    EXPECT_EQ(changes(), Changes{Change::Setting});
+    EXPECT_EQ(document.frameSettings().exposure.mode, rtcore::ExposureMode::Fixed);
+    EXPECT_EQ(document.frameSettings().exposure.value, 3.0F);
+    EXPECT_EQ(document.settings().exposure.mode, rtcore::ExposureMode::Automatic);
+    document.setPlayedExposure(3);
+    EXPECT_EQ(changes(), Changes{});
+    document.setPlayedExposure(std::nullopt);
+    EXPECT_EQ(changes(), Changes{Change::Setting});
+    EXPECT_EQ(document.frameSettings(), document.settings());
 }
 
 TEST_F(DocumentTest, AnotherTreeChangesNoFrame) {

@@ -139,6 +139,26 @@ TEST_F(Edits, KeysMakeStepsAndMovementMakesNone) {
     EXPECT_EQ(document.history().last(), nullptr);
 }
 
+TEST_F(Edits, KeysMakeTheStepsOfTheirCommands) {
+    const std::vector<std::pair<std::string, std::string>> keys = {
+        {"b", "bloom"}, {"2", "light 2"}, {"m+2", "environment 2"}};
+    for (const auto& [key, label] : keys) {
+        if (key.starts_with("m+")) answer("key press m");
+        tap(key.substr(key.size() - 1));
+        ASSERT_NE(document.history().last(), nullptr) << key;
+        EXPECT_EQ(document.history().last()->label, label);
+        EXPECT_EQ(document.history().last()->by, EditAuthor{});
+    }
+    EXPECT_EQ(document.history().position(), 3U);
+    tap("9");
+    EXPECT_EQ(document.history().position(), 3U) << "there is no such environment";
+    EXPECT_EQ(messages.since(3), "4 event there is no environment 9");
+    undoAll();
+    EXPECT_TRUE(lightIsOn(1));
+    EXPECT_EQ(document.settings().bloom.radius, 0);
+    EXPECT_EQ(environment(), 0);
+}
+
 TEST_F(Edits, LookingAroundIsNone) {
     answer("light 1 off");
     answer("camera turn 10 5");

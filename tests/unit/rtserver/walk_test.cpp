@@ -202,6 +202,32 @@ TEST_F(WalkTest, AKeyThatMovesEndsAPath) {
     EXPECT_TRUE(lightIsOn(0));
 }
 
+TEST_F(WalkTest, AnEditThatPlacesTheCameraEndsAPath) {
+    walk.play(path());
+    move(1ms, {});
+    switchLight(document, 2, false);
+    EXPECT_FALSE(walk.atRest()) << "it goes on where only the scene is edited";
+    rtcore::Camera aside = document.camera();
+    aside.eye.x = 2;
+    document.setCamera(aside);
+    EXPECT_TRUE(walk.atRest());
+    move(200ms, {});
+    EXPECT_EQ(document.camera(), aside);
+}
+
+TEST_F(WalkTest, ABodyComesAlongWhereTheCameraIsPlaced) {
+    walk.setWalking(true);
+    rtcore::Camera aside = document.camera();
+    aside.eye.x = 2;
+    document.setCamera(aside);
+    EXPECT_TRUE(walk.walking());
+    EXPECT_NEAR(document.camera().eye.x, 2, 1e-5);
+    aside.eye.y = -50;
+    document.setCamera(aside);
+    EXPECT_FALSE(walk.walking()) << "there is no floor";
+    EXPECT_EQ(document.camera(), aside);
+}
+
 TEST_F(WalkTest, APathEndsWalking) {
     walk.setWalking(true);
     walk.play(path());
