@@ -59,10 +59,11 @@ void addCompanions(QCryptographicHash& hash, const QFileInfo& model) {
     const QStringList alone{QStringLiteral("ply"), QStringLiteral("stl"), QStringLiteral("off"),
                             QStringLiteral("glb")};
     if (alone.contains(model.suffix().toLower())) return;
-    const QStringList names{QStringLiteral("*.mtl"), QStringLiteral("*.bin"),  QStringLiteral("*.png"),
-                            QStringLiteral("*.jpg"), QStringLiteral("*.jpeg"), QStringLiteral("*.tga"),
-                            QStringLiteral("*.bmp"), QStringLiteral("*.dds"),  QStringLiteral("*.gif"),
-                            QStringLiteral("*.tif"), QStringLiteral("*.tiff")};
+    const QStringList names =
+        QStringLiteral(
+            "*.mtl *.bin *.png *.jpg *.jpeg *.tga *.bmp *.dds *.gif *.tif *.tiff *.ppm *.webp *.jp2 "
+            "*.psd *.pcx *.sgi *.exr *.hdr *.pfm")
+            .split(QLatin1Char(' '));
     const auto addAll = [&](const QDir& folder) {
         for (const QFileInfo& file : folder.entryInfoList(names, QDir::Files, QDir::Name)) add(hash, file);
     };

@@ -7,6 +7,7 @@
 
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/material_edit.h"
+#include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/material_textures.h"
 #include "rtcore/scene/metallic_roughness.h"
 #include "rtcore/settings/plain_text.h"
@@ -99,10 +100,9 @@ std::string materialText(const rtcore::Scene& scene, std::span<const rtcore::Mat
     all.metallic = m.metallic * means.metallic;
     all.reflectivity = m.mirror * m.mirrorScale;
     all.fresnel = m.fresnel != 0;
-    all.opacity = m.opacity;
     all.transmission = m.transmission;
-    all.attenuationDistance = m.attenuationDistance;
-    all.indexOfRefraction = m.indexOfRefraction;
+    for (const rtcore::MaterialNumber& number : rtcore::kMaterialNumbers)
+        all.*number.change = m.*number.field;
     all.emission = m.emission;
     if (rtcore::hasTextures(own)) {
         all.textures = rtcore::hasTextures(m);

@@ -3,16 +3,22 @@
 #pragma once
 
 #include "rtcore/scene/material.h"
-#include "rtcore/scene/material_override.h"
 
 #include <limits>
 #include <optional>
 
 namespace rtcore {
 
+/// What a scene file or an edit says of them; what is absent stays.
+struct MaterialNumberChanges {
+    std::optional<float> opacity = {}, attenuationDistance = {}, indexOfRefraction = {};
+
+    friend bool operator==(const MaterialNumberChanges&, const MaterialNumberChanges&) = default;
+};
+
 struct MaterialNumber {
     const char* key;
-    std::optional<float> MaterialOverride::*change;
+    std::optional<float> MaterialNumberChanges::*change;
     float Material::*field;
     float minimum, maximum;
     int version; ///< of .scn files, in which the key came
@@ -22,10 +28,10 @@ inline constexpr float kUnlimitedNumber = std::numeric_limits<float>::max();
 
 /// In the order in which they are written.
 inline constexpr MaterialNumber kMaterialNumbers[] = {
-    {"opacity", &MaterialOverride::opacity, &Material::opacity, 0, 1, 1},
-    {"attenuationDistance", &MaterialOverride::attenuationDistance, &Material::attenuationDistance, 0,
+    {"opacity", &MaterialNumberChanges::opacity, &Material::opacity, 0, 1, 1},
+    {"attenuationDistance", &MaterialNumberChanges::attenuationDistance, &Material::attenuationDistance, 0,
      kUnlimitedNumber, 1},
-    {"indexOfRefraction", &MaterialOverride::indexOfRefraction, &Material::indexOfRefraction, 1, 5, 1},
+    {"indexOfRefraction", &MaterialNumberChanges::indexOfRefraction, &Material::indexOfRefraction, 1, 5, 1},
 };
 
 } // namespace rtcore

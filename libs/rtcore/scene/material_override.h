@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/math/colour.h"
+#include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/metallic_roughness.h"
 
 #include <filesystem>
@@ -12,12 +13,12 @@
 namespace rtcore {
 
 /// Names materials by exactly one of the first two. What is absent stays. Ranges as in Material.
-struct MaterialOverride {
+struct MaterialOverride : MaterialNumberChanges {
     std::string pattern = {};       ///< for names, with * and ? (matchesPattern()); "": by number
     std::optional<int> number = {}; ///< one of the model's materials, counted from 1
     std::optional<Colour> diffuse = {}, specular = {}, transmission = {}, emission = {};
     std::optional<Colour> reflectivity = {}; ///< the material's `mirror`, with a mirrorScale of 1
-    std::optional<float> shininess = {}, opacity = {}, attenuationDistance = {}, indexOfRefraction = {};
+    std::optional<float> shininess = {};
     /// Each of them makes the material one of setMetallicRoughness() that is the same everywhere: its texture
     /// of both goes. Each of `specular`, `shininess`, `reflectivity` and `fresnel` makes it one of
     /// setPhong(); with both it is Phong's model of that roughness.

@@ -5,8 +5,10 @@
 #include "rtserver/document/exports.h"
 
 #include "rtcore/io/scene_loader.h"
+#include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/material_textures.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -77,6 +79,8 @@ TEST_F(ModelCommands, TellWhatTheModelConsistsOf) {
     EXPECT_EQ(text.substr(0, text.find("\nspecular")),
               "[[material]]\nname = \"steel\"\ndiffuse = [0.4, 0.4, 0.4]");
     EXPECT_EQ(text.find("textures"), std::string::npos) << "it has none";
+    for (const rtcore::MaterialNumber& number : rtcore::kMaterialNumbers)
+        EXPECT_NE(text.find(fmt::format("\n{} = ", number.key)), std::string::npos) << number.key;
 }
 
 TEST_F(ModelCommands, TellOfEveryTextureThatItIsThere) {

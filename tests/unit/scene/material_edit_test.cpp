@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <type_traits>
+
 #include <vector>
 
 namespace {
@@ -27,6 +30,12 @@ class MaterialEdits : public testing::Test {
         b.box({-1, 0, -1}, {1, 2, 1}, plain);
         scene = b.finish();
         loaded = scene.materials;
+    }
+    template <typename Part, typename T>
+    void edit(std::size_t material, std::optional<T> Part::*member, const std::type_identity_t<T>& value) {
+        MaterialOverride change;
+        change.*member = value;
+        edit(material, change);
     }
     void edit(std::size_t material, const MaterialOverride& change) {
         const std::vector<Material> before = scene.materials;
@@ -67,15 +76,15 @@ TEST(MetallicRoughness, PhongsModelGetsTheSameColours) {
 }
 
 TEST_F(MaterialEdits, InAnyOrderAreTheSame) {
-    edit(1, {.diffuse = Colour{0.2F, 0.3F, 0.4F}});
-    edit(1, {.roughness = 0.25F});
-    edit(0, {.metallic = 0.5F});
+    edit(1, &MaterialOverride::diffuse, Colour{0.2F, 0.3F, 0.4F});
+    edit(1, &MaterialOverride::roughness, 0.25F);
+    edit(0, &MaterialOverride::metallic, 0.5F);
     const Scene first = scene;
     scene.materials = loaded;
     scene.materialEdits.clear();
-    edit(0, {.metallic = 0.5F});
-    edit(1, {.roughness = 0.25F});
-    edit(1, {.diffuse = Colour{0.2F, 0.3F, 0.4F}});
+    edit(0, &MaterialOverride::metallic, 0.5F);
+    edit(1, &MaterialOverride::roughness, 0.25F);
+    edit(1, &MaterialOverride::diffuse, Colour{0.2F, 0.3F, 0.4F});
     EXPECT_EQ(scene.materials, first.materials);
     EXPECT_EQ(scene.materialEdits, first.materialEdits);
     ASSERT_EQ(scene.materialEdits.size(), 2U);
@@ -87,25 +96,25 @@ TEST_F(MaterialEdits, InAnyOrderAreTheSame) {
 }
 
 TEST_F(MaterialEdits, TheColourOfAMetalIsItsBaseColour) {
-    edit(1, {.metallic = 1.0F});
-    edit(1, {.roughness = 0.5F});
-    edit(1, {.diffuse = Colour{0.9F, 0.7F, 0.3F}});
+    edit(1, &MaterialOverride::metallic, 1.0F);
+    edit(1, &MaterialOverride::roughness, 0.5F);
+    edit(1, &MaterialOverride::diffuse, Colour{0.9F, 0.7F, 0.3F});
     EXPECT_EQ(scene.materials[1].diffuse, (Colour{0.9F, 0.7F, 0.3F}));
     EXPECT_EQ(scene.materials[1].metallic, 1.0F);
     EXPECT_EQ(scene.materials[1].specular, rtcore::kWhite * 0.04F);
 }
 
 TEST_F(MaterialEdits, ATexturesMeanTintsTheHighlightOfAMetal) {
-    edit(0, {.metallic = 1.0F});
+    edit(0, &MaterialOverride::metallic, 1.0F);
     EXPECT_EQ(scene.materials[0].diffuse, loaded[0].diffuse) << "the texture tints each point";
-    edit(0, {.fresnel = true});
+    edit(0, &MaterialOverride::fresnel, true);
     EXPECT_NEAR(scene.materials[0].specular.r, 0.5F, 1e-6F) << "half of it is white, half black";
-    edit(0, {.textures = false});
+    edit(0, &MaterialOverride::textures, false);
     EXPECT_EQ(scene.materials[0].diffuseTexture, rtcore::kNoTexture);
     EXPECT_EQ(scene.materials[0].specular.r, 1.0F);
-    edit(0, {.textures = true});
+    edit(0, &MaterialOverride::textures, true);
     EXPECT_EQ(scene.materials[0].diffuseTexture, loaded[0].diffuseTexture);
-    edit(0, {.flipTextures = true});
+    edit(0, &MaterialOverride::flipTextures, true);
     EXPECT_EQ(scene.materials[0].flipTextures, 1U);
 }
 
@@ -113,7 +122,7 @@ TEST_F(MaterialEdits, ARoughnessIsTheSameEverywhere) {
     loaded[0].metallicRoughnessTexture = loaded[0].diffuseTexture;
     setMetallicRoughness(loaded[0], rtcore::kWhite, 1, 1);
     scene.materials = loaded;
-    edit(0, {.roughness = 0.25F});
+    edit(0, &MaterialOverride::roughness, 0.25F);
     const Material& m = scene.materials[0];
     EXPECT_EQ(m.roughness, 0.25F);
     EXPECT_NEAR(m.metallic, 0.5F, 1e-6F) << "the mean of the texture";
@@ -121,18 +130,18 @@ TEST_F(MaterialEdits, ARoughnessIsTheSameEverywhere) {
 }
 
 TEST_F(MaterialEdits, ShininessTakesThePlaceOfRoughnessAndTheOtherWayRound) {
-    edit(1, {.roughness = 0.1F});
-    edit(1, {.shininess = 7.0F});
+    edit(1, &MaterialOverride::roughness, 0.1F);
+    edit(1, &MaterialOverride::shininess, 7.0F);
     EXPECT_EQ(scene.materials[1].shininess, 7.0F);
     EXPECT_FALSE(hasRoughness(scene.materials[1]));
-    edit(1, {.roughness = 0.5F});
+    edit(1, &MaterialOverride::roughness, 0.5F);
     EXPECT_EQ(scene.materials[1].roughness, 0.5F);
     EXPECT_FALSE(scene.materialEdits[0].shininess.has_value());
 }
 
 TEST_F(MaterialEdits, LobesThatWouldExceedOneGiveWay) {
-    edit(1, {.specular = Colour{0.6F, 0.6F, 0.6F}});
-    edit(1, {.diffuse = Colour{0.9F, 0.9F, 0.9F}});
+    edit(1, &MaterialOverride::specular, Colour{0.6F, 0.6F, 0.6F});
+    edit(1, &MaterialOverride::diffuse, Colour{0.9F, 0.9F, 0.9F});
     const Material& m = scene.materials[1];
     EXPECT_EQ(m.diffuse, (Colour{0.9F, 0.9F, 0.9F}));
     EXPECT_LE(maxComponent(m.diffuse + m.specular), 1.000001F);
@@ -151,19 +160,19 @@ TEST_F(MaterialEdits, WhatBecomesGlassWithHolesIsLookedAtAnew) {
     scene = b.finish();
     loaded = scene.materials;
     EXPECT_FALSE(scene.isClosed(0));
-    edit(holes, {.opacity = 0.5F});
+    edit(holes, &MaterialOverride::opacity, 0.5F);
     EXPECT_TRUE(scene.isClosed(0));
-    edit(holes, {.opacity = 1.0F});
+    edit(holes, &MaterialOverride::opacity, 1.0F);
     EXPECT_FALSE(scene.isClosed(0));
 }
 
 TEST_F(MaterialEdits, WhatBecomesGlassIsClosed) {
     EXPECT_EQ(scene.closed, nullptr);
-    edit(1, {.opacity = 0.1F});
+    edit(1, &MaterialOverride::opacity, 0.1F);
     ASSERT_NE(scene.closed, nullptr);
     EXPECT_TRUE(scene.isClosed(2)) << "the box";
     EXPECT_FALSE(scene.isClosed(0)) << "the floor";
-    edit(1, {.opacity = 1.0F});
+    edit(1, &MaterialOverride::opacity, 1.0F);
     EXPECT_EQ(scene.closed, nullptr);
 }
 

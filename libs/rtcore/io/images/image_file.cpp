@@ -8,16 +8,17 @@
 
 #include <array>
 #include <new>
+#include <string_view>
 
 namespace rtcore {
 namespace {
 
 DecodedImage decode(ByteSpan bytes, const std::string& name) {
     if (bytes.empty()) badImage(name, "the file is empty");
-    const auto decoder = codecOf(sniffImageFormat(bytes)).decode;
-    if (decoder == nullptr) badImage(name, "not an image of a known format; convert it to PNG, JPEG or EXR");
+    const ImageCodec* const codec = sniffCodec(bytes);
+    if (codec == nullptr) badImage(name, "not an image of a known format; convert it to PNG, JPEG or EXR");
     try {
-        return decoder(bytes, name);
+        return codec->decode(bytes, name);
     } catch (const std::bad_alloc&) {
         throw FileError(FailureKind::TryAgain, name, "not enough memory for this image");
     }
@@ -36,29 +37,24 @@ void checkEncodable(const Image<Pixel>& image, const std::string& name) {
 
 using Texts = std::span<const ImageText>;
 
-Bytes encodeHdr(const HdrImage& image, ImageFormat format, Texts texts, const std::string& name) {
+Bytes encodeHdr(const HdrImage& image, const FormatName* target, Texts texts, const std::string& name) {
     checkEncodable(image, name);
-    const ImageCodec& codec = codecOf(format);
-    if (!codec.isLinear()) cannotEncode(name, "linear colour goes into .exr, .hdr or .pfm only");
-    return codec.encodeLinear(image, texts, name);
+    if (target == nullptr || !target->codec.isLinear())
+        cannotEncode(name, "linear colour goes into .exr, .hdr or .pfm only");
+    return target->codec.encodeLinear(image, texts, name);
 }
 
 Bytes encodeLdr(const LdrImage& image, const FormatName* target, Texts texts, const std::string& name) {
     if (target == nullptr) cannotEncode(name, "unknown image format; known are " + writableFormats());
     checkEncodable(image, name);
-    const ImageCodec& codec = codecOf(target->format);
+    const ImageCodec& codec = target->codec;
     if (codec.encode != nullptr) return codec.encode(image, texts, *target, name);
-    return encodeHdr(toHdr(image), target->format, texts, name);
+    return encodeHdr(toHdr(image), target, texts, name);
 }
 
 void replaceWith(const std::filesystem::path& path, const Bytes& bytes) {
     const std::array<std::span<const std::byte>, 1> pieces{bytes};
     writeFileAtomically(path, pieces);
-}
-
-bool isWritable(const FormatName& name) {
-    if (name.format == ImageFormat::Rare) return rareWritable(name.magickName);
-    return name.format != ImageFormat::Exr || exrAvailable();
 }
 
 } // namespace
@@ -86,9 +82,7 @@ void writeImage(const std::filesystem::path& path, const LdrImage& image, Texts 
 }
 
 void writeHdrImage(const std::filesystem::path& path, const HdrImage& image, Texts texts) {
-    const FormatName* target = findFormat(extensionOf(path));
-    const ImageFormat format = target != nullptr ? target->format : ImageFormat::Unknown;
-    replaceWith(path, encodeHdr(image, format, texts, path.string()));
+    replaceWith(path, encodeHdr(image, findFormat(extensionOf(path)), texts, path.string()));
 }
 
 void writeExrChannels(const std::filesystem::path& path, int width, int height,
@@ -98,23 +92,23 @@ void writeExrChannels(const std::filesystem::path& path, int width, int height,
 
 bool isExr(const std::filesystem::path& path) {
     const FormatName* target = findFormat(extensionOf(path));
-    return target != nullptr && target->format == ImageFormat::Exr;
+    return target != nullptr && target->extension == std::string_view("exr");
 }
 
 bool isHdrFormat(const std::filesystem::path& path) {
     const FormatName* target = findFormat(extensionOf(path));
-    return target != nullptr && codecOf(target->format).isLinear();
+    return target != nullptr && target->codec.isLinear();
 }
 
 bool isWritableFormat(const std::filesystem::path& path) {
     const FormatName* target = findFormat(extensionOf(path));
-    return target != nullptr && isWritable(*target);
+    return target != nullptr && target->isWritable();
 }
 
 std::string writableFormats() {
     std::string list;
     for (const FormatName& name : formatNames()) {
-        if (!isWritable(name)) continue;
+        if (!name.isWritable()) continue;
         list += list.empty() ? "" : ", ";
         list += name.extension;
     }

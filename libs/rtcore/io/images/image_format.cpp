@@ -3,26 +3,12 @@
 #include "rtcore/io/images/codecs.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace rtcore {
 namespace {
 
 using namespace std::string_view_literals;
-
-// ImageMagick 6 writes AVIF and HEIC, too, but with pixels that it never set.
-constexpr FormatName kNames[] = {
-    {"png", ImageFormat::Png, ""},     {"jpg", ImageFormat::Jpeg, ""},
-    {"jpeg", ImageFormat::Jpeg, ""},   {"bmp", ImageFormat::Bmp, ""},
-    {"ppm", ImageFormat::Pnm, ""},     {"tga", ImageFormat::Tga, ""},
-    {"tif", ImageFormat::Tiff, ""},    {"tiff", ImageFormat::Tiff, ""},
-    {"exr", ImageFormat::Exr, ""},     {"hdr", ImageFormat::Radiance, ""},
-    {"pfm", ImageFormat::Pfm, ""},     {"webp", ImageFormat::Rare, "WEBP"},
-    {"gif", ImageFormat::Rare, "GIF"}, {"jp2", ImageFormat::Rare, "JP2"},
-    {"psd", ImageFormat::Rare, "PSD"}, {"dds", ImageFormat::Rare, "DDS"},
-    {"pcx", ImageFormat::Rare, "PCX"}, {"sgi", ImageFormat::Rare, "SGI"},
-};
 
 using Texts = ImageCodec::Texts;
 
@@ -45,43 +31,50 @@ Bytes encodeExrImage(const HdrImage& image, Texts texts, const std::string& name
     return encodeExr(image, texts, name);
 }
 
-/// By ImageFormat.
-constexpr std::array<ImageCodec, kImageFormats> kCodecs{{
-    {},
-    {decodePng, encodePngWithTexts},
-    {decodeJpeg, plain<encodeJpeg>},
-    {decodeBmp, plain<encodeBmp>},
-    {decodePnm, plain<encodePpm>},
-    {decodeTga, plain<encodeTga>},
-    {decodeTiff, plain<encodeTiff>},
-    {decodeRadiance, nullptr, plainLinear<encodeRadiance>},
-    {decodeExr, nullptr, encodeExrImage},
-    {decodePfm, nullptr, plainLinear<encodePfm>},
-    {decodeRare, encodeRareAs},
-}};
+constexpr ImageCodec kPng{decodePng, encodePngWithTexts};
+constexpr ImageCodec kJpeg{decodeJpeg, plain<encodeJpeg>};
+constexpr ImageCodec kBmp{decodeBmp, plain<encodeBmp>};
+constexpr ImageCodec kPnm{decodePnm, plain<encodePpm>};
+constexpr ImageCodec kTga{decodeTga, plain<encodeTga>};
+constexpr ImageCodec kTiff{decodeTiff, plain<encodeTiff>};
+constexpr ImageCodec kRadiance{decodeRadiance, nullptr, plainLinear<encodeRadiance>};
+constexpr ImageCodec kExr{decodeExr, nullptr, encodeExrImage,
+                          [](const FormatName&) { return exrAvailable(); }};
+constexpr ImageCodec kPfm{decodePfm, nullptr, plainLinear<encodePfm>};
+constexpr ImageCodec kRare{decodeRare, encodeRareAs, nullptr,
+                           [](const FormatName& target) { return rareWritable(target.magickName); }};
+
+// ImageMagick 6 writes AVIF and HEIC, too, but with pixels that it never set.
+constexpr FormatName kNames[] = {
+    {"png", kPng},         {"jpg", kJpeg},        {"jpeg", kJpeg},       {"bmp", kBmp},
+    {"ppm", kPnm},         {"tga", kTga},         {"tif", kTiff},        {"tiff", kTiff},
+    {"exr", kExr},         {"hdr", kRadiance},    {"pfm", kPfm},         {"webp", kRare, "WEBP"},
+    {"gif", kRare, "GIF"}, {"jp2", kRare, "JP2"}, {"psd", kRare, "PSD"}, {"dds", kRare, "DDS"},
+    {"pcx", kRare, "PCX"}, {"sgi", kRare, "SGI"},
+};
 
 struct Signature {
     std::size_t offset;
     std::string_view mark;
-    ImageFormat format;
-    const char* magickName;
+    const ImageCodec& codec;
+    const char* magickName = "";
 };
 constexpr Signature kSignatures[] = {
-    {0, "\x89PNG\r\n\x1a\n"sv, ImageFormat::Png, ""},
-    {0, "\xff\xd8\xff"sv, ImageFormat::Jpeg, ""},
-    {0, "II*\0"sv, ImageFormat::Tiff, ""},
-    {0, "MM\0*"sv, ImageFormat::Tiff, ""},
-    {0, "II+\0"sv, ImageFormat::Tiff, ""},
-    {0, "MM\0+"sv, ImageFormat::Tiff, ""},
-    {0, "#?"sv, ImageFormat::Radiance, ""},
-    {0, "\x76\x2f\x31\x01"sv, ImageFormat::Exr, ""},
-    {8, "WEBP"sv, ImageFormat::Rare, "WEBP"},
-    {0, "GIF8"sv, ImageFormat::Rare, "GIF"},
-    {0, "DDS "sv, ImageFormat::Rare, "DDS"},
-    {0, "8BPS"sv, ImageFormat::Rare, "PSD"},
-    {4, "jP  \r\n"sv, ImageFormat::Rare, "JP2"},
-    {0, "\x01\xda"sv, ImageFormat::Rare, "SGI"},
-    {0, "BM"sv, ImageFormat::Bmp, ""},
+    {0, "\x89PNG\r\n\x1a\n"sv, kPng},
+    {0, "\xff\xd8\xff"sv, kJpeg},
+    {0, "II*\0"sv, kTiff},
+    {0, "MM\0*"sv, kTiff},
+    {0, "II+\0"sv, kTiff},
+    {0, "MM\0+"sv, kTiff},
+    {0, "#?"sv, kRadiance},
+    {0, "\x76\x2f\x31\x01"sv, kExr},
+    {8, "WEBP"sv, kRare, "WEBP"},
+    {0, "GIF8"sv, kRare, "GIF"},
+    {0, "DDS "sv, kRare, "DDS"},
+    {0, "8BPS"sv, kRare, "PSD"},
+    {4, "jP  \r\n"sv, kRare, "JP2"},
+    {0, "\x01\xda"sv, kRare, "SGI"},
+    {0, "BM"sv, kBmp},
 };
 
 unsigned byteAt(ByteSpan bytes, std::size_t i) { return std::to_integer<unsigned>(bytes[i]); }
@@ -116,14 +109,14 @@ bool looksLikeTga(ByteSpan bytes) {
 
 } // namespace
 
-ImageFormat sniffImageFormat(ByteSpan bytes) {
-    if (const Signature* signature = findSignature(bytes)) return signature->format;
+const ImageCodec* sniffCodec(ByteSpan bytes) {
+    if (const Signature* signature = findSignature(bytes)) return &signature->codec;
     if (bytes.size() > 2 && byteAt(bytes, 0) == 'P' && isBlank(byteAt(bytes, 2))) {
         const unsigned kind = byteAt(bytes, 1);
-        if (kind >= '1' && kind <= '6') return ImageFormat::Pnm;
-        if (kind == 'F' || kind == 'f') return ImageFormat::Pfm;
+        if (kind >= '1' && kind <= '6') return &kPnm;
+        if (kind == 'F' || kind == 'f') return &kPfm;
     }
-    return looksLikeTga(bytes) ? ImageFormat::Tga : ImageFormat::Unknown;
+    return looksLikeTga(bytes) ? &kTga : nullptr;
 }
 
 std::string sniffRareFormat(ByteSpan bytes) {
@@ -147,7 +140,5 @@ std::string extensionOf(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     return extension.empty() ? extension : extension.substr(1);
 }
-
-const ImageCodec& codecOf(ImageFormat format) { return kCodecs.at(static_cast<std::size_t>(format)); }
 
 } // namespace rtcore

@@ -9,25 +9,8 @@
 
 namespace rtcore {
 
-enum class ImageFormat { Unknown, Png, Jpeg, Bmp, Pnm, Tga, Tiff, Radiance, Exr, Pfm, Rare };
-inline constexpr std::size_t kImageFormats = static_cast<std::size_t>(ImageFormat::Rare) + 1;
+struct FormatName;
 
-/// TGA has no mark at its start: it is what has a sensible TGA header and is nothing else.
-ImageFormat sniffImageFormat(ByteSpan bytes);
-/// ImageMagick's name of the coder for what sniffs as Rare, e.g. "WEBP"; "" for anything else.
-std::string sniffRareFormat(ByteSpan bytes);
-
-struct FormatName {
-    const char* extension; ///< without dot, lower case
-    ImageFormat format;
-    const char* magickName; ///< for Rare
-};
-/// All extensions that can name an output, the usual one of each format first.
-std::span<const FormatName> formatNames();
-/// The entry for an extension without its dot, whatever its case; null when there is none.
-const FormatName* findFormat(const std::string& extension);
-/// The extension of a path, without its dot.
-std::string extensionOf(const std::filesystem::path& path);
 /// What reads and writes files of a format; each null where there is nothing. They throw as codecs.h says.
 struct ImageCodec {
     using Texts = std::span<const ImageText>;
@@ -36,9 +19,28 @@ struct ImageCodec {
     Bytes (*encode)(const LdrImage& image, Texts texts, const FormatName& target,
                     const std::string& name) = nullptr;
     Bytes (*encodeLinear)(const HdrImage& image, Texts texts, const std::string& name) = nullptr;
+    bool (*writable)(const FormatName& target) = nullptr; ///< by this build; null: always
 
     bool isLinear() const { return encodeLinear != nullptr; }
 };
-const ImageCodec& codecOf(ImageFormat format);
+/// What reads a file that begins so; null: nothing. TGA has no mark at its start: it is what has a sensible
+/// TGA header and is nothing else.
+const ImageCodec* sniffCodec(ByteSpan bytes);
+/// ImageMagick's name of the coder for what only ImageMagick reads, e.g. "WEBP"; "" for anything else.
+std::string sniffRareFormat(ByteSpan bytes);
+
+struct FormatName {
+    const char* extension; ///< without dot, lower case
+    const ImageCodec& codec;
+    const char* magickName = ""; ///< of ImageMagick's coder, where that is what writes it
+
+    bool isWritable() const { return codec.writable == nullptr || codec.writable(*this); }
+};
+/// All extensions that can name an output, the usual one of each format first.
+std::span<const FormatName> formatNames();
+/// The entry for an extension without its dot, whatever its case; null when there is none.
+const FormatName* findFormat(const std::string& extension);
+/// The extension of a path, without its dot.
+std::string extensionOf(const std::filesystem::path& path);
 
 } // namespace rtcore
