@@ -22,6 +22,7 @@ Hub::Hub(const BridgeOptions& options, const Tokens& tokens, RoomServices servic
     : options_(options), services_(std::move(services)), admission_(tokens), linkUsed_(std::move(linkUsed)),
       tables_({{"settings", settingsTableJson(options.limits)},
                {"labels", settingLabelsJson()},
+               {"qualities", qualitiesJson()},
                {"commands", commandTableJson()},
                {"lightKinds", lightKindsJson()}}),
       began_(services_.clock.seconds()) {

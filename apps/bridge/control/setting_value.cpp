@@ -2,6 +2,9 @@
 
 #include "bridge/control/requests.h"
 
+#include "rtcore/settings/main_settings.h"
+#include "rtcore/settings/quality.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +48,8 @@ json rowJson(const rtcore::Setting& setting, const Limits& limits) {
         if (!setting.zero.empty()) row["zero"] = setting.zero;
     }
     if (setting.type == rtcore::SettingType::Choice) row["choices"] = setting.choices;
+    if (const rtcore::MainSetting* const main = rtcore::findMainSetting(setting.name))
+        row["main"] = main->label;
     return row;
 }
 
@@ -74,6 +79,17 @@ json settingsTableJson(const Limits& limits) {
     return rows;
 }
 
+json qualitiesJson() {
+    json all = json::object();
+    for (const std::string_view name : rtcore::kQualityNames) {
+        json& values = all[std::string(name)];
+        for (const rtcore::SettingAssignment& each : rtcore::settingsOf(*rtcore::qualityNamed(name)))
+            if (rtcore::requireSetting(each.name).browser.offered)
+                values[each.name] = settingJson(each.value);
+    }
+    return all;
+}
+
 json settingLabelsJson() {
     json labels = json::object();
     const auto add = [&](std::string_view name) { labels[std::string(name)] = rtcore::settingLabel(name); };
@@ -83,6 +99,7 @@ json settingLabelsJson() {
         if (!setting.zero.empty()) add(setting.zero);
         for (const std::string_view each : setting.choices) add(each);
     }
+    for (const std::string_view each : rtcore::kQualityNames) add(each);
     return labels;
 }
 

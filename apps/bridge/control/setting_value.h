@@ -16,6 +16,8 @@ nlohmann::json settingJson(const rtcore::SettingValue& value);
 nlohmann::json settingsTableJson(const Limits& limits);
 /// What settings, groups, choices and words for 0 are called, in English, by their names.
 nlohmann::json settingLabelsJson();
+/// What a page may see of each quality: its settings and their values.
+nlohmann::json qualitiesJson();
 /// The text of a value that may be set. Throws Refused: no such setting, locked, another type, out of range.
 std::string settingValueText(const std::string& name, const nlohmann::json& value, const Limits& limits);
 

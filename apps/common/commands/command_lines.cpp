@@ -69,6 +69,7 @@ std::string set(const std::string& name, const std::string& value) {
 }
 
 std::string defaults() { return line(CommandId::Defaults); }
+std::string quality(const std::string& name) { return line(CommandId::Quality, name); }
 std::string state() { return line(CommandId::State); }
 std::string undo() { return line(CommandId::Undo); }
 std::string redo() { return line(CommandId::Redo); }

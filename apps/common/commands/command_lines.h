@@ -32,6 +32,7 @@ std::string messages(std::uint32_t known);
 std::string resolution(int width, int height);
 std::string set(const std::string& name, const std::string& value);
 std::string defaults();
+std::string quality(const std::string& name); ///< of rtcore::kQualityNames
 std::string state();
 std::string undo();
 std::string redo();

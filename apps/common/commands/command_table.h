@@ -35,6 +35,7 @@ enum class CommandId {
     Set,
     Get,
     Defaults,
+    Quality,
     Settings,
     State,
     Undo,

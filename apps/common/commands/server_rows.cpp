@@ -3,6 +3,8 @@
 
 #include "ipc/layout/limits.h"
 
+#include "rtcore/settings/quality.h"
+
 namespace app {
 
 using enum ArgumentType;
@@ -12,6 +14,12 @@ using enum Runner;
 namespace {
 
 CommandArgument side(std::string_view name) { return whole(name, 1, ipc::kMaxFrameSide); }
+
+std::vector<std::string_view> settingsOfQualities() {
+    std::vector<std::string_view> names;
+    for (const rtcore::QualityRow& row : rtcore::qualityTable()) names.push_back(row.setting);
+    return names;
+}
 
 } // namespace
 
@@ -147,6 +155,16 @@ std::vector<CommandSpec> settingCommands() {
          .step = "defaults",
          .browser = BrowserUse::Edit,
          .help = "all settings as they are by default, but the image's size"},
+        {.id = CommandId::Quality,
+         .name = "quality",
+         .arguments = {maybe(choiceOf(rtcore::kQualityNames))},
+         .step = "quality",
+         .browser = BrowserUse::Edit,
+         .sets = settingsOfQualities(),
+         .help = "set how much work an image may be; print what holds now",
+         .more =
+             "A group of settings at once: samples, rays and bounces. Prints `custom` where they are as in "
+             "none of the three"},
         {.id = CommandId::Settings, .name = "settings", .effect = Tells, .help = "print all settings"},
         {.id = CommandId::State,
          .name = "state",

@@ -1,5 +1,7 @@
 #include "gui/models/setting_labels.h"
 
+#include "rtcore/settings/main_settings.h"
+#include "rtcore/settings/quality.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <QCoreApplication>
@@ -46,6 +48,10 @@ QString settingUnit(std::string_view unit) {
 }
 QString settingHelp(std::string_view help) { return translatedSetting(fromView(help)); }
 
+QString mainSettingLabel(const rtcore::MainSetting& setting) {
+    return translatedSetting(fromView(setting.label));
+}
+
 QString settingTip(const Setting& setting) {
     QString help = settingHelp(setting.help);
     if (!help.isEmpty()) help[0] = help[0].toUpper();
@@ -82,6 +88,8 @@ QStringList settingTexts() {
         if (!setting.zero.empty()) texts << labelText(setting.zero);
         for (const std::string_view choice : setting.choices) texts << labelText(choice);
     }
+    for (const rtcore::MainSetting& setting : rtcore::mainSettings()) texts << fromView(setting.label);
+    for (const std::string_view quality : rtcore::kQualityNames) texts << labelText(quality);
     texts.removeDuplicates();
     return texts;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 namespace rtcore {
+struct MainSetting;
 struct Setting;
 }
 
@@ -18,6 +19,8 @@ namespace gui {
 QString settingGroup(std::string_view group);
 /// The part behind the dot, or all of it: "brighterSeconds" is "Brighter seconds". Of choices, too.
 QString settingLabel(std::string_view name);
+/// As it is called outside of its group.
+QString mainSettingLabel(const rtcore::MainSetting& setting);
 QString settingUnit(std::string_view unit);
 QString settingHelp(std::string_view help);
 /// Help, name, range and default, in rich text.

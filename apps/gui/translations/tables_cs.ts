@@ -543,6 +543,22 @@
         <source>Nearest</source>
         <translation>Nejbližší</translation>
     </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Jas</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Hrubá</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Dobrá</translation>
+    </message>
+    <message>
+        <source>Final</source>
+        <translation>Konečná</translation>
+    </message>
 </context>
 <context>
     <name>Edits</name>
@@ -553,6 +569,10 @@
     <message>
         <source>defaults</source>
         <translation>výchozí hodnoty</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>kvalita</translation>
     </message>
     <message>
         <source>look there</source>

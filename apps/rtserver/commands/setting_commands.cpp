@@ -6,6 +6,7 @@
 #include "ipc/layout/limits.h"
 
 #include "rtcore/settings/plain_text.h"
+#include "rtcore/settings/quality.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>
@@ -50,6 +51,12 @@ Result defaults(const Call& call) {
     settings.height = now.height;
     call.document().setSettings(settings);
     return {};
+}
+
+Result quality(const Call& call) {
+    if (call.size() > 0) call.document().assign(rtcore::settingsOf(*rtcore::qualityNamed(call[0])));
+    const auto now = rtcore::qualityOf(call.document().settings());
+    return {.answer = now ? std::string(rtcore::kQualityNames.at(static_cast<std::size_t>(*now))) : "custom"};
 }
 
 std::optional<int> numberOf(const Call& call) {
@@ -109,6 +116,7 @@ constexpr std::array kSettingFunctions{
     CommandFunction{app::CommandId::Set, set},
     CommandFunction{app::CommandId::Get, getSetting},
     CommandFunction{app::CommandId::Defaults, defaults},
+    CommandFunction{app::CommandId::Quality, quality},
     CommandFunction{app::CommandId::Settings, settings},
     CommandFunction{app::CommandId::State, state},
     CommandFunction{app::CommandId::Undo, undo},

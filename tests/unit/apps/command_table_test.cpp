@@ -145,6 +145,7 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::FrameTime, command::frameTime(30)},
         {CommandId::Messages, command::messages(4)},
         {CommandId::Defaults, command::defaults()},
+        {CommandId::Quality, command::quality("good")},
         {CommandId::Undo, command::undo()},
         {CommandId::Redo, command::redo()},
         {CommandId::Undo, command::undo(3)},

@@ -83,6 +83,7 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "part show",
                                                          "part show-all",
                                                          "pause",
+                                                         "quality",
                                                          "redo",
                                                          "resolution",
                                                          "resume",
@@ -222,6 +223,7 @@ TEST(Requests, OfWhatIsLockedAreRefused) {
     EXPECT_REFUSED(request("resolution", {64, 64}), some);
     EXPECT_REFUSED(request("defaults"), some);
     EXPECT_EQ(lineOf(request("light", {1, "on"}), some), "light 1 on");
+    EXPECT_REFUSED(request("quality", {"final"}), some);
     some.locked = {"depthOfField.focus"};
     EXPECT_REFUSED(request("focus", {0.5, 0.5}), some);
     EXPECT_EQ(lineOf(request("seen", {0.5, 0.5}), some), "seen 0.5 0.5");

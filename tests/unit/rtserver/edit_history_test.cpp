@@ -85,6 +85,7 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"load camera DIR/a.cam", "load camera a"},
         {"load set DIR/a.set", "load set a"},
         {"defaults", "defaults"},
+        {"quality final", "quality"},
         {"up +z", "up"},
         {"units cm", "units"},
     };
