@@ -8,6 +8,7 @@
 #include "gui/dialogs/render_dialog.h"
 #include "gui/operations/job_operations.h"
 
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -138,6 +139,29 @@ TEST_F(JobsWindowTest, ThePanelDoesWhatItsButtonsSay) {
     EXPECT_TRUE(press("Show"));
     EXPECT_EQ(wanted.count(), 1);
     EXPECT_EQ(wanted.first().first().toString(), file("b.png"));
+}
+
+TEST_F(JobsWindowTest, ThePanelIsThereWithTheFirstJobAndSmallBefore) {
+    window->resize(700, 480);
+    auto* dock = window->findChild<QDockWidget*>(QStringLiteral("jobs"));
+    ASSERT_NE(dock, nullptr);
+    EXPECT_FALSE(dock->isVisible());
+    QAction* action = window->actions()[ActionId::Jobs];
+    action->trigger();
+    ASSERT_TRUE(dock->isVisible());
+    EXPECT_TRUE(comes([&] { return dock->height() < window->height() / 5; })) << dock->height();
+    action->trigger();
+    ASSERT_FALSE(dock->isVisible());
+    const quint64 job = queue().add(shortRender("a.png"));
+    EXPECT_TRUE(dock->isVisible());
+    EXPECT_TRUE(comes([&] { return dock->height() > window->height() / 5; })) << dock->height();
+    ASSERT_TRUE(becomes(queue(), job, JobState::Done));
+    window->close(); // with the panel shown
+    MainWindow next(name());
+    next.show();
+    dock = next.findChild<QDockWidget*>(QStringLiteral("jobs"));
+    EXPECT_TRUE(comes([&] { return dock->height() < next.height() / 5; })) << "it has no jobs";
+    next.close();
 }
 
 } // namespace

@@ -39,9 +39,9 @@ QPixmap readSmall(const QString& file, const QSize& room, double ratio) {
 
 JobsPanel::JobsPanel(JobQueue& queue, QWidget* parent)
     : QWidget(parent), queue_(queue), table_(new QTreeView), picture_(new PlainLabel),
-      message_(new PlainLabel), log_(new QPlainTextEdit) {
+      message_(new PlainLabel), none_(new PlainLabel(tr("There are no jobs. Render > Render… makes one."))),
+      log_(new QPlainTextEdit) {
     makeTable();
-    setFocusProxy(table_);
     picture_->setFixedSize(kPictureWide, kPictureHigh);
     picture_->setAlignment(Qt::AlignCenter);
     picture_->setAccessibleName(tr("Result"));
@@ -57,18 +57,24 @@ JobsPanel::JobsPanel(JobQueue& queue, QWidget* parent)
     auto* text = new QVBoxLayout;
     text->addWidget(message_);
     text->addWidget(log_, 1);
-    auto* details = new QWidget;
-    auto* beside = new QHBoxLayout(details);
+    details_ = new QWidget;
+    auto* beside = new QHBoxLayout(details_);
     beside->setContentsMargins(0, 0, 0, 0);
     beside->addLayout(text, 1);
     beside->addWidget(picture_, 0, Qt::AlignTop);
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->addWidget(table_);
-    parts->addWidget(details);
+    parts->addWidget(details_);
     parts->setChildrenCollapsible(false);
+    jobs_ = new QWidget;
+    auto* rows = new QVBoxLayout(jobs_);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addWidget(makeButtons());
+    rows->addWidget(parts, 1);
+    none_->setFocusPolicy(Qt::StrongFocus);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(makeButtons());
-    column->addWidget(parts, 1);
+    column->addWidget(none_);
+    column->addWidget(jobs_, 1);
 
     connect(&queue_, &JobQueue::changed, this, [this](quint64 id) {
         if (row() == queue_.rowOf(id)) refresh();
@@ -133,7 +139,7 @@ QWidget* JobsPanel::makeButtons() {
 
 QSize JobsPanel::sizeHint() const {
     constexpr QSize kSize(900, 200);
-    return kSize;
+    return queue_.rowCount() > 0 ? kSize : layout()->sizeHint();
 }
 
 int JobsPanel::row() const {
@@ -194,15 +200,27 @@ void JobsPanel::refresh() {
     bool anyOver = false;
     for (int each = 0; each < queue_.rowCount(); ++each) anyOver |= queue_.job(each).over();
     clear_->setEnabled(anyOver);
+    showWhetherAny();
     showDetails();
+}
+
+// One line while there is nothing to see.
+void JobsPanel::showWhetherAny() {
+    const bool any = queue_.rowCount() > 0;
+    jobs_->setVisible(any);
+    none_->setVisible(!any);
+    QWidget* focused = any ? static_cast<QWidget*>(table_) : none_;
+    if (focusProxy() != focused) setFocusProxy(focused);
+    setMaximumHeight(any ? QWIDGETSIZE_MAX : layout()->sizeHint().height());
+    updateGeometry();
 }
 
 void JobsPanel::showDetails() {
     const int at = row();
+    details_->setVisible(at >= 0);
     const Job job = at < 0 ? Job() : queue_.job(at);
     message_->setText(job.message);
     message_->setVisible(!job.message.isEmpty());
-    log_->setPlaceholderText(at < 0 ? tr("No job is selected.") : QString());
     if (log_->toPlainText() != job.log) {
         log_->setPlainText(job.log);
         log_->verticalScrollBar()->setValue(log_->verticalScrollBar()->maximum());

@@ -42,11 +42,13 @@ class JobsPanel : public QWidget {
     void show();
     int row() const; ///< that is chosen; -1 = none
     void refresh();
+    void showWhetherAny();
     void showDetails();
 
     JobQueue& queue_;
     QTreeView* table_;
-    PlainLabel *picture_, *message_;
+    PlainLabel *picture_, *message_, *none_;
+    QWidget *jobs_, *details_; ///< all but none_; of the job that is chosen
     QPlainTextEdit* log_;
     QToolButton *show_, *folder_, *up_, *down_, *cancel_, *again_, *remove_, *clear_;
     quint64 detailed_ = 0; ///< whose result picture_ shows

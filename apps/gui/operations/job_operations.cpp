@@ -30,6 +30,10 @@ JobOperations::JobOperations(const GuiContext& context, QObject* parent)
     makeDock();
     context_.actions.on(ActionId::Render, [this] { openRenderDialog({}); });
     context_.actions.on(ActionId::BuildTree, [this] { openBuildDialog(); });
+    connect(&queue_, &QAbstractItemModel::rowsInserted, this, [this] {
+        dock_->show();
+        dock_->raise();
+    });
     connect(&queue_, &JobQueue::finished, this, &JobOperations::onFinished);
     connect(panel_, &JobsPanel::showWanted, this, &JobOperations::showResult);
 }
@@ -105,11 +109,7 @@ void JobOperations::prepareCamera(const RenderWish& wish) {
                           });
 }
 
-void JobOperations::enqueue(const JobRequest& request) {
-    dock_->show();
-    dock_->raise();
-    panel_->choose(queue_.add(request));
-}
+void JobOperations::enqueue(const JobRequest& request) { panel_->choose(queue_.add(request)); }
 
 void JobOperations::onFinished(quint64 id) {
     const Job& job = queue_.job(queue_.rowOf(id));

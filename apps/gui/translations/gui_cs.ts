@@ -1950,8 +1950,8 @@ Alt+%2</translation>
         <translation>Ukončit násilím</translation>
     </message>
     <message>
-        <source>No job is selected.</source>
-        <translation>Není vybrána žádná úloha.</translation>
+        <source>There are no jobs. Render &gt; Render… makes one.</source>
+        <translation>Nejsou žádné úlohy. Vykreslit &gt; Vykreslit do souboru… nějakou přidá.</translation>
     </message>
 </context>
 <context>
