@@ -179,7 +179,7 @@ TEST_F(ModelPanelTest, FieldsChangeTheChosenMaterial) {
         });
     };
     EXPECT_TRUE(roughnessIs(0.125));
-    panel().fields().number(QStringLiteral("shininess"))->setValue(7.5);
+    window->editor().edit(command::materialSet(2, "shininess", {7.5}));
     EXPECT_TRUE(roughnessIs(0.5)) << "which follows";
     undo();
     EXPECT_TRUE(roughnessIs(0.125));

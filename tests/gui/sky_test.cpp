@@ -33,7 +33,8 @@ class SkyTest : public test::WindowFixture {
         test::writeLitScene(folder());
     }
     const SceneState& state() { return window->editor().state(); }
-    SkyFields& fields() { return window->findChild<LightsPanel*>()->sky(); }
+    LightsPanel& panel() { return *window->findChild<LightsPanel*>(); }
+    SkyFields& fields() { return panel().sky(); }
     bool edits(int count) {
         return comes([&] { return state().edits == count; });
     }
@@ -58,7 +59,7 @@ void typeOver(QAbstractSpinBox& field, const QString& text, Qt::Key end = Qt::Ke
 TEST_F(SkyTest, ATimeAndADateMayBeTypedAsAWhole) {
     openAndRest("lit.scn");
     action(ActionId::LightsPanel)->trigger();
-    fields().sky().click();
+    panel().computedSky().click();
     ASSERT_TRUE(edits(1));
     ASSERT_TRUE(comes([&] { return fields().time().isVisible(); }));
     const auto is = [&](int hour, int minute) {
@@ -105,9 +106,9 @@ TEST_F(SkyTest, ATimeAndADateMayBeTypedAsAWhole) {
 TEST_F(SkyTest, FieldsReachTheServerAndFollowIt) {
     openAndRest("lit.scn");
     action(ActionId::LightsPanel)->trigger();
-    ASSERT_FALSE(fields().sky().isChecked());
+    ASSERT_FALSE(panel().computedSky().isChecked());
     EXPECT_FALSE(fields().turbidity().isVisible());
-    fields().sky().click();
+    panel().computedSky().click();
     ASSERT_TRUE(edits(1));
     ASSERT_TRUE(state().sky && state().sky->date);
     ASSERT_TRUE(comes([&] { return fields().turbidity().isVisible(); }));
@@ -131,10 +132,38 @@ TEST_F(SkyTest, FieldsReachTheServerAndFollowIt) {
     EXPECT_FALSE(fields().ground().isChecked());
 }
 
+TEST_F(SkyTest, SkyMapsAndNoneAreOneChoice) {
+    openAndRest("lit.scn");
+    action(ActionId::LightsPanel)->trigger();
+    const auto chosen = [&](const QAbstractButton* button) {
+        return comes([&] { return button->isChecked(); });
+    };
+    ASSERT_TRUE(chosen(panel().environment(0)));
+    panel().computedSky().click();
+    ASSERT_TRUE(edits(1));
+    EXPECT_TRUE(chosen(&panel().computedSky()));
+    EXPECT_FALSE(panel().environment(0)->isChecked());
+    EXPECT_EQ(panel().environment(2), nullptr) << "the sky's own environment is no map";
+    panel().environment(1)->click();
+    ASSERT_TRUE(edits(2));
+    EXPECT_TRUE(chosen(panel().environment(1)));
+    EXPECT_FALSE(panel().computedSky().isChecked());
+    panel().computedSky().click();
+    ASSERT_TRUE(edits(3));
+    EXPECT_TRUE(chosen(&panel().computedSky())) << "the same sky again";
+    panel().noBackground().click();
+    ASSERT_TRUE(edits(4));
+    EXPECT_TRUE(chosen(&panel().noBackground()));
+    EXPECT_FALSE(state().sky);
+    EXPECT_FALSE(panel().computedSky().isChecked() || panel().environment(0)->isChecked());
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(chosen(&panel().computedSky()));
+}
+
 TEST_F(SkyTest, TheSunStaysWhereItIsUntilItIsMoved) {
     openAndRest("lit.scn");
     action(ActionId::LightsPanel)->trigger();
-    fields().sky().click();
+    panel().computedSky().click();
     ASSERT_TRUE(edits(1));
     emit fields().sun().activated(1);
     ASSERT_TRUE(edits(2));
@@ -155,10 +184,10 @@ TEST_F(SkyTest, LooksOfTheMenuTakeThePlaceOfAllLight) {
     EXPECT_EQ(window->view().told(), QStringLiteral("Lit as in a studio"));
     action(ActionId::LightsPanel)->trigger();
     ASSERT_TRUE(comes([&] { return state().sky && state().sky->studio; })) << "lit.scn is an object";
-    EXPECT_FALSE(fields().sky().isChecked());
+    EXPECT_FALSE(panel().computedSky().isChecked());
     EXPECT_TRUE(fields().strength().isVisible());
     EXPECT_FALSE(fields().turbidity().isVisible());
-    fields().sky().click();
+    panel().computedSky().click();
     ASSERT_TRUE(comes([&] { return state().sky && !state().sky->studio; })) << "a sky in its place";
     action(ActionId::LookSky)->trigger();
     ASSERT_TRUE(comes([&] { return state().sky.has_value(); }));

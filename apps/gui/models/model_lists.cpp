@@ -83,7 +83,6 @@ std::optional<MaterialState> readMaterialState(const QString& answer) {
         state.diffuse = arrayOf(m.diffuse);
         state.transmission = arrayOf(m.transmission);
         state.roughness = m.roughness.value_or(state.roughness);
-        state.shininess = m.shininess.value_or(state.shininess);
         state.metallic = m.metallic.value_or(state.metallic);
         state.reflectivity = m.reflectivity ? maxComponent(*m.reflectivity) : 0;
         state.opacity = m.opacity.value_or(state.opacity);

@@ -29,7 +29,7 @@ struct MaterialRow {
 /// As the keys of a [[material]] have it.
 struct MaterialState {
     std::array<float, 3> diffuse{}, transmission{}; ///< linear
-    float roughness = 1, shininess = 0, metallic = 0, reflectivity = 0, opacity = 1, indexOfRefraction = 1.5F;
+    float roughness = 1, metallic = 0, reflectivity = 0, opacity = 1, indexOfRefraction = 1.5F;
     std::optional<bool> textures; ///< nothing: it has none
     bool flipTextures = false;
     friend bool operator==(const MaterialState&, const MaterialState&) = default;

@@ -62,6 +62,9 @@ void LightOperations::connectPanel() {
     SceneEditor& editor = context_.editor;
     connect(panel_, &LightsPanel::lightSwitched, &editor, &SceneEditor::switchLight);
     connect(panel_, &LightsPanel::environmentChosen, &editor, &SceneEditor::chooseEnvironment);
+    connect(panel_, &LightsPanel::skyWanted, this, &LightOperations::showSky);
+    connect(panel_, &LightsPanel::noBackgroundWanted, this,
+            [this] { context_.editor.edit(command::environmentNone()); });
     connect(panel_, &LightsPanel::lightSelected, handles_, &LightHandles::setSelected);
     connect(panel_, &LightsPanel::lightEdited, this,
             [this](const QString& step, const std::string& line) { follow(step, line, {}); });
@@ -76,6 +79,14 @@ void LightOperations::connectPanel() {
     connect(panel_, &LightsPanel::copyWanted, this, [this](int id) { add(command::lightCopy(id)); });
     connect(panel_, &LightsPanel::removeWanted, this,
             [this](int id) { context_.editor.edit(command::lightRemove(id)); });
+}
+
+// A scene that shows a map may have a sky beside it.
+void LightOperations::showSky() {
+    const SceneState& state = context_.editor.state();
+    if (state.sky && !state.sky->studio)
+        return context_.editor.chooseEnvironment(static_cast<int>(state.environments.size()) - 1);
+    follow(QStringLiteral("sky"), command::sky(true), {});
 }
 
 void LightOperations::connectHandles() {

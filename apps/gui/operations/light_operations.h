@@ -22,6 +22,7 @@ class LightOperations : public QObject {
 
   private:
     void connectPanel();
+    void showSky();
     void connectHandles();
     void showState();
     void turn(int id, const QVector3D& towards, bool goesOn);

@@ -25,7 +25,8 @@ namespace gui {
 namespace {
 
 constexpr int kId = Qt::UserRole;
-constexpr int kFewest = 3, kMost = 8; ///< rows of the list that are seen
+constexpr int kComputed = 1'000'000, kNone = kComputed + 1; ///< behind the numbers of maps
+constexpr int kFewest = 3, kMost = 8;                       ///< rows of the list that are seen
 
 QGroupBox* addBox(const QString& title, QVBoxLayout& column) {
     auto* box = new QGroupBox(title);
@@ -39,7 +40,9 @@ QGroupBox* addBox(const QString& title, QVBoxLayout& column) {
 LightsPanel::LightsPanel(QAction* marks, QAction* openMap, QWidget* parent)
     : QWidget(parent), list_(new QListWidget), copy_(new QPushButton(tr("Copy"))),
       remove_(new QPushButton(tr("Remove"))), fields_(new LightFields), sky_(new SkyFields),
-      environmentList_(new QVBoxLayout), environments_(new QButtonGroup(this)) {
+      environmentList_(new QVBoxLayout), environments_(new QButtonGroup(this)),
+      computed_(new QRadioButton(tr("Computed sky with a sun"))),
+      none_(new QRadioButton(tr("No background"))) {
     auto* column = new QWidget;
     auto* groups = new QVBoxLayout(column);
     makeLights(*groups, marks);
@@ -48,8 +51,6 @@ LightsPanel::LightsPanel(QAction* marks, QAction* openMap, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new ColumnArea(column));
-    // clicked: by the user, not by us
-    connect(environments_, &QButtonGroup::idClicked, this, &LightsPanel::environmentChosen);
     show(SceneState());
 }
 
@@ -57,6 +58,16 @@ void LightsPanel::makeEnvironments(QVBoxLayout& column, QAction* openMap) {
     QGroupBox* box = addBox(tr("Surroundings"), column);
     auto* inside = static_cast<QVBoxLayout*>(box->layout());
     inside->addLayout(environmentList_);
+    // One choice with the maps above.
+    for (QRadioButton* button : {computed_, none_}) inside->addWidget(button);
+    environments_->addButton(computed_, kComputed);
+    environments_->addButton(none_, kNone);
+    // clicked: by the user, not by us
+    connect(environments_, &QButtonGroup::idClicked, this, [this](int id) {
+        if (id == kComputed) return emit skyWanted();
+        if (id == kNone) return emit noBackgroundWanted();
+        emit environmentChosen(id);
+    });
     auto* open = new QPushButton(tr("Environment map…"));
     open->setToolTip(plainTip(openMap->toolTip()));
     open->setEnabled(openMap->isEnabled());
@@ -105,6 +116,8 @@ void LightsPanel::makeLights(QVBoxLayout& column, QAction* marks) {
 
 QListWidgetItem* LightsPanel::light(int place) const { return list_->item(place); }
 QAbstractButton* LightsPanel::environment(int number) const { return environments_->button(number); }
+QAbstractButton& LightsPanel::computedSky() { return *computed_; }
+QAbstractButton& LightsPanel::noBackground() { return *none_; }
 
 void LightsPanel::onItem(QListWidgetItem& item) {
     emit lightSwitched(item.data(kId).toInt(), item.checkState() == Qt::Checked);
@@ -143,36 +156,45 @@ void LightsPanel::select(int id) {
     showSelected();
 }
 
-void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
-    const QList<QAbstractButton*> old = environments_->buttons();
-    if (old.size() != environments.size()) {
-        for (QAbstractButton* button : old) {
-            environments_->removeButton(button);
-            delete button;
-        }
-        for (int i = 0; i < environments.size(); ++i) {
-            auto* button = new QRadioButton;
-            button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // names may be long
-            environmentList_->addWidget(button);
-            environments_->addButton(button, i);
-        }
+void LightsPanel::showEnvironments(const SceneState& state) {
+    // The sky's own environment is the last one.
+    const bool sky = state.sky && !state.sky->studio && !state.environments.isEmpty();
+    const bool skyShown = sky && state.environments.last().on;
+    const bool any = std::ranges::any_of(state.environments, &NamedSwitch::on);
+    showMaps(sky ? state.environments.mid(0, state.environments.size() - 1) : state.environments);
+    environments_->setExclusive(false); // none may be on
+    computed_->setChecked(skyShown);
+    none_->setChecked(!any);
+    environments_->setExclusive(true);
+}
+
+void LightsPanel::showMaps(const QList<NamedSwitch>& maps) {
+    while (maps_.size() > maps.size()) delete maps_.takeLast();
+    while (maps_.size() < maps.size()) {
+        auto* button = new QRadioButton;
+        button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // names may be long
+        environmentList_->addWidget(button);
+        environments_->addButton(button, static_cast<int>(maps_.size()));
+        maps_.append(button);
     }
-    for (int i = 0; i < environments.size(); ++i) {
+    environments_->setExclusive(false);
+    for (qsizetype i = 0; i < maps.size(); ++i) {
         const QString number = QString::number(i + 1); // as on the keys
-        QAbstractButton* button = environments_->button(i);
-        const QString name = environments[i].name.isEmpty() ? tr("Map %1").arg(number) : environments[i].name;
+        QRadioButton* button = maps_[i];
+        const QString name = maps[i].name.isEmpty() ? tr("Map %1").arg(number) : maps[i].name;
         button->setText(plainEntry(name));
         button->setAccessibleName(name);
         button->setToolTip(plainTip(i >= 9 ? QString() : tr("Keys: M and %1").arg(number)));
-        button->setChecked(environments[i].on);
+        button->setChecked(maps[i].on);
     }
+    environments_->setExclusive(true);
 }
 
 void LightsPanel::show(const SceneState& state) {
     shown_ = state.lights;
     metresPerUnit_ = state.metresPerUnit;
     showLights(state.lights);
-    showEnvironments(state.environments);
+    showEnvironments(state);
     sky_->show(state);
     select(selected_);
 }

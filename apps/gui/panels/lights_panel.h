@@ -1,5 +1,6 @@
 /// The lights of the scene, each with a check box, what can be changed of the selected one, the scene's
-/// environments, one of which is chosen, and what can be changed of those. Knows no server.
+/// surroundings - one of its environments, a computed sky, or none - and what can be changed of those. Knows
+/// no server.
 #pragma once
 
 #include "gui/models/scene_state.h"
@@ -15,6 +16,7 @@ class QGroupBox;
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;
+class QRadioButton;
 class QVBoxLayout;
 
 namespace gui {
@@ -42,6 +44,8 @@ class LightsPanel : public QWidget {
     /// Null when there is none.
     QListWidgetItem* light(int place) const;
     QAbstractButton* environment(int number) const;
+    QAbstractButton& computedSky();
+    QAbstractButton& noBackground();
 
   signals:
     void lightSwitched(int id, bool on);
@@ -52,13 +56,16 @@ class LightsPanel : public QWidget {
     void copyWanted(int id);
     void removeWanted(int id);
     void environmentChosen(int environment);
+    void skyWanted();
+    void noBackgroundWanted();
 
   private:
     void makeLights(QVBoxLayout& column, QAction* marks);
     void makeEnvironments(QVBoxLayout& column, QAction* openMap);
     void showLights(const QList<ShownLight>& lights);
     void showSelected();
-    void showEnvironments(const QList<NamedSwitch>& environments);
+    void showEnvironments(const SceneState& state);
+    void showMaps(const QList<NamedSwitch>& maps);
     void onItem(QListWidgetItem& item);
 
     QList<ShownLight> shown_;
@@ -70,6 +77,8 @@ class LightsPanel : public QWidget {
     SkyFields* sky_;
     QVBoxLayout* environmentList_;
     QButtonGroup* environments_;
+    QRadioButton *computed_, *none_;
+    QList<QRadioButton*> maps_; ///< by their numbers
 };
 
 } // namespace gui

@@ -49,7 +49,6 @@ MaterialFields::MaterialFields(QWidget* parent)
     form->setContentsMargins(0, 0, 0, 0);
     colour_ = addColour(QStringLiteral("diffuse"), tr("Colour"), &MaterialState::diffuse);
     addNumber(QStringLiteral("roughness"), tr("Roughness"), &MaterialState::roughness, 0, 1);
-    addNumber(QStringLiteral("shininess"), tr("Shininess"), &MaterialState::shininess, 0, 100000);
     addNumber(QStringLiteral("metallic"), tr("Metal"), &MaterialState::metallic, 0, 1);
     addNumber(QStringLiteral("reflectivity"), tr("Mirror"), &MaterialState::reflectivity, 0, 1);
     addNumber(QStringLiteral("opacity"), tr("Opacity"), &MaterialState::opacity, 0, 1);

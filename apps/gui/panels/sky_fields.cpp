@@ -82,9 +82,6 @@ void SkyFields::addMap() {
 }
 
 void SkyFields::addSun() {
-    sky_ = new QCheckBox(tr("Computed sky with a sun"));
-    form_->addRow(sky_);
-    connect(sky_, &QCheckBox::clicked, this, [this](bool on) { send("sky", command::sky(on)); });
     sun_ = new QComboBox;
     sun_->setAccessibleName(tr("Sun"));
     sun_->addItems({tr("By date and place"), tr("By direction")});
@@ -245,7 +242,6 @@ void SkyFields::showRows() {
 void SkyFields::show(const SceneState& state) {
     state_ = state;
     showing_ = true;
-    sky_->setChecked(state.sky && !state.sky->studio);
     if (state.sky) showSky(*state.sky);
     if (state.map) {
         put(mapRotation_, static_cast<double>(state.map->rotation));

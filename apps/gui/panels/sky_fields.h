@@ -31,7 +31,6 @@ class SkyFields : public QWidget {
     using QWidget::show;
 
     // For tests.
-    QCheckBox& sky() { return *sky_; }
     QComboBox& sun() { return *sun_; }
     QSlider& hour() { return *hour_; }
     QTimeEdit& time() { return *time_; }
@@ -76,7 +75,7 @@ class SkyFields : public QWidget {
     SceneState state_;
     bool showing_ = false; ///< what changes is not the user's
     ValueBox *mapRotation_, *mapStrength_;
-    QCheckBox *sky_, *ground_, *haze_;
+    QCheckBox *ground_, *haze_;
     QComboBox* sun_;
     QSlider* hour_;
     QTimeEdit* time_;

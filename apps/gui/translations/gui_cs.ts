@@ -2253,12 +2253,16 @@ Alt+%2</translation>
         <translation>Drsnost</translation>
     </message>
     <message>
-        <source>Shininess</source>
-        <translation>Lesklost</translation>
-    </message>
-    <message>
         <source>Metal</source>
         <translation>Kov</translation>
+    <message>
+        <source>Computed sky with a sun</source>
+        <translation>Počítaná obloha se sluncem</translation>
+    </message>
+    <message>
+        <source>No background</source>
+        <translation>Žádné pozadí</translation>
+    </message>
     </message>
     <message>
         <source>Mirror</source>
@@ -3278,10 +3282,6 @@ Alt+%2</translation>
     <message>
         <source>How bright the environment map is; 1 is as its file says</source>
         <translation>Jak je mapa prostředí jasná; 1 je jako v souboru</translation>
-    </message>
-    <message>
-        <source>Computed sky with a sun</source>
-        <translation>Počítaná obloha se sluncem</translation>
     </message>
     <message>
         <source>Sun</source>

@@ -9,7 +9,6 @@ const MOST_SHOWN = 300; // rows of a list; the field above it finds the others
 const fieldsOf = () => [
     ["diffuse", of("MaterialFields", "Colour"), "colour"],
     ["roughness", of("MaterialFields", "Roughness"), [0, 1]],
-    ["shininess", of("MaterialFields", "Shininess"), [0, 1000]],
     ["metallic", of("MaterialFields", "Metal"), [0, 1]],
     ["reflectivity", of("MaterialFields", "Mirror"), [0, 1]],
     ["opacity", of("MaterialFields", "Opacity"), [0, 1]],

@@ -4,6 +4,7 @@ import { choice, numeric, text, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
 
 const lookText = (name) => t("look" + name.charAt(0).toUpperCase() + name.slice(1));
+const SKY = "sky"; // among the numbers of maps
 const two = (value) => String(value).padStart(2, "0");
 
 export function skyPanel(app) {
@@ -17,11 +18,17 @@ export function skyPanel(app) {
     const edit = (command) => (value, goesOn) => app.edit(command, command, [value].flat(), goesOn);
     const ask = (command) => (value) => app.ask(command, value);
     const onOff = (command) => (on) => app.ask(command, on ? "on" : "off");
+    const hasSky = () => Boolean(app.state.sky?.on && !app.state.sky.studio);
     const range = (command) => app.argument(command, 0);
 
     function addMap(place) {
         const has = () => Boolean(app.state.map);
-        environments = choice(t("environment"), [], (number) => (number === "" ? app.ask("environment none") : app.ask("environment", Number(number))));
+        environments = choice(t("environment"), [], (what) => {
+            if (what === "") app.ask("environment none");
+            else if (what !== SKY) app.ask("environment", Number(what));
+            else if (hasSky()) app.ask("environment", app.state.environments.length); // the sky's own is the last one
+            else app.ask("sky", "on");
+        });
         place.append(environments.element);
         add(place, numeric(of("SkyFields", "Turned by"), edit("environment rotation"),
             { ...range("environment rotation"), unit: "°", help: of("SkyFields", "Turns the environment map, to the right about the up axis") }), has, () => app.state.map.rotation);
@@ -30,7 +37,7 @@ export function skyPanel(app) {
     }
 
     function addDate(place) {
-        const dated = () => Boolean(app.state.sky?.on && !app.state.sky.studio && app.state.sky.date), sky = () => app.state.sky;
+        const dated = () => hasSky() && Boolean(app.state.sky.date), sky = () => app.state.sky;
         add(place, numeric(of("SkyFields", "Time of day"), edit("sky hour"), { ...range("sky hour"), unit: "h" }), dated, () => sky().hour);
         const date = text(of("SkyFields", "Date"), (value) => value && edit("sky date")(value));
         date.element.querySelector("input").type = "date";
@@ -48,9 +55,8 @@ export function skyPanel(app) {
     }
 
     function addSun(place) {
-        const any = () => Boolean(app.state.sky?.on), on = () => any() && !app.state.sky.studio, byDirection = () => on() && !app.state.sky.date;
-        place.append(make("h3", {}, of("SkyFields", "Sun")));
-        add(place, toggle(of("SkyFields", "Computed sky with a sun"), onOff("sky")), () => true, on);
+        const any = () => Boolean(app.state.sky?.on), on = hasSky, byDirection = () => on() && !app.state.sky.date;
+        add(place, { element: make("h3", {}, of("SkyFields", "Sun")), show: () => {} }, on, () => null);
         add(place, choice(of("SkyFields", "Sun"), [["date", of("SkyFields", "By date and place")], ["direction", of("SkyFields", "By direction")]],
             (by) => (by === "date" ? app.ask("sky hour", app.state.sky.hour ?? 12) : app.ask("sky direction", ...app.state.sky.direction))),
         on, () => (app.state.sky.date ? "date" : "direction"));
@@ -81,15 +87,18 @@ export function skyPanel(app) {
             place.append(make("h3", {}, t("look")), make("div", { className: "actions", role: "group", "aria-label": t("lookNow") }, ...looks));
         },
         show() {
-            const may = app.mayEdit(), all = app.state.environments ?? [];
-            const names = JSON.stringify(all.map(({ name }) => name));
+            const may = app.mayEdit(), all = app.state.environments ?? [], maps = hasSky() ? all.slice(0, -1) : all;
+            const names = JSON.stringify(maps.map(({ name }) => name));
             if (names !== map) {
                 const box = environments.element.querySelector("select");
-                box.replaceChildren(make("option", { value: "" }, t("none")),
-                    ...all.map(({ number, name }) => make("option", { value: String(number) }, name || of("LightsPanel", "Map %1").replace("%1", number))));
+                const option = (value, text) => make("option", { value }, text);
+                const mapName = ({ number, name }) => name || of("LightsPanel", "Map %1").replace("%1", number);
+                box.replaceChildren(option("", t("none")), ...maps.map((one) => option(String(one.number), mapName(one))),
+                    option(SKY, of("LightsPanel", "Computed sky with a sun")));
                 map = names;
             }
-            environments.show(String(all.find(({ on }) => on)?.number ?? ""), may);
+            const shown = all.find(({ on }) => on);
+            environments.show(hasSky() && shown === all.at(-1) ? SKY : String(shown?.number ?? ""), may);
             for (const { made, when, value } of rows) {
                 made.element.hidden = !when();
                 if (!made.element.hidden) made.show(value(), may);
