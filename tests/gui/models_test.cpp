@@ -53,7 +53,7 @@ TEST(ActionTable, TheWellKnownShortcutsAreThere) {
     EXPECT_EQ(shortcut(ActionId::StartServer), "Ctrl+S");
     EXPECT_EQ(shortcut(ActionId::QuickRender), "Ctrl+R");
     EXPECT_EQ(shortcut(ActionId::StopServer), "Ctrl+K");
-    EXPECT_EQ(shortcut(ActionId::ProgressiveRendering), "Ctrl+H");
+    EXPECT_EQ(shortcut(ActionId::AtRestLive), "Ctrl+H");
     const ShortcutScheme desktop = shortcutSchemeOf(QStringLiteral("desktop"));
     EXPECT_EQ(shortcut(ActionId::Save, desktop), "Ctrl+S");
     EXPECT_EQ(shortcut(ActionId::SaveAs, desktop), "Ctrl+Shift+S");
@@ -134,7 +134,11 @@ TEST_F(PreferencesTest, AreKept) {
 
 TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     Preferences preferences;
-    EXPECT_GT(stillQuality(preferences).paths, 0) << "unless the user wants less";
+    EXPECT_TRUE(stillQuality(preferences).byPaths) << "unless the user wants less";
+    EXPECT_FALSE(rendererOptions(stillQuality(preferences))
+                     .join(QLatin1Char(' '))
+                     .contains(QStringLiteral("--samples")))
+        << "as many as the scene's quality says";
     preferences.set(pref::globalIllumination, false);
     EXPECT_EQ(rendererOptions(stillQuality(preferences)), QStringList{QStringLiteral("--antialiasing=3")});
     preferences.set(pref::stillBloom, 0);

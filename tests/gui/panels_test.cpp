@@ -51,6 +51,7 @@ class PanelsTest : public GuiTest {
         writeLitScene(folder());
         window.emplace(name());
         window->preferences().set(pref::followWindowSize, false);
+        settings().advanced().setFolded(false);
         window->resize(900, 640);
         window->show();
         window->activateWindow();
@@ -309,7 +310,7 @@ TEST_F(PanelsTest, GroupsFoldUpByKeysAndStaySo) {
     FoldBox* exposure = settings().group(QStringLiteral("exposure"));
     ASSERT_NE(exposure, nullptr);
     ASSERT_NE(settings().group(QString()), nullptr);
-    QWidget* key = settings().editor(QStringLiteral("exposure.key"));
+    QWidget* key = settings().editor(QStringLiteral("exposure.local"));
     EXPECT_TRUE(comes([&] { return key->isVisible(); }));
     EXPECT_NE(exposure->header().focusPolicy() & Qt::TabFocus, 0);
     QTest::keyClick(&exposure->header(), Qt::Key_Left);

@@ -177,12 +177,12 @@ TEST_F(ProgressiveTest, SoDoesWhateverElseMovesTheCamera) {
 TEST_F(ProgressiveTest, EitherSideSwitchesItOff) {
     ASSERT_NO_FATAL_FAILURE(open(2));
     ASSERT_TRUE(comes([&] { return !window->view().showsLive(); }));
-    action(ActionId::ProgressiveRendering)->trigger();
+    action(ActionId::AtRestLive)->trigger();
     EXPECT_TRUE(window->view().showsLive());
     QTest::qWait(700);
     EXPECT_FALSE(renders());
     ASSERT_TRUE(ask(window->session(), QStringLiteral("idle off")).done);
-    action(ActionId::ProgressiveRendering)->trigger();
+    action(ActionId::AtRestLive)->trigger();
     QTest::qWait(700);
     EXPECT_TRUE(window->view().showsLive());
     EXPECT_FALSE(renders());
@@ -262,7 +262,7 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
         ::testing::Test::RecordProperty("kilobytesMore", static_cast<int>(grown));
     }
     ::testing::Test::RecordProperty("pictures", shown);
-    action(ActionId::ProgressiveRendering)->trigger();
+    action(ActionId::AtRestLive)->trigger();
     EXPECT_TRUE(comes([&] { return !renders(); })) << "none runs, and none is a zombie";
     EXPECT_LE(window->findChildren<QProcess*>().size(), 1) << "the server";
 }

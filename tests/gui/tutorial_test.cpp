@@ -198,7 +198,7 @@ void Tutorial::look() {
     }));
     back();
     const bool progressive = window->preferences().get(pref::progressiveRendering);
-    choose("Render > Progressive rendering");
+    choose("Render > At rest: live frame");
     EXPECT_NE(window->preferences().get(pref::progressiveRendering), progressive);
     window->preferences().set(pref::progressiveRendering, false);
     says("or just R");

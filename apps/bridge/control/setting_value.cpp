@@ -49,7 +49,7 @@ json rowJson(const rtcore::Setting& setting, const Limits& limits) {
     }
     if (setting.type == rtcore::SettingType::Choice) row["choices"] = setting.choices;
     if (const rtcore::MainSetting* const main = rtcore::findMainSetting(setting.name))
-        row["main"] = main->label;
+        row["main"] = {{"place", main - rtcore::mainSettings().data() + 1}, {"label", main->label}};
     return row;
 }
 

@@ -3,6 +3,7 @@
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/key_bindings_page.h"
+#include "gui/models/at_rest.h"
 #include "gui/models/mouse_scheme.h"
 #include "gui/session/session.h"
 #include "gui/view/plain_widgets.h"
@@ -68,8 +69,7 @@ QWidget* ConfigureDialog::generalPage() {
     addNumber(*form, tr("Mo&del cache:"), pref::modelCacheMegabytes, 0, kMostMegabytes, tr(" MB"),
               tr("none"));
     addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
-    addSwitch(*form, tr("&Progressive rendering when the camera rests"), pref::progressiveRendering);
-    addSwitch(*form, tr("Global illumi&nation at rest"), pref::globalIllumination);
+    addAtRest(*form);
     return page;
 }
 
@@ -158,6 +158,14 @@ void ConfigureDialog::addMouseScheme(QFormLayout& form) {
     stores_.append([this, box] { preferences_.set(pref::mouse, box->currentData().toString()); });
 }
 
+void ConfigureDialog::addAtRest(QFormLayout& form) {
+    auto* box = new QComboBox;
+    fillAtRest(*box);
+    box->setCurrentIndex(static_cast<int>(atRest(preferences_)));
+    form.addRow(tr("Image at &rest:"), box);
+    stores_.append([this, box] { setAtRest(preferences_, static_cast<AtRest>(box->currentIndex())); });
+}
+
 void ConfigureDialog::addScale(QFormLayout& form) {
     auto* box = new QComboBox;
     for (const int percent : {100, 75, 50, 33, 25})
@@ -173,7 +181,7 @@ void ConfigureDialog::addStillQuality(QFormLayout& form) {
     constexpr int kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
     const QString asLive = tr("same as viewport");
     constexpr int kMostPaths = 65536, kMostFilterPasses = 8;
-    addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 1, kMostPaths, {}, {});
+    addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 0, kMostPaths, {}, asLive);
     addNumber(form, tr("Global illumination, noise &filter:"), pref::stillFilter, 0, kMostFilterPasses,
               tr(" passes"), tr("none"));
     addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {}, {});

@@ -36,6 +36,7 @@ class ConfigureDialog : public QDialog {
     void addShortcuts(QFormLayout& form);
     void addLanguage(QFormLayout& form);
     void addMouseScheme(QFormLayout& form);
+    void addAtRest(QFormLayout& form);
     void addScale(QFormLayout& form);
     void addStillQuality(QFormLayout& form);
     void addSensitivity(QFormLayout& form);

@@ -26,8 +26,8 @@ inline const Preference<QString> theme{"display/theme", QStringLiteral("system")
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<bool> globalIllumination{"render/globalIllumination", true}; ///< at rest
-inline const Preference<int> stillPathSamples{"render/stillPathSamples", 256};
-inline const Preference<int> stillFilter{"render/stillFilter", 4}; ///< passes over paths; 0 = none
+inline const Preference<int> stillPathSamples{"render/stillPathSamples", 0}; ///< 0 = as the live frame
+inline const Preference<int> stillFilter{"render/stillFilter", 4};           ///< passes over paths; 0 = none
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live frame
 inline const Preference<QString> stillOcclusion{"render/stillOcclusion", QStringLiteral("live")}; ///< on, off
@@ -59,6 +59,7 @@ inline const Preference<QSize> highQualitySize{"export/highQualitySize", QSize(1
 inline const Preference<int> highQualityAntialiasing{"export/highQualityAntialiasing", 4};
 inline const Preference<int> highQualityBloom{"export/highQualityBloom", 0};
 inline const Preference<QStringList> foldedSettings{"window/foldedSettings", QStringList()}; ///< groups
+inline const Preference<bool> advancedSettings{"window/advancedSettings", false};            ///< unfolded
 inline const Preference<QByteArray> geometry{"window/geometry", QByteArray()};
 inline const Preference<QByteArray> windowState{"window/state", QByteArray()};
 } // namespace pref

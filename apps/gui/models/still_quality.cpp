@@ -6,7 +6,8 @@ namespace gui {
 
 StillQuality stillQuality(const Preferences& preferences) {
     StillQuality quality;
-    if (preferences.get(pref::globalIllumination)) quality.paths = preferences.get(pref::stillPathSamples);
+    quality.byPaths = preferences.get(pref::globalIllumination);
+    quality.paths = preferences.get(pref::stillPathSamples);
     quality.filter = preferences.get(pref::stillFilter);
     quality.antialiasing = preferences.get(pref::stillAntialiasing);
     quality.bloom = preferences.get(pref::stillBloom);
@@ -20,12 +21,12 @@ StillQuality stillQuality(const Preferences& preferences) {
 QStringList rendererOptions(const StillQuality& quality) {
     QStringList options;
     if (quality.bloom >= 0) options.append(QStringLiteral("--bloom=%1").arg(quality.bloom));
-    if (quality.paths > 0) {
+    if (quality.byPaths) {
+        options.append(QStringLiteral("--integrator=path"));
+        if (quality.paths > 0) options.append(QStringLiteral("--samples=%1").arg(quality.paths));
         // There is more light than in the live frame, whose exposure comes with the camera. Noise is filtered
         // from the first sample to the last, so that the image never gets worse.
-        return options << QStringLiteral("--integrator=path")
-                       << QStringLiteral("--samples=%1").arg(quality.paths)
-                       << QStringLiteral("--setting=exposure.recorded=automatic")
+        return options << QStringLiteral("--setting=exposure.recorded=automatic")
                        << QStringLiteral("--setting=path.filter=%1").arg(quality.filter);
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));

@@ -11,7 +11,8 @@ class Preferences;
 enum class StillOcclusion { AsLive, On, Off };
 
 struct StillQuality {
-    int paths = 0;        ///< per pixel, with all light that surfaces send to each other; 0 = not by paths
+    bool byPaths = false; ///< with all light that surfaces send to each other
+    int paths = 0;        ///< per pixel; 0 = as the scene's settings have it, which its quality sets
     int filter = 4;       ///< passes that take noise from these; 0 = none
     int antialiasing = 1; ///< n x n samples per pixel; not of paths, nor is occlusion
     int bloom = -1;       ///< pixels; -1 = as the live frame

@@ -1,14 +1,17 @@
 #include "gui/operations/panel_operations.h"
 
+#include "gui/models/at_rest.h"
 #include "gui/models/plain_text.h"
 #include "gui/models/preferences.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/panels/fold_box.h"
 #include "gui/panels/settings_panel.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QShortcut>
@@ -106,9 +109,30 @@ void PanelOperations::addSettings() {
             [panel, &editor] { panel->show(editor.state().settings); });
     connect(panel, &SettingsPanel::edited, &editor, &SceneEditor::setSetting);
     connect(panel, &SettingsPanel::defaultsWanted, &editor, &SceneEditor::setDefaults);
+    connect(panel, &SettingsPanel::qualityWanted, &editor,
+            [&editor](const QString& name) { editor.edit(command::quality(name.toStdString())); });
+    addAtRest(*panel);
+    panel->advanced().setFolded(!context_.preferences.get(pref::advancedSettings));
+    connect(&panel->advanced(), &FoldBox::foldedChanged, this,
+            [this](bool folded) { context_.preferences.set(pref::advancedSettings, !folded); });
     panel->setFolded(context_.preferences.get(pref::foldedSettings));
     connect(panel, &SettingsPanel::foldedChanged, this,
             [this](const QStringList& folded) { context_.preferences.set(pref::foldedSettings, folded); });
+}
+
+// Of the window, not of the server: what is rendered when nothing moves.
+void PanelOperations::addAtRest(SettingsPanel& panel) {
+    auto* box = new QComboBox;
+    fillAtRest(*box);
+    box->setAccessibleName(tr("Image at rest"));
+    box->setToolTip(plainTip(tr("What is shown when the camera rests")));
+    panel.addToMain(tr("Image at rest:"), box);
+    Preferences& preferences = context_.preferences;
+    const auto show = [box, &preferences] { box->setCurrentIndex(static_cast<int>(atRest(preferences))); };
+    show();
+    connect(box, &QComboBox::activated, this,
+            [&preferences](int chosen) { setAtRest(preferences, static_cast<AtRest>(chosen)); });
+    connect(&preferences, &Preferences::changed, box, show);
 }
 
 void PanelOperations::addUndo() {
@@ -131,6 +155,9 @@ void PanelOperations::showUndo() {
         action->setEnabled(!what.isEmpty());
         const QString text = actionText(actionRow(id));
         action->setText(what.isEmpty() ? text : tr("%1: %2").arg(text, plainEntry(what)));
+        const QString tip = actionTip(actionRow(id));
+        action->setToolTip(
+            plainTip(what.isEmpty() ? tip : tr("%1: %2").arg(QString(text).remove(QLatin1Char('&')), what)));
     };
     show(ActionId::Undo, context_.editor.undoText());
     show(ActionId::Redo, context_.editor.redoText());

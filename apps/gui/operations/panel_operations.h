@@ -13,6 +13,7 @@ namespace gui {
 
 enum class ActionId;
 class FrameView;
+class SettingsPanel;
 
 /// Esc leads from the panel back to the image, and so does closing it, in whatever way.
 void leadBack(QDockWidget& dock, FrameView& view);
@@ -30,6 +31,7 @@ class PanelOperations : public QObject {
 
   private:
     void addSettings();
+    void addAtRest(SettingsPanel& panel);
     void addUndo();
     void showUndo();
     void switchAll();

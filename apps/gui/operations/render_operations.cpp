@@ -1,5 +1,6 @@
 #include "gui/operations/render_operations.h"
 
+#include "gui/models/at_rest.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/processes/server_keeper.h"
@@ -8,8 +9,10 @@
 #include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
 
+#include <QAction>
 #include <QLocale>
 
+#include <array>
 #include <utility>
 
 namespace gui {
@@ -27,11 +30,26 @@ RenderOperations::RenderOperations(const GuiContext& context, QObject* parent)
     : QObject(parent), context_(context), preview_(context.session, context.keeper.models()) {
     context_.actions.on(ActionId::QuickRender,
                         [this] { quickRender(context_.preferences.get(pref::stillAntialiasing)); });
-    context_.actions.bind(ActionId::ProgressiveRendering, pref::progressiveRendering);
-    context_.actions.bind(ActionId::GlobalIllumination, pref::globalIllumination);
+    bindAtRest();
     rest_.setSingleShot(true);
     rest_.setInterval(kRest);
     listen();
+}
+
+void RenderOperations::bindAtRest() {
+    constexpr std::array kActions{ActionId::AtRestLive, ActionId::AtRestRefined, ActionId::AtRestGlobal};
+    const auto show = [this, kActions] {
+        for (std::size_t i = 0; i < kActions.size(); ++i)
+            context_.actions[kActions.at(i)]->setChecked(atRest(context_.preferences) == kAtRest.at(i));
+    };
+    for (std::size_t i = 0; i < kActions.size(); ++i) {
+        context_.actions.on(kActions.at(i), [this, i, show] {
+            toggleAtRest(context_.preferences, kAtRest.at(i));
+            show(); // also where nothing changed
+        });
+    }
+    connect(&context_.preferences, &Preferences::changed, this, show);
+    show();
 }
 
 void RenderOperations::listen() {

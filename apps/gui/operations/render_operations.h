@@ -21,6 +21,7 @@ class RenderOperations : public QObject {
     RenderOperations(const GuiContext& context, QObject* parent);
 
   private:
+    void bindAtRest();
     void listen();
     void render(const StillQuality& quality);
     void quickRender(int antialiasing);

@@ -130,7 +130,7 @@ void PreviewProcess::look() {
     }
     if (!picture || !active_) return;
     if (picture->last) release();
-    emit refined(picture->image, picture->last, {quality_.paths > 0, picture->samples});
+    emit refined(picture->image, picture->last, {quality_.byPaths, picture->samples});
 }
 
 // Its last image can be read even now, by viewers that were attached before.

@@ -408,10 +408,6 @@
         <translation>Využít celou obrazovku</translation>
     </message>
     <message>
-        <source>&amp;Progressive rendering</source>
-        <translation>&amp;Postupné vykreslování</translation>
-    </message>
-    <message>
         <source>When the camera rests, render the view in higher quality</source>
         <translation>Když kamera stojí, vykreslit pohled ve vyšší kvalitě</translation>
     </message>
@@ -788,10 +784,6 @@
         <translation>Svě&amp;tlo</translation>
     </message>
     <message>
-        <source>&amp;Global illumination at rest</source>
-        <translation>&amp;Globální osvětlení v klidu</translation>
-    </message>
-    <message>
         <source>When the camera rests, render all light, also from surface to surface</source>
         <translation>Když kamera stojí, vykreslit všechno světlo, i mezi povrchy</translation>
     </message>
@@ -1046,6 +1038,58 @@
     <message>
         <source>as Blender: middle turns, Shift moves, Ctrl goes nearer</source>
         <translation>jako Blender: prostřední otáčí, se Shiftem posouvá, s Ctrl přibližuje</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k</source>
+        <translation>Chod&amp;it</translation>
+    </message>
+    <message>
+        <source>On the ground, by the keys and the mouse; F does it, too</source>
+        <translation>Po zemi, klávesami a myší; totéž dělá F</translation>
+    </message>
+    <message>
+        <source>Fl&amp;y</source>
+        <translation>Lé&amp;tat</translation>
+    </message>
+    <message>
+        <source>Anywhere, by the keys and the mouse</source>
+        <translation>Kamkoli, klávesami a myší</translation>
+    </message>
+    <message>
+        <source>At rest: &amp;live frame</source>
+        <translation>V klidu: ži&amp;vý snímek</translation>
+    </message>
+    <message>
+        <source>When the camera rests, show what the server draws; once more: refine it again</source>
+        <translation>Když kamera stojí, ukázat, co kreslí server; podruhé: zase zjemňovat</translation>
+    </message>
+    <message>
+        <source>At rest: re&amp;fined</source>
+        <translation>V klidu: &amp;zjemněný obraz</translation>
+    </message>
+    <message>
+        <source>At rest: &amp;global illumination</source>
+        <translation>V klidu: &amp;globální osvětlení</translation>
+    </message>
+    <message>
+        <source>Tool ba&amp;r</source>
+        <translation>Panel nástro&amp;jů</translation>
+    </message>
+    <message>
+        <source>The buttons below the menus</source>
+        <translation>Tlačítka pod nabídkami</translation>
+    </message>
+    <message>
+        <source>Live frame</source>
+        <translation>Živý snímek</translation>
+    </message>
+    <message>
+        <source>Refined</source>
+        <translation>Zjemněný obraz</translation>
+    </message>
+    <message>
+        <source>Global illumination</source>
+        <translation>Globální osvětlení</translation>
     </message>
 </context>
 <context>
@@ -1335,10 +1379,6 @@ Alt+%2</translation>
         <translation>&amp;Nechat servery běžet po zavření okna</translation>
     </message>
     <message>
-        <source>&amp;Progressive rendering when the camera rests</source>
-        <translation>&amp;Postupně vykreslovat, když kamera stojí</translation>
-    </message>
-    <message>
         <source>Viewport fo&amp;llows the window&apos;s size</source>
         <translation>Ž&amp;ivý obraz má velikost okna</translation>
     </message>
@@ -1471,10 +1511,6 @@ Alt+%2</translation>
         <translation>Zk&amp;ratky:</translation>
     </message>
     <message>
-        <source>Global illumi&amp;nation at rest</source>
-        <translation>Globální osvětlení v k&amp;lidu</translation>
-    </message>
-    <message>
         <source>Global illumination, sam&amp;ples:</source>
         <translation>&amp;Globální osvětlení, vzorků:</translation>
     </message>
@@ -1512,6 +1548,10 @@ Alt+%2</translation>
     <message>
         <source>Connect</source>
         <translation>Připojit</translation>
+    </message>
+    <message>
+        <source>Image at &amp;rest:</source>
+        <translation>&amp;Obraz v klidu:</translation>
     </message>
     <message>
         <source>Name</source>
@@ -2220,6 +2260,14 @@ Alt+%2</translation>
         <translation>Výpis</translation>
     </message>
     <message>
+        <source>Computed sky with a sun</source>
+        <translation>Počítaná obloha se sluncem</translation>
+    </message>
+    <message>
+        <source>No background</source>
+        <translation>Žádné pozadí</translation>
+    </message>
+    <message>
         <source>Co&amp;py all</source>
         <translation>&amp;Kopírovat vše</translation>
     </message>
@@ -2255,14 +2303,6 @@ Alt+%2</translation>
     <message>
         <source>Metal</source>
         <translation>Kov</translation>
-    <message>
-        <source>Computed sky with a sun</source>
-        <translation>Počítaná obloha se sluncem</translation>
-    </message>
-    <message>
-        <source>No background</source>
-        <translation>Žádné pozadí</translation>
-    </message>
     </message>
     <message>
         <source>Mirror</source>
@@ -2468,6 +2508,18 @@ Alt+%2</translation>
         <translation>Celý obraz</translation>
     </message>
     <message>
+        <source>Image at rest</source>
+        <translation>Obraz v klidu</translation>
+    </message>
+    <message>
+        <source>What is shown when the camera rests</source>
+        <translation>Co se ukazuje, když kamera stojí</translation>
+    </message>
+    <message>
+        <source>Image at rest:</source>
+        <translation>Obraz v klidu:</translation>
+    </message>
+    <message>
         <source>1:1</source>
         <translation>1:1</translation>
     </message>
@@ -2576,6 +2628,21 @@ Alt+%2</translation>
         <translation>Záznam</translation>
     </message>
     <message>
+<context>
+    <name>gui::QualityBar</name>
+    <message>
+        <source>Custom</source>
+        <translation>Vlastní</translation>
+    </message>
+    <message>
+        <source>Quality: %1</source>
+        <translation>Kvalita: %1</translation>
+    </message>
+    <message>
+        <source>The settings below are as in none of the three</source>
+        <translation>Nastavení níže neodpovídají žádné z těch tří</translation>
+    </message>
+</context>
         <source>&amp;Path:</source>
         <translation>&amp;Cesta:</translation>
     </message>
@@ -3031,11 +3098,7 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
-    <name>gui::SettingsPanel</name>
-    <message>
-        <source>All settings but the size as they are without any file</source>
-        <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
-    </message>
+    <name>gui::SettingRow</name>
     <message>
         <source>Default of %1</source>
         <translation>Výchozí hodnota: %1</translation>
@@ -3059,9 +3122,24 @@ Alt+%2</translation>
         <source>&amp;Share</source>
         <translation>&amp;Sdílet</translation>
     </message>
+</context>
+<context>
+    <name>gui::SettingsPanel</name>
+    <message>
+        <source>All settings but the size as they are without any file</source>
+        <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
+    </message>
     <message>
         <source>Starting…</source>
         <translation>Spouští se…</translation>
+    </message>
+    <message>
+        <source>Quality:</source>
+        <translation>Kvalita:</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Pokročilé</translation>
     </message>
     <message>
         <source>S&amp;top sharing</source>

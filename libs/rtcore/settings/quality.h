@@ -33,7 +33,7 @@ std::optional<Quality> qualityNamed(std::string_view name);
 
 std::vector<SettingAssignment> settingsOf(Quality quality);
 
-/// The one whose values the settings have; nothing where they are none's: a choice of somebody's own.
+/// The one whose values the settings have; nothing where they are none's.
 std::optional<Quality> qualityOf(const RenderSettings& settings);
 
 } // namespace rtcore
