@@ -3,6 +3,7 @@
 #include "gui/models/installed_skies.h"
 #include "gui/models/plain_text.h"
 #include "gui/operations/actions.h"
+#include "gui/operations/bar_operations.h"
 #include "gui/operations/bookmark_operations.h"
 #include "gui/operations/camera_operations.h"
 #include "gui/operations/connection_operations.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
     connect(&editor_, &SceneEditor::sceneChanged, this, &MainWindow::showTitle);
+    new BarOperations(context, this);
     showTitle();
     restoreGeometryAndState();
     view_->setFocus();

@@ -20,11 +20,21 @@ ModeOperations::ModeOperations(const GuiContext& context, QObject* parent)
     Session& session = context_.session;
     context_.actions.bind(ActionId::ShowCube, pref::showCube);
     context_.actions.onToggle(ActionId::Orbit, [this](bool on) { setOrbits(on); });
+    for (const auto& [id, mode] :
+         {std::pair{ActionId::Walk, Mode::Walk}, std::pair{ActionId::Fly, Mode::Fly}}) {
+        context_.actions.on(id, [this, mode] {
+            showMode(); // the click has changed the check mark, and the server may refuse
+            choose(mode);
+        });
+    }
     connect(cube_, &ViewCube::modeChosen, this, &ModeOperations::choose);
     connect(cube_, &ViewCube::sideChosen, this,
             [this](const QString& side) { context_.editor.edit(command::cameraView(side.toStdString())); });
     connect(&context_.preferences, &Preferences::changed, this, &ModeOperations::showCube);
-    connect(&session, &Session::stateChanged, this, &ModeOperations::showCube);
+    connect(&session, &Session::stateChanged, this, [this] {
+        showCube();
+        showMode();
+    });
     connect(&session, &Session::frameChanged, this, [this] {
         showCube();
         cube_->setView(context_.session.status().view);
@@ -77,7 +87,11 @@ void ModeOperations::showMode() {
     if (!std::exchange(walks_, walks) && walks && context_.view.input().hand() == Hand::Turns)
         setOrbits(false);
     const bool orbits = context_.view.input().hand() == Hand::Turns;
-    cube_->setMode(orbits ? Mode::Orbit : walks ? Mode::Walk : Mode::Fly);
+    const Mode mode = orbits ? Mode::Orbit : walks ? Mode::Walk : Mode::Fly;
+    cube_->setMode(mode);
+    const bool live = context_.session.live();
+    context_.actions[ActionId::Walk]->setChecked(live && mode == Mode::Walk);
+    context_.actions[ActionId::Fly]->setChecked(live && mode == Mode::Fly);
 }
 
 } // namespace gui

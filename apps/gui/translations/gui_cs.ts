@@ -1129,6 +1129,21 @@ Qt %1</translation>
     </message>
 </context>
 <context>
+    <name>gui::BarOperations</name>
+    <message>
+        <source>Tool bar</source>
+        <translation>Panel nástrojů</translation>
+    </message>
+    <message>
+        <source>Light the scene anew</source>
+        <translation>Nasvítit scénu znovu</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Osvětlení</translation>
+    </message>
+</context>
+<context>
     <name>gui::BookmarkOperations</name>
     <message>
         <source>delete “%1”</source>
@@ -1534,6 +1549,10 @@ Alt+%2</translation>
         <source> passes</source>
         <translation> průchodů</translation>
     </message>
+    <message>
+        <source>Image at &amp;rest:</source>
+        <translation>&amp;Obraz v klidu:</translation>
+    </message>
 </context>
 <context>
     <name>gui::ConnectDialog</name>
@@ -1548,10 +1567,6 @@ Alt+%2</translation>
     <message>
         <source>Connect</source>
         <translation>Připojit</translation>
-    </message>
-    <message>
-        <source>Image at &amp;rest:</source>
-        <translation>&amp;Obraz v klidu:</translation>
     </message>
     <message>
         <source>Name</source>
@@ -2244,6 +2259,14 @@ Alt+%2</translation>
         <source>Environment map…</source>
         <translation>Mapa prostředí…</translation>
     </message>
+    <message>
+        <source>Computed sky with a sun</source>
+        <translation>Počítaná obloha se sluncem</translation>
+    </message>
+    <message>
+        <source>No background</source>
+        <translation>Žádné pozadí</translation>
+    </message>
 </context>
 <context>
     <name>gui::LogDialog</name>
@@ -2258,14 +2281,6 @@ Alt+%2</translation>
     <message>
         <source>Log</source>
         <translation>Výpis</translation>
-    </message>
-    <message>
-        <source>Computed sky with a sun</source>
-        <translation>Počítaná obloha se sluncem</translation>
-    </message>
-    <message>
-        <source>No background</source>
-        <translation>Žádné pozadí</translation>
     </message>
     <message>
         <source>Co&amp;py all</source>
@@ -2492,6 +2507,18 @@ Alt+%2</translation>
         <source>Redone: %1</source>
         <translation>Provedeno znovu: %1</translation>
     </message>
+    <message>
+        <source>Image at rest</source>
+        <translation>Obraz v klidu</translation>
+    </message>
+    <message>
+        <source>What is shown when the camera rests</source>
+        <translation>Co se ukazuje, když kamera stojí</translation>
+    </message>
+    <message>
+        <source>Image at rest:</source>
+        <translation>Obraz v klidu:</translation>
+    </message>
 </context>
 <context>
     <name>gui::PictureDialog</name>
@@ -2506,18 +2533,6 @@ Alt+%2</translation>
     <message>
         <source>All of the image</source>
         <translation>Celý obraz</translation>
-    </message>
-    <message>
-        <source>Image at rest</source>
-        <translation>Obraz v klidu</translation>
-    </message>
-    <message>
-        <source>What is shown when the camera rests</source>
-        <translation>Co se ukazuje, když kamera stojí</translation>
-    </message>
-    <message>
-        <source>Image at rest:</source>
-        <translation>Obraz v klidu:</translation>
     </message>
     <message>
         <source>1:1</source>
@@ -2614,21 +2629,6 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
-    <name>gui::RecordingDialog</name>
-    <message>
-        <source>List of cameras</source>
-        <translation>Seznam kamer</translation>
-    </message>
-    <message>
-        <source>Lists (*.lst *.txt);;All files (*)</source>
-        <translation>Seznamy (*.lst *.txt);;Všechny soubory (*)</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Záznam</translation>
-    </message>
-    <message>
-<context>
     <name>gui::QualityBar</name>
     <message>
         <source>Custom</source>
@@ -2643,6 +2643,21 @@ Alt+%2</translation>
         <translation>Nastavení níže neodpovídají žádné z těch tří</translation>
     </message>
 </context>
+<context>
+    <name>gui::RecordingDialog</name>
+    <message>
+        <source>List of cameras</source>
+        <translation>Seznam kamer</translation>
+    </message>
+    <message>
+        <source>Lists (*.lst *.txt);;All files (*)</source>
+        <translation>Seznamy (*.lst *.txt);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Záznam</translation>
+    </message>
+    <message>
         <source>&amp;Path:</source>
         <translation>&amp;Cesta:</translation>
     </message>
@@ -3107,9 +3122,24 @@ Alt+%2</translation>
         <source>Back to the default: %1</source>
         <translation>Zpět na výchozí hodnotu: %1</translation>
     </message>
+</context>
+<context>
+    <name>gui::SettingsPanel</name>
+    <message>
+        <source>All settings but the size as they are without any file</source>
+        <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
+    </message>
     <message>
         <source>Defaults</source>
         <translation>Výchozí</translation>
+    </message>
+    <message>
+        <source>Quality:</source>
+        <translation>Kvalita:</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Pokročilé</translation>
     </message>
 </context>
 <context>
@@ -3122,24 +3152,9 @@ Alt+%2</translation>
         <source>&amp;Share</source>
         <translation>&amp;Sdílet</translation>
     </message>
-</context>
-<context>
-    <name>gui::SettingsPanel</name>
-    <message>
-        <source>All settings but the size as they are without any file</source>
-        <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
-    </message>
     <message>
         <source>Starting…</source>
         <translation>Spouští se…</translation>
-    </message>
-    <message>
-        <source>Quality:</source>
-        <translation>Kvalita:</translation>
-    </message>
-    <message>
-        <source>Advanced</source>
-        <translation>Pokročilé</translation>
     </message>
     <message>
         <source>S&amp;top sharing</source>

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QToolBar>
 
 namespace gui {
 
@@ -27,6 +28,7 @@ void FullScreen::enter() {
     panels_ = window_.saveState();
     on_ = true;
     window_.menuBar()->hide();
+    for (QToolBar* bar : window_.findChildren<QToolBar*>()) bar->hide();
     for (QDockWidget* panel : window_.findChildren<QDockWidget*>()) panel->hide();
 }
 

@@ -1,0 +1,12 @@
+/// Icons of lines in the colour that letters have at the moment, so that they suit light and dark windows.
+#pragma once
+
+#include <QIcon>
+#include <QString>
+
+namespace gui {
+
+/// Of the symbol of that name (symbolPath()); dim while what it stands for is disabled.
+QIcon symbolIcon(const QString& name);
+
+} // namespace gui
