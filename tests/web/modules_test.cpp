@@ -36,6 +36,11 @@ TEST_F(PageModules, KeysHaveTheNumbersOfTheServer) {
 
 TEST_F(PageModules, LinksAreChecked) { passes("links_test.js"); }
 TEST_F(PageModules, BookmarksAreChecked) { passes("links_test.js"); }
+TEST_F(PageModules, ALinkToAViewHoldsNoToken) { passes("links_test.js"); }
+TEST_F(PageModules, AViewIsSharedByTheSystemOrCopied) { passes("links_test.js"); }
+TEST_F(PageModules, SlidersGoByFactorsWhereTheRangeIsWide) { passes("fields_test.js"); }
+TEST_F(PageModules, ALabelLeadsBackByADoubleClick) { passes("fields_test.js"); }
+TEST_F(PageModules, OneOfAFewStepsIsPressedOrNone) { passes("fields_test.js"); }
 
 TEST_F(PageModules, SticksHoldKeys) { passes("sticks_test.js", {{"shift", rtcore::KeyShift}}); }
 TEST_F(PageModules, AGamepadLetsGoOfItsKeysWithTheWindow) { passes("sticks_test.js"); }

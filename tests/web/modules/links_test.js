@@ -1,6 +1,7 @@
 import { checked } from "./bookmarks.js";
 import { equal } from "./expect.js";
 import { readFragment, viewText } from "./fragment.js";
+import { shareView, viewLink } from "./share.js";
 
 export function linksAreChecked() {
     const token = "k".repeat(43);
@@ -25,4 +26,34 @@ export function bookmarksAreChecked() {
     const view = Array(10).fill(1);
     equal(checked([{ name: "a", view, image: "https://elsewhere/x.png" }])[0].image, "");
     equal(checked([{ name: "a\u202ab\u200f\u0007\u2066c", view }])[0].name, "abc");
+}
+
+const status = { eye: [1, 2, 3], forward: [0, 0, -1], fov: 60 };
+
+export function aLinkToAViewHoldsNoToken() {
+    equal(viewLink(`https://host:1/#t=${"k".repeat(43)}`, status), "https://host:1/#v=1,2,3,0,0,-1,60");
+    equal(viewLink("https://host:1/", { ...status, fov: 0 }), "https://host:1/#v=1,2,3,0,0,-1");
+}
+
+export async function aViewIsSharedByTheSystemOrCopied() {
+    const shown = [], copied = [], app = { status, notices: { show: (key, text) => shown.push([key, text.includes("#v=1,2,3")]) } };
+    const put = (name, value) => Object.defineProperty(navigator, name, { value, configurable: true });
+    put("clipboard", { writeText: async (text) => copied.push(text.replace(/.*#/, "")) });
+    put("share", undefined);
+    await shareView(app);
+    equal([copied, shown], [["v=1,2,3,0,0,-1,60"], [["copy", false]]], "no system for it");
+    const shared = [];
+    put("share", async ({ url }) => shared.push(url.replace(/.*#/, "")));
+    await shareView(app);
+    equal([shared, copied.length], [["v=1,2,3,0,0,-1,60"], 1]);
+    put("share", async () => { throw new DOMException("", "AbortError"); });
+    await shareView(app);
+    equal([copied.length, shown.length], [1, 1], "the user thought better of it");
+    put("share", async () => { throw new DOMException("", "NotAllowedError"); });
+    await shareView(app);
+    equal(copied.length, 2);
+    put("clipboard", undefined);
+    await shareView(app);
+    equal(shown.at(-1), ["copy", true], "to be copied by hand");
+    await shareView({ status: {}, notices: null }); // nothing is shown yet
 }

@@ -21,7 +21,7 @@ export class Around {
     }
 
     nameAll() {
-        const buttons = { menu: "menu", close: "close", full: "full", orbit: "orbit", fit: "fitView", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
+        const buttons = { menu: "menu", close: "close", full: "full", share: "shareView", orbit: "orbit", fit: "fitView", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
         for (const [id, text] of Object.entries(buttons)) name(byId(id), t(text));
         const places = { view: "view", corner: "corner", pads: "pads", tabs: "tabs" };
         for (const [id, text] of Object.entries(places)) byId(id).setAttribute("aria-label", t(text));
@@ -50,6 +50,7 @@ export class Around {
         const first = !this.seen;
         this.seen = true;
         if (first) {
+            byId("share").hidden = false;
             byId("view").classList.remove("unseen");
             this.showWaiting();
             this.showHint();
@@ -65,6 +66,7 @@ export class Around {
         this.seen = false;
         this.exact = false;
         byId("view").classList.add("unseen");
+        byId("share").hidden = true;
         byId("save").disabled = true;
         name(byId("save"), t("saveWait"));
         this.showHeader();

@@ -13,6 +13,7 @@ function row(label, controls, { help, unit, reset } = {}) {
     const back = reset && button(reset.text, reset.run, "undo");
     back?.classList.add("reset");
     const name = make("label", { for: id, title: help }, ...caption(label, unit));
+    if (back) name.ondblclick = () => back.hidden || back.disabled || reset.run();
     const field = make("div", { className: "field" }, ...controls);
     const element = make("div", { className: reset ? "row" : "row wide" }, name, field, ...(back ? [back] : []));
     return { element, back };
@@ -67,29 +68,49 @@ function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
     return { box, show };
 }
 
-/** A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`: later values of one drag go on.
- *  Without a slider `scale` may tell how many of the unit that is shown make one of the value's. */
+const MOST_EVEN = 5000, MANY_ORDERS = 1000, MOST_FACTOR = 1e7, POSITIONS = 500;
+
+/** A slider over a range: even, or by even factors where it is of many orders; null where its ends are too far apart. */
+function sliderOver({ min, max, whole }) {
+    if (min === undefined || max === undefined) return null;
+    const factors = min > 0 && max / min >= MANY_ORDERS, factor = max / min;
+    if (factors ? factor > MOST_FACTOR : max - min > MOST_EVEN) return null;
+    const box = make("input", factors ? { type: "range", min: 0, max: POSITIONS, step: 1 }
+        : { type: "range", min, max, step: whole ? 1 : (max - min) / POSITIONS });
+    const fine = (value) => (whole ? Math.round(value) : Number(value.toPrecision(3)));
+    return {
+        box,
+        value: () => (factors ? fine(min * factor ** (Number(box.value) / POSITIONS)) : Number(box.value)),
+        show: (value) => (box.value = factors ? POSITIONS * (Math.log(Math.max(value, min) / min) / Math.log(factor)) : value),
+    };
+}
+
+/**
+ * A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`: later
+ * values of one drag go on. Without a slider `scale` may tell how many of the unit that is shown make one of the value's.
+ */
 export function numeric(label, onValue, how = {}) {
     const { min, max, whole, name = label, until = max } = how;
     const { box, show } = numberBox((value) => onValue(value, false), { min, max, whole, scale: how.scale, label: how.slider === false ? undefined : name });
-    if (how.slider === false || min === undefined || max === undefined || until - min > 5000) {
+    const slider = how.slider === false ? null : sliderOver({ min, max: until, whole });
+    if (!slider) {
         box.removeAttribute("aria-label");
         const { element, back } = row(label, [box], how);
         return { element, back, show };
     }
-    const slider = make("input", { type: "range", min, max: until, step: whole ? 1 : (until - min) / 500 });
     let dragging = false;
-    slider.oninput = () => {
-        box.value = slider.value;
-        onValue(Number(slider.value), dragging);
+    slider.box.oninput = () => {
+        const value = slider.value();
+        box.value = value;
+        onValue(value, dragging);
         dragging = true;
     };
-    slider.onchange = () => (dragging = false);
-    const { element, back } = row(label, [slider, box], how);
+    slider.box.onchange = () => (dragging = false);
+    const { element, back } = row(label, [slider.box, box], how);
     return { element, back, show(value, enabled) {
         show(value, enabled);
-        if (!dragging) slider.value = value;
-        slider.disabled = !enabled;
+        if (!dragging) slider.show(value);
+        slider.box.disabled = !enabled;
     } };
 }
 
@@ -140,6 +161,21 @@ export function colour(label, onValue, how = {}) {
     return { element, show(linear, enabled) {
         if (!dragging) box.value = screenColour(linear, how.scaled);
         box.disabled = !enabled;
+    } };
+}
+
+/** One of a few steps, side by side, or none of them. @param {[string, string, string][]} steps value, text and tip */
+export function steps(label, all, onChoice, none) {
+    const buttons = all.map(([value, text, title]) => make("button", { type: "button", title, "aria-pressed": "false", onclick: () => onChoice(value) }, text));
+    const other = make("span", { className: "dim", hidden: true }, none);
+    const element = make("div", { className: "row wide", role: "group", "aria-label": label }, make("span", { className: "label" }, label),
+        make("div", { className: "field" }, make("div", { className: "steps" }, ...buttons), other));
+    return { element, show(value, enabled) {
+        buttons.forEach((button, index) => {
+            button.setAttribute("aria-pressed", String(all[index][0] === value));
+            button.disabled = !enabled;
+        });
+        other.hidden = value !== null;
     } };
 }
 

@@ -20,6 +20,7 @@ import { skyPanel } from "./panel_sky.js";
 import { download, viewsPanel } from "./panel_views.js";
 import { Panels } from "./panels.js";
 import { Picture } from "./picture.js";
+import { shareView } from "./share.js";
 import { startStream } from "./stream_start.js";
 import { followPreference, forThisTab, preference } from "./storage.js";
 import { Token } from "./token.js";
@@ -90,6 +91,7 @@ followPreference("theme", "", (theme) => {
     else delete document.documentElement.dataset.theme;
 });
 
+byId("share").addEventListener("click", () => shareView(app));
 byId("full").addEventListener("click", toggleFullScreen);
 byId("full").hidden = !document.fullscreenEnabled;
 byId("save").addEventListener("click", () => {

@@ -82,8 +82,10 @@ export function lightsPanel(app) {
             (inner, goesOn) => edit("light angles", [inner, Math.max(inner, light().outer)], goesOn), { ...angles, unit: "°" }), has("cone"), ({ inner }) => inner);
         add(numeric(of("LightFields", "Angle where it ends"),
             (outer, goesOn) => edit("light angles", [Math.min(light().inner, outer), outer], goesOn), { ...angles, unit: "°" }), has("cone"), ({ outer }) => outer);
+        const mirrors =
+            of("LightFields", "Mirrors, lacquer and glass that bends show the light itself; the camera does not");
         add(toggle(of("LightFields", "Seen in mirrors"), (on) => edit("light mirrored", on ? "on" : "off"),
-            { help: of("LightFields", "Mirrors, lacquer and glass that bends show the light itself; the camera does not") }),
+            { help: mirrors }),
         has("area"), ({ mirrored }) => mirrored);
     }
 

@@ -2,7 +2,7 @@
 import { MOST, cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
 import { button, make, refill } from "./dom.js";
 import { choice, numeric } from "./fields.js";
-import { viewText } from "./fragment.js";
+import { copyView } from "./share.js";
 import { counted, t } from "./texts.js";
 
 const SPEED_STEP = 1.5;
@@ -29,17 +29,6 @@ export function viewsPanel(app) {
         panel.show();
         return kept;
     };
-
-    async function copyLink() {
-        const { eye, forward, fov } = app.status;
-        const address = location.href.replace(/#.*/, "") + "#" + viewText([...eye, ...forward, ...(fov > 0 ? [fov] : [])]);
-        try {
-            await navigator.clipboard.writeText(address);
-            app.notices.show("copy", t("copied"));
-        } catch {
-            app.notices.show("copy", t("copyByHand") + " " + address, { lasting: true, actions: [[t("close"), () => {}]] });
-        }
-    }
 
     const tellFull = () => app.notices.show("bookmarks", t("bookmarkMost", MOST), { warn: true });
 
@@ -86,7 +75,7 @@ export function viewsPanel(app) {
         const step = (text, factor) => button(t(text), () => app.setSpeed(app.speed * factor));
         speed.steps = [step("slower", 1 / SPEED_STEP), step("faster", SPEED_STEP)];
         middle = button(t("focusMiddle"), () => app.focus({ x: 0.5, y: 0.5 }));
-        copy = button(t("copyLink"), copyLink);
+        copy = button(t("copyLink"), () => copyView(app));
         reset = button(t("resetView"), () => app.ask("camera reset"));
         sides = (app.argument("camera view", 0).words ?? []).map((side) => button(sideText(side), () => app.ask("camera view", side)));
         place.append(motion.element, angle.element, speed.element, make("div", { className: "actions" }, ...speed.steps, middle),

@@ -107,8 +107,9 @@ export default {
     focusMiddle: "Zaostřit na střed",
     focusSet: "Zaostřeno",
 
+    shareView: "Sdílet tento pohled",
     copyLink: "Kopírovat odkaz na tento pohled",
-    copied: "Zkopírováno",
+    copied: "Odkaz na tento pohled je zkopírovaný. Otevře se těm, kdo sem mají přístup",
     copyByHand: "Prohlížeč zde kopírovat nedovolí. Odkaz:",
     viewAsked: "Odkaz ukazuje jiný pohled",
     resetView: "Výchozí pohled",
@@ -154,6 +155,7 @@ export default {
     size: "Velikost snímku",
     fit: "Podle této obrazovky",
     apply: "Použít",
+    imageQuality: "Kvalita",
     find: "Hledat nastavení",
     on: "zapnuto",
     off: "vypnuto",

@@ -107,8 +107,9 @@ export default {
     focusMiddle: "Focus on the middle",
     focusSet: "Focused there",
 
+    shareView: "Share this view",
     copyLink: "Copy a link to this view",
-    copied: "Copied",
+    copied: "Link to this view copied. It opens for those who were let in here",
     copyByHand: "The browser allows no copying here. The link:",
     viewAsked: "The link shows another view",
     resetView: "Reset view",
@@ -154,6 +155,7 @@ export default {
     size: "Size of the frame",
     fit: "Fit to this screen",
     apply: "Apply",
+    imageQuality: "Quality",
     find: "Find a setting",
     on: "on",
     off: "off",

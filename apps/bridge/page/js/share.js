@@ -1,0 +1,34 @@
+/** A link to what is seen: given to the system to be passed on, or copied. */
+import { viewText } from "./fragment.js";
+import { t } from "./texts.js";
+
+/**
+ * The address of a view, without a token: it opens for those who were let in before.
+ * @param {string} address of the page
+ * @param {{eye: number[], forward: number[], fov: number}} status
+ */
+export const viewLink = (address, { eye, forward, fov }) =>
+    address.replace(/#.*/, "") + "#" + viewText([...eye, ...forward, ...(fov > 0 ? [fov] : [])]);
+
+async function copy(app, link) {
+    try {
+        await navigator.clipboard.writeText(link);
+        app.notices.show("copy", t("copied"));
+    } catch {
+        app.notices.show("copy", t("copyByHand") + " " + link, { lasting: true, actions: [[t("close"), () => {}]] });
+    }
+}
+
+/** By what the system has for it; where it has nothing, or that fails, by the clipboard. */
+export async function shareView(app) {
+    if (!app.status.eye) return;
+    const link = viewLink(location.href, app.status);
+    if (!navigator.share) return copy(app, link);
+    try {
+        await navigator.share({ title: document.title, url: link });
+    } catch (error) {
+        if (error.name !== "AbortError") await copy(app, link); // else the user thought better of it
+    }
+}
+
+export const copyView = (app) => copy(app, viewLink(location.href, app.status));
