@@ -14,7 +14,7 @@ fi
 scripts/check_words.py
 echo "check-style: the words are those of docs/style.md"
 scripts/check_documents.py
-echo "check-style: the pages are wrapped, their links lead somewhere and their images are shown"
+echo "check-style: the pages and the page's modules are wrapped, links lead somewhere and images are shown"
 scripts/check_system_headers.py
 echo "check-style: system headers are included in their rooms only"
 scripts/check_plain_text.py

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks the pages (*.md): lines of prose have at most 120 columns, links lead to files and headings that are there, and
-every image of docs is shown by a page. Prints file:line: what to do; exits with 1 if there is anything.
+every image of docs is shown by a page. The modules of the bridge's page (*.js), which nothing formats, have at most 120
+columns, too. Prints file:line: what to do; exits with 1 if there is anything.
 
   scripts/check_documents.py
 """
@@ -89,6 +90,14 @@ def troubles(pages, files):
             yield name, 1, "no page shows it: remove it"
 
 
+def longLines(modules):
+    """Module, line and remedy; an import stands within one line (bundle.py)."""
+    for name, text in modules.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            if len(line) > COLUMNS and not line.startswith("import "):
+                yield name, number, "%d columns: wrap the line at %d" % (len(line), COLUMNS)
+
+
 LONG = "word " * 25
 # What is to be found, and what is not: a check that finds nothing checks nothing.
 WRONG = (LONG, "- " + LONG, "[a](none.md)", "![a](none.png)", "[a](#none)", "[a](other.md#none)", '<img src="none.png">')
@@ -106,6 +115,10 @@ def checkItself():
     if not any(troubles({"docs/page.md": ""}, files | {"docs/a.png"})):
         print("check_documents: it does not see that an image is not shown", file=sys.stderr)
         sys.exit(1)
+    for module, wrong in ((LONG, True), ("import " + LONG, False), ("é" * COLUMNS, False)):
+        if any(longLines({"a.js": module})) != wrong:
+            print("check_documents: wrong about its own module: " + module, file=sys.stderr)
+            sys.exit(1)
 
 
 def main():
@@ -113,8 +126,9 @@ def main():
     checkItself()
     names = subprocess.run(["git", "ls-files", "-z"], check=True, capture_output=True, text=True).stdout.split("\0")
     files = {name for name in names if name and os.path.exists(name)}
-    pages = {name: open(name, encoding="utf-8").read() for name in sorted(files) if name.endswith(".md")}
-    found = list(troubles(pages, files))
+    texts = lambda ending, folder="": {name: open(name, encoding="utf-8").read() for name in sorted(files)
+                                       if name.endswith(ending) and name.startswith(folder)}
+    found = list(troubles(texts(".md"), files)) + list(longLines(texts(".js", "apps/bridge/page/js/")))
     for page, number, remedy in found:
         print("%s:%d: %s" % (page, number, remedy), file=sys.stderr)
     return 1 if found else 0

@@ -10,7 +10,7 @@
 namespace rtcore {
 struct MainSetting;
 struct Setting;
-}
+} // namespace rtcore
 
 namespace gui {
 

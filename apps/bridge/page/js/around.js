@@ -21,7 +21,8 @@ export class Around {
     }
 
     nameAll() {
-        const buttons = { menu: "menu", close: "close", full: "full", share: "shareView", orbit: "orbit", fit: "fitView", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
+        const buttons = { menu: "menu", close: "close", full: "full", share: "shareView", orbit: "orbit",
+            fit: "fitView", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
         for (const [id, text] of Object.entries(buttons)) name(byId(id), t(text));
         const places = { view: "view", corner: "corner", pads: "pads", tabs: "tabs" };
         for (const [id, text] of Object.entries(places)) byId(id).setAttribute("aria-label", t(text));
@@ -110,7 +111,8 @@ export class Around {
         const role = this.app.drives() ? "" : " · " + this.driverText();
         byId("pill-text").textContent = t(mode) + " · " + motion + role;
         // Screen readers hear what changed, not each rate, and the place once it is reached.
-        const quiet = t(mode) + ", " + (idle ? t("idleAt", eye.map((part) => number(part, 1)).join("; ")) : t("moving")) + role;
+        const quiet = t(mode) + ", " + (idle ? t("idleAt", eye.map((part) => number(part, 1)).join("; ")) : t("moving"))
+            + role;
         if (quiet !== this.said) byId("live").textContent = this.said = quiet;
     }
 }

@@ -26,6 +26,7 @@ export class AskedView {
         if (this.wasOffered) return;
         this.wasOffered = true;
         const actions = app.welcome?.mayDrive ? [[t("ask"), () => app.askToDrive()]] : [];
-        app.notices.show("view", t("viewAsked"), { lasting: true, actions: [...actions, [t("close"), () => (this.view = null)]] });
+        app.notices.show("view", t("viewAsked"), { lasting: true,
+            actions: [...actions, [t("close"), () => (this.view = null)]] });
     }
 }

@@ -12,9 +12,11 @@ const key = (instance, scene) => `rt.bookmarks.${instance}.${scene}`;
 export function checked(list) {
     if (!Array.isArray(list)) return [];
     const number = (value) => typeof value === "number" && Number.isFinite(value);
-    return list.filter((one) => one && typeof one.name === "string" && Array.isArray(one.view) && one.view.length === 10 && one.view.every(number))
+    return list.filter((one) => one && typeof one.name === "string" && Array.isArray(one.view) && one.view.length === 10
+        && one.view.every(number))
         .map(({ name, view, image }) => ({ name: name.replace(CONTROLS, "").slice(0, MOST_NAME), view,
-            image: typeof image === "string" && /^data:image\/(jpeg|png);base64,[\w+/=]+$/.test(image) ? image : "" })).slice(0, MOST);
+            image: typeof image === "string" && /^data:image\/(jpeg|png);base64,[\w+/=]+$/.test(image) ? image
+                : "" })).slice(0, MOST);
 }
 
 export function load(instance, scene) {

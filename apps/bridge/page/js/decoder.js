@@ -1,6 +1,6 @@
 /**
- * Bytes of a JPEG or PNG to what a canvas can draw. ImageDecoder, which only secure pages of some browsers have, takes the
- * bytes as they are and gives pixels in a third of the time of createImageBitmap, which takes them as a file.
+ * Bytes of a JPEG or PNG to what a canvas can draw. ImageDecoder, which only secure pages of some browsers have, takes
+ * the bytes as they are and gives pixels in a third of the time of createImageBitmap, which takes them as a file.
  */
 import { stripsOf } from "./jpeg_strips.js";
 
@@ -42,7 +42,10 @@ function roomOf({ width, height }) {
     return same < 0 ? new ImageData(width, height) : spare.splice(same, 1)[0];
 }
 
-/** `roomFor` gets width and height of what was decoded, and gives where its pixels go; `transfer`: buffers that go to the decoder. */
+/**
+ * `roomFor` gets width and height of what was decoded, and gives where its pixels go; `transfer`: buffers that go to
+ * the decoder.
+ */
 async function decodeInto(roomFor, bytes, type, transfer = []) {
     const decoder = new ImageDecoder({ data: bytes, type, transfer, colorSpaceConversion: "none" });
     try {
@@ -62,7 +65,8 @@ async function decodePixels(bytes, type) {
     let image = parts && roomOf(parts);
     const whole = (size) => (image = roomOf(size)).data;
     const strip = (top) => () => image.data.subarray(4 * image.width * top);
-    if (parts) await Promise.all(parts.strips.map((part) => decodeInto(strip(part.top), part.bytes, type, [part.bytes.buffer])));
+    if (parts) await Promise.all(parts.strips.map((part) =>
+        decodeInto(strip(part.top), part.bytes, type, [part.bytes.buffer])));
     else await decodeInto(whole, bytes, type);
     return new Pixels(image);
 }
@@ -87,14 +91,16 @@ let hasDecoder = typeof ImageDecoder === "function" && typeof OffscreenCanvas ==
 /**
  * @param {Uint8Array} bytes
  * @param {string} type its media type
- * @returns {Promise<{drawOn: (context, width: number, height: number) => void, close: () => void}>} rejects for a broken image
+ * @returns {Promise<{drawOn: (context, width: number, height: number) => void, close: () => void}>} rejects for a
+ *     broken image
  */
 export async function decode(bytes, type) {
     if (hasDecoder) {
         try {
             return await decodePixels(bytes, type);
         } catch (error) {
-            hasDecoder = error.name !== "NotSupportedError" && error.name !== "TypeError"; // some copy in their own format only
+            // some copy in their own format only
+            hasDecoder = error.name !== "NotSupportedError" && error.name !== "TypeError";
         }
     }
     return new Bitmap(await createImageBitmap(new Blob([bytes], { type }), exactly));

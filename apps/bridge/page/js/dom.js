@@ -23,7 +23,8 @@ export function make(tag, with_ = {}, ...children) {
 /** A button. One with an icon says `text` to screen readers and as its tip. */
 export function button(text, onclick, icon) {
     if (!icon) return make("button", { type: "button", onclick }, text);
-    return make("button", { type: "button", className: "icon", title: text, "aria-label": text, onclick }, symbol(icon));
+    return make("button", { type: "button", className: "icon", title: text, "aria-label": text, onclick },
+        symbol(icon));
 }
 
 /** One of the icons of index.html. */

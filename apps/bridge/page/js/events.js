@@ -152,7 +152,8 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
             const actions = reason.split(" ").filter(Boolean).map((one) => [one, () => app.goTo(one)]);
             return notices.show("link", t("noInstance"), { ...lasting, actions });
         }
-        const texts = { 4002: "malformed", 4003: admission.current ? "tokenOld" : "noToken", 4005: "linkUsed", 4010: "versionOld" };
+        const texts = { 4002: "malformed", 4003: admission.current ? "tokenOld" : "noToken", 4005: "linkUsed",
+            4010: "versionOld" };
         const actions = code === 4003 || code === 4005 ? [] : [[t("reload"), () => location.reload()]];
         notices.show("link", t(texts[code]), { ...lasting, actions });
     }

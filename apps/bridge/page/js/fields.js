@@ -1,9 +1,12 @@
-/** Rows of fields for panels: a label, a control, a reset. A row shows what the server says, but not while it is edited. */
+/**
+ * Rows of fields for panels: a label, a control, a reset. A row shows what the server says, but not while it is edited.
+ */
 import { button, freshId, make } from "./dom.js";
 import { t } from "./texts.js";
 
 /** What a field is called, and its unit. */
-const caption = (label, unit) => [label, ...(unit ? ["\u00a0", make("span", { className: unit.length > 2 ? "unit" : "unit short" }, unit)] : [])];
+const caption = (label, unit) => [label, ...(unit
+    ? ["\u00a0", make("span", { className: unit.length > 2 ? "unit" : "unit short" }, unit)] : [])];
 
 /** @returns {Row} `element`, `show(value, enabled)` */
 function row(label, controls, { help, unit, reset } = {}) {
@@ -29,7 +32,8 @@ export function toggle(label, onChange, how = {}) {
 
 /** @param {[string, string][]} choices value and text */
 export function choice(label, choices, onChange, how = {}) {
-    const box = make("select", { onchange: () => onChange(box.value) }, ...choices.map(([value, text]) => make("option", { value }, text)));
+    const box = make("select", { onchange: () => onChange(box.value) },
+        ...choices.map(([value, text]) => make("option", { value }, text)));
     const { element, back } = row(label, [box], how);
     return { element, back, show: (value, enabled) => ((box.value = value), (box.disabled = !enabled)) };
 }
@@ -51,7 +55,10 @@ const short = (value) => String(Number(Number(value).toPrecision(6)));
 /** Without the digits of the rounding of floats. */
 const unscaled = (shown, scale) => (scale === 1 ? shown : Number((shown / scale).toPrecision(7)));
 
-/** A typed number counts when it is finished; one that the arrows change, at once. What is shown is the value times `scale()`. */
+/**
+ * A typed number counts when it is finished; one that the arrows change, at once. What is shown is the value times
+ * `scale()`.
+ */
 function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
     const box = make("input", { type: "number", step: whole ? "1" : "any", inputMode: "decimal", "aria-label": label });
     if (min !== undefined) box.min = min;
@@ -70,7 +77,9 @@ function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
 
 const MOST_EVEN = 5000, MANY_ORDERS = 1000, MOST_FACTOR = 1e7, POSITIONS = 500;
 
-/** A slider over a range: even, or by even factors where it is of many orders; null where its ends are too far apart. */
+/**
+ * A slider over a range: even, or by even factors where it is of many orders; null where its ends are too far apart.
+ */
 function sliderOver({ min, max, whole }) {
     if (min === undefined || max === undefined) return null;
     const factors = min > 0 && max / min >= MANY_ORDERS, factor = max / min;
@@ -81,17 +90,20 @@ function sliderOver({ min, max, whole }) {
     return {
         box,
         value: () => (factors ? fine(min * factor ** (Number(box.value) / POSITIONS)) : Number(box.value)),
-        show: (value) => (box.value = factors ? POSITIONS * (Math.log(Math.max(value, min) / min) / Math.log(factor)) : value),
+        show: (value) => (box.value = factors ? POSITIONS * (Math.log(Math.max(value, min) / min) / Math.log(factor))
+            : value),
     };
 }
 
 /**
- * A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`: later
- * values of one drag go on. Without a slider `scale` may tell how many of the unit that is shown make one of the value's.
+ * A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`:
+ * later values of one drag go on. Without a slider `scale` may tell how many of the unit that is shown make one of the
+ * value's.
  */
 export function numeric(label, onValue, how = {}) {
     const { min, max, whole, name = label, until = max } = how;
-    const { box, show } = numberBox((value) => onValue(value, false), { min, max, whole, scale: how.scale, label: how.slider === false ? undefined : name });
+    const { box, show } = numberBox((value) => onValue(value, false),
+        { min, max, whole, scale: how.scale, label: how.slider === false ? undefined : name });
     const slider = how.slider === false ? null : sliderOver({ min, max: until, whole });
     if (!slider) {
         box.removeAttribute("aria-label");
@@ -118,7 +130,8 @@ export function numeric(label, onValue, how = {}) {
 export function measured(label, units, onValue, how = {}) {
     let value = 0, may = false;
     const { box, show } = numberBox(onValue, { ...how, scale: () => units[unit.selectedIndex][1] });
-    const unit = make("select", { className: "units", title: how.unitHelp, "aria-label": how.unitName, onchange: () => show(value, may) },
+    const unit = make("select", { className: "units", title: how.unitHelp, "aria-label": how.unitName,
+        onchange: () => show(value, may) },
         ...units.map(([text]) => make("option", {}, text)));
     const { element } = row(label, [box, unit], how);
     return { element, show: (now, enabled) => show((value = now), (may = enabled)) };
@@ -132,7 +145,8 @@ export function vector(label, onValue, how = {}) {
         onValue(now);
     }, { ...how, label: label + " " + axis }));
     const field = make("div", { className: "field" }, ...boxes.map(({ box }) => box));
-    const element = make("div", { className: "row vector", role: "group", "aria-label": label }, make("span", { className: "label" }, ...caption(label, how.unit)), field);
+    const element = make("div", { className: "row vector", role: "group", "aria-label": label },
+        make("span", { className: "label" }, ...caption(label, how.unit)), field);
     return { element, show(value, enabled) {
         now = value;
         boxes.forEach(({ show }, index) => show(value[index], enabled));
@@ -144,7 +158,8 @@ const decode = (code) => (code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.0
 /** A linear colour as a screen shows it, as bright as it can be where `scaled`. */
 export function screenColour(linear, scaled = false) {
     const most = scaled ? Math.max(...linear, 1e-30) : 1;
-    return "#" + linear.map((part) => Math.round(255 * encode(Math.min(1, Math.max(0, part / most)))).toString(16).padStart(2, "0")).join("");
+    const code = (part) => Math.round(255 * encode(Math.min(1, Math.max(0, part / most))));
+    return "#" + linear.map((part) => code(part).toString(16).padStart(2, "0")).join("");
 }
 export const linearColour = (screen) => [1, 3, 5].map((at) => decode(parseInt(screen.slice(at, at + 2), 16) / 255));
 
@@ -166,9 +181,11 @@ export function colour(label, onValue, how = {}) {
 
 /** One of a few steps, side by side, or none of them. @param {[string, string, string][]} steps value, text and tip */
 export function steps(label, all, onChoice, none) {
-    const buttons = all.map(([value, text, title]) => make("button", { type: "button", title, "aria-pressed": "false", onclick: () => onChoice(value) }, text));
+    const buttons = all.map(([value, text, title]) =>
+        make("button", { type: "button", title, "aria-pressed": "false", onclick: () => onChoice(value) }, text));
     const other = make("span", { className: "dim", hidden: true }, none);
-    const element = make("div", { className: "row wide", role: "group", "aria-label": label }, make("span", { className: "label" }, label),
+    const element = make("div", { className: "row wide", role: "group", "aria-label": label },
+        make("span", { className: "label" }, label),
         make("div", { className: "field" }, make("div", { className: "steps" }, ...buttons), other));
     return { element, show(value, enabled) {
         buttons.forEach((button, index) => {

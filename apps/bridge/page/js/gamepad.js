@@ -13,7 +13,8 @@ export function axisKeys(x, y, before) {
 }
 
 /** Slow near the middle, with none in the middle itself. */
-export const turnRate = (value) => (Math.abs(value) < DEAD ? 0 : Math.sign(value) * ((Math.abs(value) - DEAD) / (1 - DEAD)) ** 2 * RATE);
+export const turnRate = (value) => (Math.abs(value) < DEAD ? 0 : Math.sign(value)
+    * ((Math.abs(value) - DEAD) / (1 - DEAD)) ** 2 * RATE);
 
 export class Gamepad {
     /** @param {() => boolean} mayDrive */

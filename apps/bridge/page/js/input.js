@@ -1,7 +1,7 @@
 /**
- * Keyboard and mouse. Keys are the server's only while captured, by click or Enter; with the mouse locked where the browser
- * allows it, else by dragging. Whatever ends the capture lets all keys go. Where the model is turned in the hand, a drag
- * needs no capture.
+ * Keyboard and mouse. Keys are the server's only while captured, by click or Enter; with the mouse locked where the
+ * browser allows it, else by dragging. Whatever ends the capture lets all keys go. Where the model is turned in the
+ * hand, a drag needs no capture.
  */
 import { hasControl, onFullScreenEnd } from "./full_screen.js";
 import { keyCode, pageKeys } from "./key_table.js";
@@ -18,8 +18,8 @@ export class Input {
     /**
      * @param {HTMLCanvasElement} canvas
      * @param {Held} held
-     * @param {Object} on `mayCapture()`, `captured(kind)` ("lock", "drag", "retry", ""), `wheel(steps)`, `pointed(x, y)`,
-     *     `focused(x, y)` with places in the window; `orbit`, `fit()`
+     * @param {Object} on `mayCapture()`, `captured(kind)` ("lock", "drag", "retry", ""), `wheel(steps)`, `pointed(x,
+     *     y)`, `focused(x, y)` with places in the window; `orbit`, `fit()`
      */
     constructor(canvas, held, on) {
         this.canvas = canvas;
@@ -191,7 +191,8 @@ export class Input {
         this.canvas.focus({ preventScroll: true });
         const now = performance.now(), first = this.first;
         this.first = { at: now, x: event.clientX, y: event.clientY };
-        if (first && now - first.at < 400 && event.button === 0 && Math.hypot(event.clientX - first.x, event.clientY - first.y) < 8) {
+        if (first && now - first.at < 400 && event.button === 0
+            && Math.hypot(event.clientX - first.x, event.clientY - first.y) < 8) {
             this.first = null;
             return this.on.orbit.centre(event.clientX, event.clientY);
         }

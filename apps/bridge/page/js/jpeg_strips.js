@@ -12,7 +12,8 @@ function layoutOf(bytes) {
     if (!frame || !interval || at + 4 > bytes.length) return null;
     const width = view.getUint16(frame + 7), first = bytes[frame + 11]; // the first component has the most samples
     const rows = (interval / Math.ceil(width / (8 * (first >> 4)))) * 8 * (first & 15);
-    return Number.isInteger(rows) ? { frame, content: at + 2 + view.getUint16(at + 2), rows, width, height: view.getUint16(frame + 5) } : null;
+    return Number.isInteger(rows) ? { frame, content: at + 2 + view.getUint16(at + 2), rows, width,
+        height: view.getUint16(frame + 5) } : null;
 }
 
 /** The image of one strip. */
@@ -27,8 +28,8 @@ function imageOf(bytes, { frame, content }, from, until, height) {
 
 /**
  * @param {Uint8Array} bytes of a JPEG
- * @returns {{width: number, height: number, strips: {top: number, bytes: Uint8Array}[]}|null} null where it is to be decoded
- *     as a whole
+ * @returns {{width: number, height: number, strips: {top: number, bytes: Uint8Array}[]}|null} null where it is to be
+ *     decoded as a whole
  */
 export function stripsOf(bytes) {
     const layout = layoutOf(bytes);

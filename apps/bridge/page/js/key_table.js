@@ -34,4 +34,5 @@ export function keyCode(place, control) {
 }
 
 /** The places that a captured page asks the browser for in full screen. */
-export const lockedPlaces = ["KeyW", "KeyA", "KeyS", "KeyD", "KeyF", "KeyN", "KeyT", "ControlLeft", "ControlRight", "Space"];
+export const lockedPlaces = ["KeyW", "KeyA", "KeyS", "KeyD", "KeyF", "KeyN", "KeyT", "ControlLeft", "ControlRight",
+    "Space"];

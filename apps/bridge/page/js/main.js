@@ -1,4 +1,6 @@
-/** Wires the page: what the bridge says goes to the image, the panels and the notices; what hands do goes to the bridge. */
+/**
+ * Wires the page: what the bridge says goes to the image, the panels and the notices; what hands do goes to the bridge.
+ */
 import { App } from "./app.js";
 import { Around } from "./around.js";
 import { AskedView } from "./asked_view.js";
@@ -56,7 +58,8 @@ app.picture = new Picture(canvas);
 app.upright = new Upright({ drives: () => app.drives(), room: pixels,
     size: () => ({ width: app.status.width, height: app.status.height }),
     resize: (width, height) => link.request("resolution", { args: [width, height] }) });
-app.orbit = new Orbit(app.picture, { ask: (...command) => app.ask(...command), range: (...which) => app.argument(...which),
+app.orbit = new Orbit(app.picture, { ask: (...command) => app.ask(...command),
+    range: (...which) => app.argument(...which),
     changed: () => onOrbit() });
 const panels = [viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel];
 app.panels = new Panels(panels.map((make) => make(app)), () => sendView());

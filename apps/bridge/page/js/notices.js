@@ -11,8 +11,8 @@ export class Notices {
 
     /**
      * @param {string} key one notice of a key is shown: a newer one takes its place
-     * @param {{lasting?: boolean, warn?: boolean, stays?: boolean, actions?: [string, () => void][]}} how `stays`: an action
-     *     does not hide it
+     * @param {{lasting?: boolean, warn?: boolean, stays?: boolean, actions?: [string, () => void][]}} how `stays`: an
+     *     action does not hide it
      */
     show(key, text, { lasting = false, warn = false, stays = false, actions = [] } = {}) {
         this.hide(key);

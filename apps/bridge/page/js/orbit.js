@@ -1,11 +1,14 @@
 /**
- * A model in the hand: a drag turns it about the point under the pointer, and moves it. What hands do while an answer is on
- * its way goes with the next request, so that a slow line never falls behind.
+ * A model in the hand: a drag turns it about the point under the pointer, and moves it. What hands do while an answer
+ * is on its way goes with the next request, so that a slow line never falls behind.
  */
 const HALF_TURN = 180; // degrees, of a drag over the width of the image
 
 export class Orbit {
-    /** @param {Picture} picture @param {Object} on `ask(command, ...args)`, `range(command, index)` of an argument, `changed()` */
+    /**
+     * @param {Picture} picture @param {Object} on `ask(command, ...args)`, `range(command, index)` of an argument,
+     * `changed()`
+     */
     constructor(picture, on) {
         this.picture = picture;
         this.on = on;

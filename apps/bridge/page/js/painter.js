@@ -1,6 +1,6 @@
 /**
- * Decodes what comes and draws it, newest first; two decodes at a time; of what waits meanwhile only the newest is decoded.
- * A still is put together of its parts and drawn only over what it is the still of.
+ * Decodes what comes and draws it, newest first; two decodes at a time; of what waits meanwhile only the newest is
+ * decoded. A still is put together of its parts and drawn only over what it is the still of.
  */
 import { decode } from "./decoder.js";
 import { FRAME, STILL, payloadOf } from "./wire.js";
@@ -62,7 +62,8 @@ export class Painter {
     }
 
     skip({ header, received }) {
-        if (header.type === FRAME) this.skipped.push([FRAME, header.stream, header.number, performance.now() - received]);
+        if (header.type === FRAME) this.skipped.push([FRAME, header.stream, header.number,
+            performance.now() - received]);
     }
 
     async begin(image) {
@@ -91,7 +92,8 @@ export class Painter {
         if (acks.length) acks.unshift(...this.skipped.splice(0));
         const exact = drawn && header.type === STILL && header.atRest && header.codec === 1;
         if (drawn) this.shown.exact = exact;
-        this.tell({ acks, drawn: drawn ? { ...header, decodeMs: performance.now() - received, at: performance.timeOrigin + performance.now() } : undefined,
+        this.tell({ acks, drawn: drawn ? { ...header, decodeMs: performance.now() - received,
+            at: performance.timeOrigin + performance.now() } : undefined,
             still: exact ? bytes : undefined });
     }
 

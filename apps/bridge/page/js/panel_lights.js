@@ -41,47 +41,65 @@ export function lightsPanel(app) {
     function addFields() {
         const always = () => true;
         add(choice(of("LightFields", "Kind"), kinds(), (kind) => edit("light kind", kind)), always, ({ kind }) => kind);
-        const power = { min: 0, unitName: of("PowerField", "Unit of the power"), unitHelp: of("PowerField", "Lumens, or radiant watts of 683 lumens each") };
+        const power = { min: 0, unitName: of("PowerField", "Unit of the power"),
+            unitHelp: of("PowerField", "Lumens, or radiant watts of 683 lumens each") };
         for (const [unit, watts, when] of [["lm", "W", has("position")], ["lx", "W/m²", not(has("position"))]])
-            add(measured(of("LightFields", "Power"), [[unit, 1], [watts, 1 / LUMENS_PER_WATT]], (much) => edit("light power", [much, unit]), power),
+            add(measured(of("LightFields", "Power"), [[unit, 1], [watts, 1 / LUMENS_PER_WATT]],
+                (much) => edit("light power", [much, unit]), power),
                 when, ({ lumens }) => lumens);
         add(colour(of("LightFields", "Colour"), (value, goesOn) => edit("light colour", value, goesOn),
-            { scaled: true, help: of("LightFields", "Choose a colour; the power stays") }), ({ temperature }) => !temperature, (one) => one.colour);
-        add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("light temperature", on ? 4000 : "none")), always,
+            { scaled: true, help: of("LightFields", "Choose a colour; the power stays") }),
+                ({ temperature }) => !temperature, (one) => one.colour);
+        add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("light temperature", on ? 4000 : "none")),
+            always,
             ({ temperature }) => temperature > 0);
         add(numeric(of("LightFields", "Temperature"), (kelvin, goesOn) => edit("light temperature", kelvin, goesOn),
-            { ...app.argument("light temperature", 1), until: 6500, whole: true, unit: "K", help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
+            { ...app.argument("light temperature", 1), until: 6500, whole: true, unit: "K",
+                help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
         ({ temperature }) => temperature > 0, ({ temperature }) => temperature);
         addPlaces();
         addShape();
     }
 
     function addPlaces() {
-        add(vector(of("LightFields", "Position"), (to) => edit("light move", ["at", ...to]), metres), has("position"), ({ position }) => position);
+        add(vector(of("LightFields", "Position"), (to) => edit("light move", ["at", ...to]), metres), has("position"),
+            ({ position }) => position);
         buttons(has("position"),
-            tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"), () => edit("light move", "here")),
-            tipped(of("LightFields", "At view centre"), of("LightFields", "Put it before the surface in the middle of the image"),
+            tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"),
+                () => edit("light move", "here")),
+            tipped(of("LightFields", "At view centre"),
+                of("LightFields", "Put it before the surface in the middle of the image"),
                 () => edit("light move", "seen")));
-        add(vector(of("LightFields", "Direction"), (along) => along.some((part) => part !== 0) && edit("light aim", ["along", ...along])),
+        add(vector(of("LightFields", "Direction"), (along) => along.some((part) => part !== 0)
+            && edit("light aim", ["along", ...along])),
             has("direction"), ({ direction }) => direction);
         buttons(has("direction"),
-            tipped(of("LightFields", "Along view"), of("LightFields", "Let it shine as the camera looks"), () => edit("light aim", "ahead")),
-            tipped(of("LightFields", "Aim at view centre"), of("LightFields", "Let it shine to what is in the middle of the image"),
+            tipped(of("LightFields", "Along view"), of("LightFields", "Let it shine as the camera looks"),
+                () => edit("light aim", "ahead")),
+            tipped(of("LightFields", "Aim at view centre"),
+                of("LightFields", "Let it shine to what is in the middle of the image"),
                 () => edit("light aim", "seen")));
     }
 
     function addShape() {
         const sizes = { min: 0, slider: false, ...metres }, angles = app.argument("light angles", 1);
-        add(numeric(of("LightFields", "Radius"), (radius) => edit("light size", radius), sizes), has("radius"), ({ radius }) => radius);
-        add(numeric(of("LightFields", "Angle under which it is seen"), (angle, goesOn) => edit("light size", angle, goesOn),
-            { min: 0, max: 180, until: 5, unit: "°", help: of("LightFields", "The sun has 0.53°; 0: shadows are sharp") }), has("disc"),
+        add(numeric(of("LightFields", "Radius"), (radius) => edit("light size", radius), sizes), has("radius"),
+            ({ radius }) => radius);
+        add(numeric(of("LightFields", "Angle under which it is seen"),
+            (angle, goesOn) => edit("light size", angle, goesOn),
+            { min: 0, max: 180, until: 5, unit: "°",
+                help: of("LightFields", "The sun has 0.53°; 0: shadows are sharp") }), has("disc"),
         ({ angle }) => angle);
-        add(numeric(of("LightFields", "Width"), (width) => edit("light size", [width, light().height]), sizes), has("sides"), ({ width }) => width);
-        add(numeric(of("LightFields", "Height"), (height) => edit("light size", [light().width, height]), sizes), has("sides"), ({ height }) => height);
+        add(numeric(of("LightFields", "Width"), (width) => edit("light size", [width, light().height]), sizes),
+            has("sides"), ({ width }) => width);
+        add(numeric(of("LightFields", "Height"), (height) => edit("light size", [light().width, height]), sizes),
+            has("sides"), ({ height }) => height);
         add(numeric(of("LightFields", "Angle of full brightness"),
-            (inner, goesOn) => edit("light angles", [inner, Math.max(inner, light().outer)], goesOn), { ...angles, unit: "°" }), has("cone"), ({ inner }) => inner);
+            (inner, goesOn) => edit("light angles", [inner, Math.max(inner, light().outer)], goesOn),
+                { ...angles, unit: "°" }), has("cone"), ({ inner }) => inner);
         add(numeric(of("LightFields", "Angle where it ends"),
-            (outer, goesOn) => edit("light angles", [Math.min(light().inner, outer), outer], goesOn), { ...angles, unit: "°" }), has("cone"), ({ outer }) => outer);
+            (outer, goesOn) => edit("light angles", [Math.min(light().inner, outer), outer], goesOn),
+                { ...angles, unit: "°" }), has("cone"), ({ outer }) => outer);
         const mirrors =
             of("LightFields", "Mirrors, lacquer and glass that bends show the light itself; the camera does not");
         add(toggle(of("LightFields", "Seen in mirrors"), (on) => edit("light mirrored", on ? "on" : "off"),
@@ -102,7 +120,8 @@ export function lightsPanel(app) {
                 panel.show();
                 list.querySelector("[aria-current=true]")?.focus();
             } }, name);
-        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kindText(one.kind))] : []));
+        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kindText(one.kind))]
+            : []));
     };
 
     let last = "";
@@ -114,17 +133,23 @@ export function lightsPanel(app) {
             list = make("ul", { className: "list" });
             empty = make("p", {}, t("lightsNone"));
             fields = make("div", { role: "group", "aria-label": t("lights") });
-            addKind = make("select", { "aria-label": of("LightFields", "Kind of the light") }, ...kinds().map(([value, text]) => make("option", { value }, text)));
+            addKind = make("select", { "aria-label": of("LightFields", "Kind of the light") },
+                ...kinds().map(([value, text]) => make("option", { value }, text)));
             plus = tipped(of("LightsPanel", "Add"), of("LightsPanel", "Add a light where you look"), async () => {
                 const { ok, light: id } = await app.ask("light add", addKind.value);
                 if (ok) chosen = id ?? 0;
                 panel.show();
             });
-            const copy = tipped(of("LightsPanel", "Copy"), of("LightsPanel", "Add a light like the selected one, in its place"), () => app.ask("light copy", chosen));
-            const remove = tipped(of("LightsPanel", "Remove"), of("LightsPanel", "Remove the selected light"), () => app.ask("light remove", chosen));
-            place.append(list, empty, make("div", { className: "actions" }, addKind, plus), make("div", { className: "actions" }, copy, remove), fields);
+            const copy =
+                tipped(of("LightsPanel", "Copy"), of("LightsPanel", "Add a light like the selected one, in its place"),
+                () => app.ask("light copy", chosen));
+            const remove = tipped(of("LightsPanel", "Remove"), of("LightsPanel", "Remove the selected light"),
+                () => app.ask("light remove", chosen));
+            place.append(list, empty, make("div", { className: "actions" }, addKind, plus),
+                make("div", { className: "actions" }, copy, remove), fields);
             addFields();
-            rows.push({ element: copy.parentElement, when: () => true, show: (_, enabled) => ((copy.disabled = !enabled), (remove.disabled = !enabled)) });
+            rows.push({ element: copy.parentElement, when: () => true,
+                show: (_, enabled) => ((copy.disabled = !enabled), (remove.disabled = !enabled)) });
         },
         show() {
             const lights = app.state.lights ?? [], one = light(), may = app.mayEdit();

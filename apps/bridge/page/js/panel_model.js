@@ -38,19 +38,23 @@ export function modelPanel(app) {
     const nameOf = (row) => row.name || of("ModelPanel", "Without a name (%1)").replace("%1", row.number);
 
     const partItem = (row) => {
-        const box = make("input", { type: "checkbox", checked: row.shown, disabled: !app.mayEdit(), "aria-label": nameOf(row),
+        const box = make("input", { type: "checkbox", checked: row.shown, disabled: !app.mayEdit(),
+            "aria-label": nameOf(row),
             onchange: async () => {
                 const { ok } = await app.ask(box.checked ? "part show" : "part hide", row.number);
                 if (!ok) box.checked = row.shown;
             } });
         const alone = button(t("isolate", nameOf(row)), () => app.ask("part isolate", row.number), "model");
         alone.disabled = !app.mayEdit();
-        return make("li", {}, box, make("span", { className: "name", title: t("triangles", number(row.triangles)) }, nameOf(row)),
+        return make("li", {}, box, make("span", { className: "name", title: t("triangles", number(row.triangles)) },
+            nameOf(row)),
             make("span", { className: "dim" }, number(row.triangles)), alone);
     };
 
-    const materialItem = (row) => make("li", {}, make("button", { type: "button", className: "name", "aria-current": String(row.number === chosen),
-        onclick: () => choose(row.number) }, nameOf(row)), ...(row.edited ? [make("span", { className: "dim" }, t("edited"))] : []));
+    const materialItem = (row) => make("li", {}, make("button",
+        { type: "button", className: "name", "aria-current": String(row.number === chosen),
+        onclick: () => choose(row.number) }, nameOf(row)),
+            ...(row.edited ? [make("span", { className: "dim" }, t("edited"))] : []));
 
     async function choose(which) {
         chosen = which;
@@ -65,7 +69,8 @@ export function modelPanel(app) {
         if (!material) return;
         for (const { key, made } of fields.made) {
             made.element.hidden = !(key in material);
-            if (key in material) made.show(key === "reflectivity" ? Math.max(...material[key]) : material[key], app.mayEdit());
+            if (key in material) made.show(key === "reflectivity" ? Math.max(...material[key]) : material[key],
+                app.mayEdit());
         }
         fields.back.disabled = !app.mayEdit();
     }
@@ -74,7 +79,8 @@ export function modelPanel(app) {
         fields = make("div", { role: "group", "aria-label": t("model"), hidden: true });
         const set = (key) => async (value, goesOn) => {
             const which = chosen;
-            const ok = await app.edit("material set " + which + key, "material set", [which, key, ...[value].flat()], goesOn === true);
+            const ok = await app.edit("material set " + which + key, "material set", [which, key, ...[value].flat()],
+                goesOn === true);
             if (!ok) showMaterial();
         };
         fields.made = fieldsOf().map(([key, label, kind]) => {
@@ -122,13 +128,15 @@ export function modelPanel(app) {
         id: "model",
         fill(place) {
             scene = null;
-            find = make("input", { type: "search", placeholder: t("findPart"), "aria-label": t("findPart"), oninput: () => {
+            find = make("input", { type: "search", placeholder: t("findPart"), "aria-label": t("findPart"),
+                oninput: () => {
                 picked = false;
                 list();
             } });
             places = { parts: make("ul", { className: "list" }), materials: make("ul", { className: "list" }) };
             showAll = button(of("ModelPanel", "Show all"), () => app.ask("part show-all"));
-            const parts = group(of("ModelPanel", "Parts"), make("div", { className: "actions" }, showAll), places.parts);
+            const parts = group(of("ModelPanel", "Parts"), make("div", { className: "actions" }, showAll),
+                places.parts);
             const materials = group(of("ModelPanel", "Materials"), places.materials);
             parts.open = true;
             materials.open = true;
@@ -138,7 +146,8 @@ export function modelPanel(app) {
         },
         show() {
             showAll.disabled = !app.mayEdit();
-            const now = [app.state.scene, app.state.edits, JSON.stringify(app.state.redo), app.mayEdit(), app.welcome?.you].join("|");
+            const now = [app.state.scene, app.state.edits, JSON.stringify(app.state.redo), app.mayEdit(),
+                app.welcome?.you].join("|");
             if (now === scene) return;
             scene = now;
             refresh();

@@ -7,11 +7,13 @@ import { chooseLanguage, language, languages, t } from "./texts.js";
 export function pagePanel(app) {
     let quality, server, statistics;
 
-    const kept = (name, fallback) => ({ value: () => preference(name, fallback), set: (value) => setPreference(name, value) });
+    const kept = (name, fallback) => ({ value: () => preference(name, fallback),
+        set: (value) => setPreference(name, value) });
 
     function addLook(place) {
         const theme = kept("theme", "");
-        const looks = choice(t("theme"), [["", t("themeAuto")], ["light", t("themeLight")], ["dark", t("themeDark")]], theme.set);
+        const looks = choice(t("theme"), [["", t("themeAuto")], ["light", t("themeLight")], ["dark", t("themeDark")]],
+            theme.set);
         looks.show(theme.value(), true);
         const tongue = choice(t("languageOf"), languages.slice(1), chooseLanguage);
         tongue.show(language, true);
@@ -25,7 +27,8 @@ export function pagePanel(app) {
 
     function rungs() {
         const size = ({ divide }) => (divide === 1 ? t("fullSize") : t("part", divide));
-        return [["255", t("automatic")], ...(app.welcome?.rungs ?? []).map((rung, index) => [String(index), t("rung", size(rung), rung.quality)])];
+        return [["255", t("automatic")], ...(app.welcome?.rungs
+            ?? []).map((rung, index) => [String(index), t("rung", size(rung), rung.quality)])];
     }
 
     return {
@@ -36,9 +39,11 @@ export function pagePanel(app) {
             const save = toggle(t("saveData"), (on) => setPreference("saveData", on), { help: t("saveDataHelp") });
             save.show(preference("saveData", "false") === "true", true);
             statistics = toggle(t("showStatistics"), (on) => app.statistics.toggle(on));
-            server = choice(t("instance"), (app.welcome?.instances ?? []).map((one) => [one, one]), (one) => app.goTo(one));
+            server = choice(t("instance"), (app.welcome?.instances ?? []).map((one) => [one, one]),
+                (one) => app.goTo(one));
             place.append(quality.element, save.element, statistics.element, server.element, make("h3", {}, t("keys")),
-                make("p", {}, t("keysHelp")), make("p", {}, t("touchHelp")), make("p", {}, t("version", app.welcome?.version ?? "")));
+                make("p", {}, t("keysHelp")), make("p", {}, t("touchHelp")),
+                    make("p", {}, t("version", app.welcome?.version ?? "")));
         },
         show() {
             quality.show(preference("rung", "255"), true);

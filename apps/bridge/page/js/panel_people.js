@@ -11,9 +11,12 @@ export function peoplePanel(app) {
 
     const item = (one) => {
         const { driver, asking } = app.roles, mine = one.id === app.welcome.you;
-        const facts = [mine && t("you"), one.id === driver && t("drives"), asking.includes(one.id) && t("asks"), !one.mayDrive && t("viewOnly")].filter(Boolean);
-        const give = app.drives() && !mine && one.mayDrive ? [button(t("giveTo"), () => app.request("give", { to: one.id }))] : [];
-        return make("li", {}, make("span", { className: "name" }, personName(one)), make("span", { className: "dim" }, facts.join(", ")), ...give);
+        const facts = [mine && t("you"), one.id === driver && t("drives"), asking.includes(one.id) && t("asks"),
+            !one.mayDrive && t("viewOnly")].filter(Boolean);
+        const give = app.drives() && !mine && one.mayDrive
+            ? [button(t("giveTo"), () => app.request("give", { to: one.id }))] : [];
+        return make("li", {}, make("span", { className: "name" }, personName(one)),
+            make("span", { className: "dim" }, facts.join(", ")), ...give);
     };
 
     return {

@@ -1,6 +1,6 @@
 /**
- * Settings, made from the table that the bridge sends: first the quality as a whole, then those that most people change, and the
- * rest under a fold, in groups; fields by type, a reset for each value.
+ * Settings, made from the table that the bridge sends: first the quality as a whole, then those that most people
+ * change, and the rest under a fold, in groups; fields by type, a reset for each value.
  */
 import { button, make, freshId } from "./dom.js";
 import { choice, group, numeric, resetOf, steps, toggle } from "./fields.js";
@@ -14,19 +14,22 @@ export function settingsPanel(app) {
     const set = (row) => (value, goesOn = false) => app.edit("set " + row.name, "set", [row.name, value], goesOn);
 
     function field(row, onChange) {
-        const own = settingLabel(row.name), grouped = row.name.includes("."), label = row.main ? of("Settings", row.main.label) : own;
+        const own = settingLabel(row.name), grouped = row.name.includes("."),
+            label = row.main ? of("Settings", row.main.label) : own;
         const name = grouped ? t("group", settingGroup(row.group), own) : own;
         let help = settingHelp(row.help);
         help = help.charAt(0).toUpperCase() + help.slice(1) + (row.locked ? ". " + t("locked") : "");
         const reset = resetOf(name, settingValue(row, row.default), () => onChange(row.default));
         const how = { help, reset, name, unit: row.zero ? "0: " + settingLabel(row.zero) : settingUnit(row.unit) };
         if (row.type === "boolean") return toggle(label, onChange, { help, reset });
-        if (row.type === "choice") return choice(label, row.choices.map((one) => [one, settingLabel(one)]), onChange, { help, reset });
+        if (row.type === "choice") return choice(label, row.choices.map((one) => [one, settingLabel(one)]), onChange,
+            { help, reset });
         return numeric(label, onChange, { ...how, min: row.min, max: row.max, whole: row.type === "integer" });
     }
 
     function folded(name, title) {
-        const place = group(title), dot = make("span", { className: "changed", hidden: true, role: "img", "aria-label": t("changed") });
+        const place = group(title), dot = make("span", { className: "changed", hidden: true, role: "img",
+            "aria-label": t("changed") });
         place.firstChild.append(dot);
         place.open = forThisTab.get("rt.open." + name) === "true";
         place.addEventListener("toggle", () => forThisTab.set("rt.open." + name, String(place.open)));
@@ -47,7 +50,8 @@ export function settingsPanel(app) {
         const wanted = words.trim().toLowerCase();
         for (const { place } of groups.values()) place.hidden = wanted !== "";
         for (const { row, made } of rows) {
-            const said = [row.name, settingLabel(row.name), settingGroup(row.group), settingHelp(row.help)].join(" ").toLowerCase();
+            const said = [row.name, settingLabel(row.name), settingGroup(row.group),
+                settingHelp(row.help)].join(" ").toLowerCase();
             made.element.hidden = wanted !== "" && !said.includes(wanted);
             if (wanted === "" || made.element.hidden) continue;
             if (row.main) continue;
@@ -65,21 +69,26 @@ export function settingsPanel(app) {
         const table = app.welcome.settings;
         return Object.entries(settings).map(([name, value]) => {
             const row = table.find((one) => one.name === name);
-            return t("group", (name.includes(".") ? settingGroup(row.group) + " " : "") + settingLabel(name), settingValue(row, value));
+            return t("group", (name.includes(".") ? settingGroup(row.group) + " " : "") + settingLabel(name),
+                settingValue(row, value));
         }).join("\n");
     }
-    const makeQuality = () => steps(t("imageQuality"), qualities().map(([name, settings]) => [name, settingLabel(name), qualityTip(settings)]),
+    const makeQuality = () => steps(t("imageQuality"),
+        qualities().map(([name, settings]) => [name, settingLabel(name), qualityTip(settings)]),
         (name) => app.ask("quality", name), of("QualityBar", "Custom"));
     /** The name of the one that the settings are as in; null: of none. */
     function qualityOf(values) {
-        const found = qualities().find(([, settings]) => Object.entries(settings).every(([name, value]) => values[name] === value));
+        const found = qualities().find(([, settings]) => Object.entries(settings).every(([name, value]) =>
+            values[name] === value));
         return found ? found[0] : null;
     }
-    const mayChooseQuality = () => !rows.some(({ row }) => row.locked && qualities().some(([, settings]) => row.name in settings));
+    const mayChooseQuality = () => !rows.some(({ row }) => row.locked
+        && qualities().some(([, settings]) => row.name in settings));
 
     /** The pixels of this screen's part for the frame, or as many as the bridge allows. */
     function fitted() {
-        const { w, h } = app.pixels(), scale = Math.min(1, Math.sqrt((app.welcome.limits.maxPixels ?? w * h) / (w * h)));
+        const { w, h } = app.pixels(), scale = Math.min(1,
+            Math.sqrt((app.welcome.limits.maxPixels ?? w * h) / (w * h)));
         return [Math.max(1, Math.floor(w * scale)), Math.max(1, Math.floor(h * scale))];
     }
 
@@ -94,7 +103,8 @@ export function settingsPanel(app) {
                 app.ask("resolution", Number(width.value), Number(height.value));
         });
         const fit = button(t("fit"), () => app.ask("resolution", ...fitted()));
-        place.append(make("div", { className: "actions", role: "group", "aria-label": t("size") }, make("label", { for: width.id }, t("size")),
+        place.append(make("div", { className: "actions", role: "group", "aria-label": t("size") },
+            make("label", { for: width.id }, t("size")),
             width, "×", height, apply, fit));
         size = { width, height, apply, fit };
     }
@@ -104,7 +114,8 @@ export function settingsPanel(app) {
         fill(place) {
             rows = [];
             groups = new Map();
-            place.append(make("input", { type: "search", placeholder: t("find"), "aria-label": t("find"), oninput: (event) => find(event.target.value) }));
+            place.append(make("input", { type: "search", placeholder: t("find"), "aria-label": t("find"),
+                oninput: (event) => find(event.target.value) }));
             quality = makeQuality();
             const main = make("div", {});
             advanced = folded("advanced", of("SettingsPanel", "Advanced"));

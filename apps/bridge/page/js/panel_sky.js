@@ -31,49 +31,72 @@ export function skyPanel(app) {
         });
         place.append(environments.element);
         add(place, numeric(of("SkyFields", "Turned by"), edit("environment rotation"),
-            { ...range("environment rotation"), unit: "°", help: of("SkyFields", "Turns the environment map, to the right about the up axis") }), has, () => app.state.map.rotation);
+            { ...range("environment rotation"), unit: "°", help:
+                of("SkyFields", "Turns the environment map, to the right about the up axis") }), has,
+                () => app.state.map.rotation);
         add(place, numeric(of("SkyFields", "Brightness"), edit("environment strength"),
-            { ...range("environment strength"), slider: false, help: of("SkyFields", "How bright the environment map is; 1 is as its file says") }), has, () => app.state.map.strength);
+            { ...range("environment strength"), slider: false,
+                help: of("SkyFields", "How bright the environment map is; 1 is as its file says") }), has,
+                () => app.state.map.strength);
     }
 
     function addDate(place) {
         const dated = () => hasSky() && Boolean(app.state.sky.date), sky = () => app.state.sky;
-        add(place, numeric(of("SkyFields", "Time of day"), edit("sky hour"), { ...range("sky hour"), unit: "h" }), dated, () => sky().hour);
+        add(place, numeric(of("SkyFields", "Time of day"), edit("sky hour"), { ...range("sky hour"), unit: "h" }),
+            dated, () => sky().hour);
         const date = text(of("SkyFields", "Date"), (value) => value && edit("sky date")(value));
         date.element.querySelector("input").type = "date";
-        add(place, date, dated, () => sky().date.year.toString().padStart(4, "0") + "-" + two(sky().date.month) + "-" + two(sky().date.day));
+        add(place, date, dated, () => sky().date.year.toString().padStart(4, "0") + "-" + two(sky().date.month) + "-"
+            + two(sky().date.day));
         const put = (change) => (value) => {
             const { latitude, longitude, zone } = { ...sky(), [change]: value };
             edit("sky place")([latitude, longitude, zone]);
         };
         const placeRange = (index) => ({ ...app.argument("sky place", index), slider: false });
-        add(place, numeric(of("SkyFields", "Latitude"), put("latitude"), { ...placeRange(0), unit: "°", help: of("SkyFields", "Degrees north; negative in the south") }), dated, () => sky().latitude);
-        add(place, numeric(of("SkyFields", "Longitude"), put("longitude"), { ...placeRange(1), unit: "°", help: of("SkyFields", "Degrees east; negative in the west") }), dated, () => sky().longitude);
-        add(place, numeric(of("SkyFields", "Time zone"), put("zone"), { ...placeRange(2), unit: "h", help: of("SkyFields", "What the clock is ahead of universal time") }), dated, () => sky().zone);
+        add(place, numeric(of("SkyFields", "Latitude"), put("latitude"),
+            { ...placeRange(0), unit: "°", help: of("SkyFields", "Degrees north; negative in the south") }), dated,
+            () => sky().latitude);
+        add(place, numeric(of("SkyFields", "Longitude"), put("longitude"),
+            { ...placeRange(1), unit: "°", help: of("SkyFields", "Degrees east; negative in the west") }), dated,
+            () => sky().longitude);
+        add(place, numeric(of("SkyFields", "Time zone"), put("zone"),
+            { ...placeRange(2), unit: "h", help: of("SkyFields", "What the clock is ahead of universal time") }), dated,
+            () => sky().zone);
         add(place, numeric(of("SkyFields", "North"), edit("sky north"),
-            { ...range("sky north"), unit: "°", help: of("SkyFields", "Where north is in the scene: from straight ahead to the right") }), dated, () => sky().north);
+            { ...range("sky north"), unit: "°",
+                help: of("SkyFields", "Where north is in the scene: from straight ahead to the right") }), dated,
+                () => sky().north);
     }
 
     function addSun(place) {
         const any = () => Boolean(app.state.sky?.on), on = hasSky, byDirection = () => on() && !app.state.sky.date;
         add(place, { element: make("h3", {}, of("SkyFields", "Sun")), show: () => {} }, on, () => null);
-        add(place, choice(of("SkyFields", "Sun"), [["date", of("SkyFields", "By date and place")], ["direction", of("SkyFields", "By direction")]],
-            (by) => (by === "date" ? app.ask("sky hour", app.state.sky.hour ?? 12) : app.ask("sky direction", ...app.state.sky.direction))),
+        add(place, choice(of("SkyFields", "Sun"), [["date", of("SkyFields", "By date and place")],
+            ["direction", of("SkyFields", "By direction")]],
+            (by) => (by === "date" ? app.ask("sky hour", app.state.sky.hour ?? 12)
+                : app.ask("sky direction", ...app.state.sky.direction))),
         on, () => (app.state.sky.date ? "date" : "direction"));
         addDate(place);
-        add(place, vector(of("SkyFields", "Sun direction"), (direction) => direction.some((part) => part !== 0) && edit("sky direction")(direction)),
+        add(place, vector(of("SkyFields", "Sun direction"),
+            (direction) => direction.some((part) => part !== 0) && edit("sky direction")(direction)),
             byDirection, () => app.state.sky.direction);
-        const ahead = button(of("SkyFields", "Along view"), () => app.status.forward && app.ask("sky direction", ...app.status.forward));
+        const ahead = button(of("SkyFields", "Along view"),
+            () => app.status.forward && app.ask("sky direction", ...app.status.forward));
         ahead.title = of("SkyFields", "Put the sun where the camera looks");
-        add(place, { element: make("div", { className: "actions" }, ahead), show: (_, enabled) => (ahead.disabled = !enabled) }, byDirection, () => null);
+        add(place, { element: make("div", { className: "actions" }, ahead),
+            show: (_, enabled) => (ahead.disabled = !enabled) }, byDirection, () => null);
         add(place, numeric(of("SkyFields", "Haze"), edit("sky turbidity"),
-            { ...range("sky turbidity"), help: of("SkyFields", "2 very clear, 3 clear, 6 hazy, 10 thick") }), on, () => app.state.sky.turbidity);
+            { ...range("sky turbidity"), help: of("SkyFields", "2 very clear, 3 clear, 6 hazy, 10 thick") }), on,
+                () => app.state.sky.turbidity);
         add(place, numeric(of("SkyFields", "Strength"), edit("sky strength"),
-            { ...range("sky strength"), slider: false, help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), any, () => app.state.sky.strength);
+            { ...range("sky strength"), slider: false,
+                help: of("SkyFields", "How bright sun and sky are; 1 is as in nature") }), any,
+                () => app.state.sky.strength);
         add(place, toggle(of("SkyFields", "Ground plane"), onOff("sky ground"),
             { help: of("SkyFields", "A wide ground below the model") }), any, () => app.state.sky.ground);
         add(place, toggle(of("SkyFields", "White horizon"), onOff("sky haze"),
-            { help: of("SkyFields", "Haze at the horizon, into which a light ground fades") }), on, () => app.state.sky.haze);
+            { help: of("SkyFields", "Haze at the horizon, into which a light ground fades") }), on,
+                () => app.state.sky.haze);
     }
 
     return {
@@ -84,7 +107,8 @@ export function skyPanel(app) {
             addMap(place);
             addSun(place);
             looks = (range("look").words ?? []).map((name) => button(lookText(name), () => app.ask("look", name)));
-            place.append(make("h3", {}, t("look")), make("div", { className: "actions", role: "group", "aria-label": t("lookNow") }, ...looks));
+            place.append(make("h3", {}, t("look")), make("div",
+                { className: "actions", role: "group", "aria-label": t("lookNow") }, ...looks));
         },
         show() {
             const may = app.mayEdit(), all = app.state.environments ?? [], maps = hasSky() ? all.slice(0, -1) : all;
@@ -93,7 +117,8 @@ export function skyPanel(app) {
                 const box = environments.element.querySelector("select");
                 const option = (value, text) => make("option", { value }, text);
                 const mapName = ({ number, name }) => name || of("LightsPanel", "Map %1").replace("%1", number);
-                box.replaceChildren(option("", t("none")), ...maps.map((one) => option(String(one.number), mapName(one))),
+                box.replaceChildren(option("", t("none")), ...maps.map((one) =>
+                    option(String(one.number), mapName(one))),
                     option(SKY, of("LightsPanel", "Computed sky with a sun")));
                 map = names;
             }

@@ -36,7 +36,8 @@ export function viewsPanel(app) {
         const list = stored();
         if (!app.status.eye) return;
         if (list.length >= MOST) return tellFull();
-        list.push({ name: name.value.trim() || t("bookmarkNew", list.length + 1), view: viewOf(app.status), image: app.picture.thumbnail(160, 90) });
+        list.push({ name: name.value.trim() || t("bookmarkNew", list.length + 1), view: viewOf(app.status),
+            image: app.picture.thumbnail(160, 90) });
         name.value = "";
         keep(list);
     }
@@ -58,27 +59,32 @@ export function viewsPanel(app) {
 
     function exportFile() {
         const text = JSON.stringify({ scene: scene(), bookmarks: stored() }, null, 1);
-        download((scene().replace(/\.\w+$/, "") || "scene") + "-bookmarks.json", new Blob([text], { type: "application/json" }));
+        download((scene().replace(/\.\w+$/, "") || "scene") + "-bookmarks.json",
+            new Blob([text], { type: "application/json" }));
     }
 
     const item = (one, index, list) => make("li", {}, ...(one.image ? [make("img", { src: one.image, alt: "" })] : []),
         make("button", { type: "button", className: "name", title: t("bookmarkGo", one.name), disabled: !app.drives(),
             onclick: () => app.ask("camera set", ...cameraOf(one.view)) }, one.name),
         button(t("bookmarkRemove", one.name), () => keep(list.filter((_, at) => at !== index)), "close"));
-    const ownItem = (text, index) => make("li", {}, make("button", { type: "button", className: "name", title: t("bookmarkGo", text), disabled: !app.drives(),
+    const ownItem = (text, index) => make("li", {}, make("button",
+        { type: "button", className: "name", title: t("bookmarkGo", text), disabled: !app.drives(),
         onclick: () => app.ask("bookmark go", index + 1) }, text));
 
     function addMotion(place) {
         motion = choice(t("motion"), [["walk", t("walk")], ["fly", t("fly")]], (what) => app.ask(what));
-        angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "camera angle", [degrees], goesOn), { min: 10, max: 150, unit: "°" });
+        angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "camera angle", [degrees], goesOn),
+            { min: 10, max: 150, unit: "°" });
         speed = numeric(t("flightSpeed"), app.setSpeed, { ...app.argument("speed", 0), slider: false, unit: "×" });
         const step = (text, factor) => button(t(text), () => app.setSpeed(app.speed * factor));
         speed.steps = [step("slower", 1 / SPEED_STEP), step("faster", SPEED_STEP)];
         middle = button(t("focusMiddle"), () => app.focus({ x: 0.5, y: 0.5 }));
         copy = button(t("copyLink"), () => copyView(app));
         reset = button(t("resetView"), () => app.ask("camera reset"));
-        sides = (app.argument("camera view", 0).words ?? []).map((side) => button(sideText(side), () => app.ask("camera view", side)));
-        place.append(motion.element, angle.element, speed.element, make("div", { className: "actions" }, ...speed.steps, middle),
+        sides = (app.argument("camera view", 0).words ?? []).map((side) =>
+            button(sideText(side), () => app.ask("camera view", side)));
+        place.append(motion.element, angle.element, speed.element,
+            make("div", { className: "actions" }, ...speed.steps, middle),
             make("div", { className: "actions" }, copy, reset),
             make("h3", {}, t("seenFrom")), make("div", { className: "actions" }, ...sides));
     }
@@ -90,12 +96,16 @@ export function viewsPanel(app) {
             addMotion(place);
             own = make("ul", { className: "list" });
             here = make("ul", { className: "list" });
-            name = make("input", { type: "text", maxLength: 40, placeholder: t("bookmarkName"), "aria-label": t("bookmarkName"),
+            name = make("input", { type: "text", maxLength: 40, placeholder: t("bookmarkName"),
+                "aria-label": t("bookmarkName"),
                 onkeydown: (event) => event.key === "Enter" && add() });
             plus = button(t("bookmarkAdd"), add);
-            const file = make("input", { type: "file", accept: "application/json,.json", onchange: importFile, "aria-label": t("importAll") });
-            place.append(make("h3", {}, t("bookmarksHere")), here, make("div", { className: "row wide" }, name, make("div", { className: "field" }, plus)),
-                make("div", { className: "actions" }, button(t("exportAll"), exportFile), make("label", { className: "file" }, t("importAll"), file)),
+            const file = make("input", { type: "file", accept: "application/json,.json", onchange: importFile,
+                "aria-label": t("importAll") });
+            place.append(make("h3", {}, t("bookmarksHere")), here,
+                make("div", { className: "row wide" }, name, make("div", { className: "field" }, plus)),
+                make("div", { className: "actions" }, button(t("exportAll"), exportFile),
+                    make("label", { className: "file" }, t("importAll"), file)),
                 make("h3", {}, t("bookmarksOwn")), own);
         },
         show() {
@@ -110,7 +120,8 @@ export function viewsPanel(app) {
             const now = JSON.stringify([list, scenes, drives]);
             if (now === last) return;
             last = now;
-            refill(here, list.length ? list.map(item) : [make("li", {}, make("span", { className: "dim" }, t("bookmarksNone")))]);
+            refill(here, list.length ? list.map(item) : [make("li", {},
+                make("span", { className: "dim" }, t("bookmarksNone")))]);
             refill(own, scenes.map(ownItem));
             own.previousElementSibling.hidden = scenes.length === 0;
         },

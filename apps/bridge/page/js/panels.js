@@ -1,10 +1,16 @@
-/** The drawer: a tab and a panel for each subject. A panel is filled when it is first opened and kept up to date while seen. */
+/**
+ * The drawer: a tab and a panel for each subject. A panel is filled when it is first opened and kept up to date while
+ * seen.
+ */
 import { byId, make, symbol } from "./dom.js";
 import { forThisTab } from "./storage.js";
 import { t } from "./texts.js";
 
 export class Panels {
-    /** @param {{id: string, fill: (place: HTMLElement) => void, show: () => void}[]} subjects `id` is the icon and the text, too */
+    /**
+     * @param {{id: string, fill: (place: HTMLElement) => void, show: () => void}[]} subjects `id` is the icon and the
+     * text, too
+     */
     constructor(subjects, onOpen) {
         this.drawer = byId("drawer");
         this.onOpen = onOpen;
@@ -12,13 +18,16 @@ export class Panels {
         byId("tabs").addEventListener("keydown", (event) => this.onKey(event));
         byId("menu").addEventListener("click", () => this.toggle());
         byId("close").addEventListener("click", () => this.toggle(false));
-        this.drawer.addEventListener("keydown", (event) => event.key === "Escape" && !event.defaultPrevented && this.toggle(false));
+        this.drawer.addEventListener("keydown", (event) => event.key === "Escape" && !event.defaultPrevented
+            && this.toggle(false));
         this.choose(this.subjects.find(({ id }) => id === forThisTab.get("rt.panel")) ?? this.subjects[0]);
     }
 
     add(subject) {
-        const panel = make("section", { role: "tabpanel", id: "panel-" + subject.id, "aria-label": t(subject.id + "Title"), hidden: true, tabIndex: -1 });
-        const tab = make("button", { type: "button", role: "tab", id: "tab-" + subject.id, title: t(subject.id + "Title"), "aria-controls": panel.id,
+        const panel = make("section", { role: "tabpanel", id: "panel-" + subject.id,
+            "aria-label": t(subject.id + "Title"), hidden: true, tabIndex: -1 });
+        const tab = make("button", { type: "button", role: "tab", id: "tab-" + subject.id,
+            title: t(subject.id + "Title"), "aria-controls": panel.id,
             onclick: () => this.choose(one) }, symbol(subject.id), make("span", {}, t(subject.id)));
         const one = { ...subject, panel, tab, filled: false };
         byId("tabs").append(tab);

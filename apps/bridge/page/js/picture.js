@@ -34,7 +34,8 @@ export class Picture {
         small.height = height;
         const cut = Math.min(this.canvas.width / width, this.canvas.height / height);
         const w = width * cut, h = height * cut;
-        small.getContext("2d").drawImage(this.canvas, (this.canvas.width - w) / 2, (this.canvas.height - h) / 2, w, h, 0, 0, width, height);
+        small.getContext("2d").drawImage(this.canvas, (this.canvas.width - w) / 2, (this.canvas.height - h) / 2, w, h,
+            0, 0, width, height);
         return small.toDataURL("image/jpeg", 0.7);
     }
 }

@@ -53,12 +53,16 @@ export class Statistics {
     rows() {
         const { status = {}, link, header } = this;
         const now = performance.now(), recent = this.times.filter((time) => time > now - 2000).length / 2;
-        const rows = [[t("statServer"), status.idle ? t("idle") : t("perSecond", number(status.fps ?? 0, 1))], [t("statShown"), t("perSecond", number(recent, 1))],
-            [t("statFrame"), t("ms", number(status.frameMs ?? 0, 1))], [t("statDelay"), this.pair(this.delays)], [t("statDecode"), this.pair(this.decodes)]];
-        if (header) rows.push([t("statSize"), `${header.width} × ${header.height} / ${header.shownWidth} × ${header.shownHeight}`]);
+        const rows = [[t("statServer"), status.idle ? t("idle") : t("perSecond", number(status.fps ?? 0, 1))],
+            [t("statShown"), t("perSecond", number(recent, 1))],
+            [t("statFrame"), t("ms", number(status.frameMs ?? 0, 1))], [t("statDelay"), this.pair(this.delays)],
+                [t("statDecode"), this.pair(this.decodes)]];
+        if (header) rows.push([t("statSize"),
+            `${header.width} × ${header.height} / ${header.shownWidth} × ${header.shownHeight}`]);
         if (link) {
             const size = link.divide === 1 ? t("fullSize") : t("part", link.divide);
-            rows.push([t("statLink"), t("mbit", number(link.mbit, 1)) + ", " + t("rung", size, link.quality)], [t("statTrip"), t("ms", number(link.rttMs, 1))],
+            rows.push([t("statLink"), t("mbit", number(link.mbit, 1)) + ", " + t("rung", size, link.quality)],
+                [t("statTrip"), t("ms", number(link.rttMs, 1))],
                 [t("statDropped"), number(link.skipped)]);
         }
         if (status.eye) rows.push([t("statPlace"), status.eye.map((part) => number(part, 2)).join("  ")]);
@@ -67,6 +71,7 @@ export class Statistics {
 
     show() {
         if (!this.isOn) return;
-        this.place.replaceChildren(make("dl", {}, ...this.rows().flatMap(([what, value]) => [make("dt", {}, what), make("dd", {}, value)])));
+        this.place.replaceChildren(make("dl", {}, ...this.rows().flatMap(([what, value]) =>
+            [make("dt", {}, what), make("dd", {}, value)])));
     }
 }

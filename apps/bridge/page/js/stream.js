@@ -1,6 +1,6 @@
 /**
- * The connection and what draws its images. Lives in a worker, where nothing that the page does delays either; in the page
- * where a canvas cannot leave it.
+ * The connection and what draws its images. Lives in a worker, where nothing that the page does delays either; in the
+ * page where a canvas cannot leave it.
  */
 import { Painter } from "./painter.js";
 import { FRAME, STILL, ackMessage, pingMessage, readHeader } from "./wire.js";

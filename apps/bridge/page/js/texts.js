@@ -1,4 +1,6 @@
-/** The language of the page: its own texts (texts_en, texts_cs), and those that it shares with the window (tables_cs). */
+/**
+ * The language of the page: its own texts (texts_en, texts_cs), and those that it shares with the window (tables_cs).
+ */
 import english from "./texts_en.js";
 import { preference, setPreference } from "./storage.js";
 
@@ -7,7 +9,8 @@ export const languages = [["", "auto"], ["en", "English"], ["cs", "Čeština"]];
 const chosen = preference("language", "");
 export const language = (chosen || navigator.language || "en").startsWith("cs") ? "cs" : "en";
 const [own, shared] = language === "cs"
-    ? (await Promise.all([import("./texts_cs.js"), import("./tables_cs.js")])).map((module) => module.default) : [english, {}];
+    ? (await Promise.all([import("./texts_cs.js"), import("./tables_cs.js")])).map((module) => module.default)
+        : [english, {}];
 document.documentElement.lang = language;
 
 export function chooseLanguage(name) {
@@ -34,6 +37,7 @@ const formats = new Map();
 /** A number for people, with so many digits after the point. */
 export function number(value, digits = 0) {
     if (!formats.has(digits))
-        formats.set(digits, new Intl.NumberFormat(language, { minimumFractionDigits: digits, maximumFractionDigits: digits }));
+        formats.set(digits, new Intl.NumberFormat(language,
+            { minimumFractionDigits: digits, maximumFractionDigits: digits }));
     return formats.get(digits).format(value);
 }

@@ -49,7 +49,9 @@ export default {
     noServer: "Čekám na server.\nSpusťte ho tam:  RTServer SCÉNA",
     noToken: "Tento odkaz nemá klíč. Otevřete odkaz, který vypsal RTBridge.",
     tokenOld: "Tento odkaz už neplatí. Otevřete nový odkaz, který vypsal RTBridge.",
-    linkUsed: "Tento odkaz už byl použit: odkaz k řízení platí jednou, pro jednu stránku. Otevřete další, který RTBridge vypsal.",
+    linkUsed:
+        "Tento odkaz už byl použit: odkaz k řízení platí jednou, pro jednu stránku. Otevřete další, který RTBridge "
+        + "vypsal.",
     versionOld: "Most má jinou verzi.",
     reload: "Načíst znovu",
     malformed: "Most odmítl zprávu této stránky.",
@@ -179,8 +181,14 @@ export default {
     showStatistics: "Statistika (F3)",
     instance: "Server",
     keys: "Klávesy",
-    keysHelp: "W A S D nebo šipky: pohyb · myš: rozhlížení · Q E R V: otáčení doleva, doprava, nahoru, dolů · mezerník: skok · I O nebo Page Up, Page Down: za letu nahoru, dolů · Shift: běh · C: přikrčit se · X: plazit se · F: chodit, nebo létat · B: záře · 1–0: světla · kolečko: rychlost · dvojklik: otočit se tam · Ctrl+kliknutí: zaostřit tam · Esc: uvolnit",
-    touchHelp: "Dotyk: levý palec chodí, pravým se rozhlížíte, dva prsty mění rychlost, dvojí klepnutí otočí pohled. Funguje i gamepad.",
+    keysHelp:
+        "W A S D nebo šipky: pohyb · myš: rozhlížení · Q E R V: otáčení doleva, doprava, nahoru, dolů · mezerník: "
+        + "skok · I O nebo Page Up, Page Down: za letu nahoru, dolů · Shift: běh · C: přikrčit se · X: plazit se · F: "
+        + "chodit, nebo létat · B: záře · 1–0: světla · kolečko: rychlost · dvojklik: otočit se tam · Ctrl+kliknutí: "
+        + "zaostřit tam · Esc: uvolnit",
+    touchHelp:
+        "Dotyk: levý palec chodí, pravým se rozhlížíte, dva prsty mění rychlost, dvojí klepnutí otočí pohled. "
+        + "Funguje i gamepad.",
     version: "RTBridge {0}",
 
     statServer: "Server",

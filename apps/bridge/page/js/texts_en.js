@@ -49,7 +49,9 @@ export default {
     noServer: "Waiting for a server.\nStart one there:  RTServer SCENE",
     noToken: "This link has no key. Open the link that RTBridge printed.",
     tokenOld: "This link is no longer valid. Open the new link that RTBridge printed.",
-    linkUsed: "This link has been used: a driver's link is good once, for one page. Open the next one that RTBridge printed.",
+    linkUsed:
+        "This link has been used: a driver's link is good once, for one page. Open the next one that RTBridge "
+        + "printed.",
     versionOld: "The bridge has another version.",
     reload: "Load again",
     malformed: "The bridge refused a message of this page.",
@@ -179,8 +181,13 @@ export default {
     showStatistics: "Statistics (F3)",
     instance: "Server",
     keys: "Keys",
-    keysHelp: "W A S D or arrows: move · mouse: look · Q E R V: turn left, right, up, down · Space: jump · I O or Page keys: up, down while flying · Shift: run · C: crouch · X: crawl · F: walk or fly · B: bloom · 1–0: lights · wheel: speed · double click: turn there · Ctrl+click: focus there · Esc: release",
-    touchHelp: "Touch: left thumb moves, right thumb looks, two fingers change the speed, a double tap turns there. A gamepad works, too.",
+    keysHelp:
+        "W A S D or arrows: move · mouse: look · Q E R V: turn left, right, up, down · Space: jump · I O or Page "
+        + "keys: up, down while flying · Shift: run · C: crouch · X: crawl · F: walk or fly · B: bloom · 1–0: lights "
+        + "· wheel: speed · double click: turn there · Ctrl+click: focus there · Esc: release",
+    touchHelp:
+        "Touch: left thumb moves, right thumb looks, two fingers change the speed, a double tap turns there. A "
+        + "gamepad works, too.",
     version: "RTBridge {0}",
 
     statServer: "Server",

@@ -1,6 +1,6 @@
 /**
- * Thumbs: on the left half a stick that walks, on the right half the view turns. Two fingers there change the speed. Where the
- * model is in the hand, one finger turns it, two move it and bring it nearer.
+ * Thumbs: on the left half a stick that walks, on the right half the view turns. Two fingers there change the speed.
+ * Where the model is in the hand, one finger turns it, two move it and bring it nearer.
  */
 import { byId } from "./dom.js";
 import { KEYS } from "./key_table.js";
@@ -28,7 +28,8 @@ export class Touch {
         this.on = on;
         this.fingers = new Map();
         this.stick = byId("stick");
-        for (const [type, what] of [["pointerdown", "onDown"], ["pointermove", "onMove"], ["pointerup", "onUp"], ["pointercancel", "onUp"]])
+        for (const [type, what] of [["pointerdown", "onDown"], ["pointermove", "onMove"], ["pointerup", "onUp"],
+            ["pointercancel", "onUp"]])
             canvas.addEventListener(type, (event) => event.pointerType === "touch" && this[what](event));
         addEventListener("blur", () => this.release());
         document.addEventListener("visibilitychange", () => document.hidden && this.release());
@@ -54,8 +55,10 @@ export class Touch {
         this.on.used();
         this.canvas.setPointerCapture(event.pointerId);
         const room = this.canvas.getBoundingClientRect(), orbits = this.on.orbit.is;
-        const walks = !orbits && event.clientX < room.x + room.width / 2 && ![...this.fingers.values()].some((f) => f.walks);
-        this.fingers.set(event.pointerId, { walks, x: event.clientX, y: event.clientY, startX: event.clientX, startY: event.clientY,
+        const walks = !orbits && event.clientX < room.x + room.width / 2
+            && ![...this.fingers.values()].some((f) => f.walks);
+        this.fingers.set(event.pointerId, { walks, x: event.clientX, y: event.clientY, startX: event.clientX,
+            startY: event.clientY,
             at: performance.now() });
         if (walks) this.showStick(event.clientX - room.x, event.clientY - room.y);
         this.apart = this.distance();

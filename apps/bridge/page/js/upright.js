@@ -1,4 +1,7 @@
-/** A phone that is held upright: who drives asks for images of its shape, with as many pixels, and gives the others' shape back. */
+/**
+ * A phone that is held upright: who drives asks for images of its shape, with as many pixels, and gives the others'
+ * shape back.
+ */
 const upright = matchMedia("(orientation: portrait) and (pointer: coarse)");
 
 /** As many pixels in another shape. */
