@@ -5,7 +5,7 @@
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/effects.h"
-#include "rtcore/render/default_view.h"
+#include "rtcore/survey/default_view.h"
 #include "support/one_frame.h"
 
 #include <gtest/gtest.h>

@@ -3,11 +3,11 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/camera_rays.h"
-#include "rtcore/render/closest_hit.h"
 #include "rtcore/render/ground_tracer.h"
 #include "rtcore/render/light_meter.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/up_axis.h"
+#include "rtcore/survey/closest_hit.h"
 
 #include "support/run_program.h"
 #include "support/temporary_folder.h"

@@ -1,7 +1,7 @@
 /// What a program says of what it guesses of a model.
 #pragma once
 
-#include "rtcore/render/up_and_unit.h"
+#include "rtcore/survey/up_and_unit.h"
 
 #include <string>
 

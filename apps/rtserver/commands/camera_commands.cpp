@@ -4,14 +4,14 @@
 #include "rtserver/commands/seen_surface.h"
 
 #include "rtcore/motion/orbit.h"
-#include "rtcore/render/default_view.h"
-#include "rtcore/render/framing.h"
 #include "rtcore/render/lens.h"
-#include "rtcore/render/subject.h"
 #include "rtcore/scene/focal_length.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/settings_table.h"
+#include "rtcore/survey/default_view.h"
+#include "rtcore/survey/framing.h"
+#include "rtcore/survey/subject.h"
 
 #include <fmt/format.h>
 

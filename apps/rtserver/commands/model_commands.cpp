@@ -8,7 +8,7 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/render/camera_rays.h"
-#include "rtcore/render/seen_object.h"
+#include "rtcore/survey/seen_object.h"
 
 #include <algorithm>
 #include <array>

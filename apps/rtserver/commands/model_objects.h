@@ -1,8 +1,8 @@
 /// The materials and parts of the model as commands name them, and as text for clients.
 #pragma once
 
-#include "rtcore/render/seen_object.h"
 #include "rtcore/scene/part_list.h"
+#include "rtcore/survey/seen_object.h"
 
 #include <cstddef>
 #include <span>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "rtcore/io/text/scn.h"
-#include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/survey/up_and_unit.h"
 
 #include <cstddef>
 #include <cstdint>

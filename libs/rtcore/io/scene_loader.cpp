@@ -11,12 +11,12 @@
 #include "rtcore/look/shell_picture.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
-#include "rtcore/render/default_view.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/image_summary.h"
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/sky/scene_sky.h"
+#include "rtcore/survey/default_view.h"
 
 #include <algorithm>
 #include <cstddef>

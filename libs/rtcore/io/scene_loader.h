@@ -7,8 +7,8 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/look/look.h"
 #include "rtcore/look/material_names.h"
-#include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/scene.h"
+#include "rtcore/survey/up_and_unit.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "rtcore/look/doorstep.h"
 
-#include "rtcore/render/closest_hit.h"
+#include "rtcore/survey/closest_hit.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 #include "rtcore/look/seen_places.h"
 #include "rtcore/look/sun_of_view.h"
 #include "rtcore/math/constants.h"
-#include "rtcore/render/default_view.h"
 #include "rtcore/simd/portable_math.h"
 #include "rtcore/sky/scene_sky.h"
+#include "rtcore/survey/default_view.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,10 +3,10 @@
 
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/look/look_name.h"
-#include "rtcore/render/survey.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/settings_table.h"
+#include "rtcore/survey/survey.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "rtcore/math/constants.h"
 #include "rtcore/render/camera_rays.h"
-#include "rtcore/render/closest_hit.h"
+#include "rtcore/survey/closest_hit.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/math/vec.h"
-#include "rtcore/render/survey.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/survey/survey.h"
 
 namespace rtcore {
 

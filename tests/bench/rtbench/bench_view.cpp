@@ -3,7 +3,7 @@
 #include "rtcore/io/text/strict_table.h"
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
-#include "rtcore/render/default_view.h"
+#include "rtcore/survey/default_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "bench/rtbench/stopwatch.h"
 
-#include "rtcore/render/default_view.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/survey/default_view.h"
 
 #include <algorithm>
 #include <cmath>

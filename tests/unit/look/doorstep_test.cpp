@@ -1,8 +1,8 @@
 // Where one who walks begins.
 #include "rtcore/look/doorstep.h"
-#include "rtcore/render/default_view.h"
+#include "rtcore/survey/default_view.h"
 
-#include "rooms.h"
+#include "support/rooms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 /// The ground of the sky: what it looks like in the light and in the shadow, and what rays find of it.
 #include "rtcore/look/look.h"
 #include "rtcore/render/camera_rays.h"
-#include "rtcore/render/default_view.h"
 #include "rtcore/render/ground_tracer.h"
-#include "rtcore/render/seen_object.h"
 #include "rtcore/sky/scene_sky.h"
-#include "unit/look/rooms.h"
+#include "rtcore/survey/default_view.h"
+#include "rtcore/survey/seen_object.h"
+#include "support/rooms.h"
 
 #include <gtest/gtest.h>
 

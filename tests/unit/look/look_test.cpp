@@ -1,10 +1,10 @@
 #include "rtcore/look/look.h"
 
-#include "unit/look/rooms.h"
+#include "support/rooms.h"
 
 #include "rtcore/math/constants.h"
-#include "rtcore/render/default_view.h"
 #include "rtcore/sky/scene_sky.h"
+#include "rtcore/survey/default_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "rtcore/look/room_lights.h"
 
-#include "unit/look/rooms.h"
+#include "support/rooms.h"
 
 #include "rtcore/kernels/single_ray.h"
 

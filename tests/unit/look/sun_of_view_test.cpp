@@ -1,9 +1,9 @@
 #include "rtcore/look/sun_of_view.h"
 
-#include "unit/look/rooms.h"
+#include "support/rooms.h"
 
 #include "rtcore/kernels/single_ray.h"
-#include "rtcore/render/default_view.h"
+#include "rtcore/survey/default_view.h"
 
 #include <gtest/gtest.h>
 

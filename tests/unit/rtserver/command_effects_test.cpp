@@ -2,8 +2,8 @@
 #include "command_room.h"
 
 #include "rtcore/io/text/scn.h"
-#include "rtcore/render/default_view.h"
-#include "rtcore/render/subject.h"
+#include "rtcore/survey/default_view.h"
+#include "rtcore/survey/subject.h"
 
 #include <gtest/gtest.h>
 

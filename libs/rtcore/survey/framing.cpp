@@ -1,4 +1,4 @@
-#include "rtcore/render/framing.h"
+#include "rtcore/survey/framing.h"
 
 #include "rtcore/math/constants.h"
 #include "rtcore/simd/portable_math.h"

@@ -1,4 +1,4 @@
-#include "rtcore/render/axes.h"
+#include "rtcore/survey/axes.h"
 
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/simd/portable_math.h"

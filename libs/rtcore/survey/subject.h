@@ -1,8 +1,8 @@
 /// What a model is about, apart from the surroundings that were modelled with it.
 #pragma once
 
-#include "rtcore/render/axes.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/survey/axes.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/render/survey.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/survey/survey.h"
 
 namespace rtcore {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/render/axes.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/survey/axes.h"
 
 #include <array>
 #include <optional>

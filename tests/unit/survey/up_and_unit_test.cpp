@@ -1,5 +1,5 @@
 /// What is up and how long a unit is, guessed of made shapes. Of real models: tests/known_models.
-#include "rtcore/render/up_and_unit.h"
+#include "rtcore/survey/up_and_unit.h"
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/scene/exporter_habits.h"

@@ -1,4 +1,4 @@
-#include "rtcore/render/part_roles.h"
+#include "rtcore/survey/part_roles.h"
 
 #include "rtcore/scene/name_words.h"
 

@@ -1,4 +1,4 @@
-#include "rtcore/render/shape_of_model.h"
+#include "rtcore/survey/shape_of_model.h"
 
 #include <algorithm>
 #include <array>

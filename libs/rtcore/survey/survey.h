@@ -2,9 +2,9 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/render/standing.h"
-#include "rtcore/render/subject.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/survey/standing.h"
+#include "rtcore/survey/subject.h"
 
 #include <vector>
 

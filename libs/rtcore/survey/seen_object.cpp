@@ -1,4 +1,4 @@
-#include "rtcore/render/seen_object.h"
+#include "rtcore/survey/seen_object.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
-#include "rtcore/render/survey.h"
+#include "rtcore/survey/survey.h"
 
 #include "rtcore/math/constants.h"
-#include "rtcore/render/closest_hit.h"
+#include "rtcore/survey/closest_hit.h"
 
 #include <algorithm>
 #include <cmath>

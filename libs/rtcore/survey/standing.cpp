@@ -1,7 +1,7 @@
-#include "rtcore/render/standing.h"
+#include "rtcore/survey/standing.h"
 
 #include "rtcore/math/constants.h"
-#include "rtcore/render/closest_hit.h"
+#include "rtcore/survey/closest_hit.h"
 
 #include <algorithm>
 #include <cmath>

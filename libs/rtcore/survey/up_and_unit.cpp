@@ -1,10 +1,10 @@
-#include "rtcore/render/up_and_unit.h"
+#include "rtcore/survey/up_and_unit.h"
 
-#include "rtcore/render/part_roles.h"
-#include "rtcore/render/shape_of_model.h"
-#include "rtcore/render/survey.h"
 #include "rtcore/scene/exporter_habits.h"
 #include "rtcore/scene/up_axis.h"
+#include "rtcore/survey/part_roles.h"
+#include "rtcore/survey/shape_of_model.h"
+#include "rtcore/survey/survey.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "rtcore/render/default_view.h"
+#include "rtcore/survey/default_view.h"
 
 #include "rtcore/math/constants.h"
-#include "rtcore/render/closest_hit.h"
-#include "rtcore/render/framing.h"
 #include "rtcore/simd/portable_math.h"
+#include "rtcore/survey/closest_hit.h"
+#include "rtcore/survey/framing.h"
 
 #include <algorithm>
 #include <array>

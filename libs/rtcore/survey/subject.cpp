@@ -1,4 +1,4 @@
-#include "rtcore/render/subject.h"
+#include "rtcore/survey/subject.h"
 
 #include "rtcore/scene/disjoint_sets.h"
 
