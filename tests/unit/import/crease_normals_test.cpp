@@ -1,4 +1,4 @@
-#include "rtcore/io/import/crease_normals.h"
+#include "rtcore/io/import/mesh/crease_normals.h"
 
 #include "rtcore/simd/instruction_set.h"
 #include "support/random_numbers.h"

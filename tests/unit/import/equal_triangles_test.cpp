@@ -1,4 +1,4 @@
-#include "rtcore/io/import/equal_triangles.h"
+#include "rtcore/io/import/mesh/equal_triangles.h"
 
 #include "import_support.h"
 

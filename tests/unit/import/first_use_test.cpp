@@ -1,4 +1,4 @@
-#include "rtcore/io/import/first_use.h"
+#include "rtcore/io/import/mesh/first_use.h"
 #include "support/random_numbers.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What is read of a glTF file beside Assimp: any bytes give facts or none, and nothing else happens.
-#include "rtcore/io/import/gltf_file.h"
+#include "rtcore/io/import/gltf/gltf_file.h"
 #include "support/damaged_text.h"
 #include "support/temporary_folder.h"
 #include "unit/import/gltf_text.h"

@@ -1,4 +1,4 @@
-#include "rtcore/io/import/mesh_assembly.h"
+#include "rtcore/io/import/mesh/mesh_assembly.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rtcore/io/import/polygon.h"
+#include "rtcore/io/import/mesh/polygon.h"
 
 #include <gtest/gtest.h>
 

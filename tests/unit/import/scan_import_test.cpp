@@ -1,12 +1,12 @@
 // Scans: the same model as Assimp makes, by readers that do not trust their files.
-#include "rtcore/io/import/scan_import.h"
+#include "rtcore/io/import/scan/scan_import.h"
 
 #include "import_support.h"
 #include "scan_files.h"
 
-#include "rtcore/io/import/assimp_import.h"
-#include "rtcore/io/import/ply_file.h"
-#include "rtcore/io/import/stl_file.h"
+#include "rtcore/io/import/assimp/assimp_import.h"
+#include "rtcore/io/import/scan/ply_file.h"
+#include "rtcore/io/import/scan/stl_file.h"
 #include "rtcore/platform/error.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "rtcore/io/import/texture_files.h"
+#include "rtcore/io/import/materials/texture_files.h"
 
 #include "import_support.h"
 

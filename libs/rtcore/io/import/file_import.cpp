@@ -1,9 +1,9 @@
 #include "rtcore/io/import/file_import.h"
 
-#include "rtcore/io/import/assimp_import.h"
-#include "rtcore/io/import/foreign_formats.h"
-#include "rtcore/io/import/material_mapping.h"
-#include "rtcore/io/import/scan_import.h"
+#include "rtcore/io/import/assimp/assimp_import.h"
+#include "rtcore/io/import/inspection/foreign_formats.h"
+#include "rtcore/io/import/materials/material_mapping.h"
+#include "rtcore/io/import/scan/scan_import.h"
 #include "rtcore/platform/error.h"
 
 #include <algorithm>

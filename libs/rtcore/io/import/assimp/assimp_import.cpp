@@ -1,0 +1,493 @@
+#include "rtcore/io/import/assimp/assimp_import.h"
+
+#include "rtcore/io/import/assimp/assimp_files.h"
+#include "rtcore/io/import/assimp/assimp_parts.h"
+#include "rtcore/io/import/assimp/unread_content.h"
+#include "rtcore/io/import/gltf/gltf_file.h"
+#include "rtcore/io/import/inspection/cut_off.h"
+#include "rtcore/io/import/inspection/exporter_notes.h"
+#include "rtcore/io/import/inspection/foreign_formats.h"
+#include "rtcore/io/import/inspection/import_warnings.h"
+#include "rtcore/io/import/materials/colour_decoder.h"
+#include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/polygon.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/scene/up_axis.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/commonMetaData.h>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <ranges>
+#include <set>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+static_assert(sizeof(ai_real) == sizeof(float), "this file takes Assimp's numbers for floats");
+
+[[noreturn]] void refuse(const std::string& message) { throw FileError(FailureKind::BadData, "", message); }
+
+Affine affineOf(const aiMatrix4x4& m) {
+    Affine a;
+    a.m = {{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}};
+    return a;
+}
+
+/// A mesh under a node.
+struct Instance {
+    unsigned mesh;
+    Affine toWorld;
+    const aiNode* node;
+};
+
+/// All that the node graph says.
+struct NodeWalk {
+    std::vector<Instance> instances; ///< depth first, in the order of the file
+    NodeTransforms transforms;
+};
+
+bool hasMesh(const aiScene& scene, unsigned number) {
+    return number < scene.mNumMeshes && scene.mMeshes[number] != nullptr;
+}
+
+/// Iterative, with a limit that only a graph with cycles reaches.
+NodeWalk walkNodes(const aiScene& scene) {
+    constexpr std::size_t kMostNodes = 4'000'000;
+    NodeWalk walk;
+    std::size_t visited = 0;
+    std::vector<std::pair<const aiNode*, Affine>> open;
+    if (scene.mRootNode != nullptr) open.emplace_back(scene.mRootNode, Affine{});
+    while (!open.empty()) {
+        const auto [node, parent] = open.back();
+        open.pop_back();
+        if (++visited > kMostNodes) refuse("its node graph has no end; repair the file");
+        const Affine toWorld = parent * affineOf(node->mTransformation);
+        if (scene.mNumLights + scene.mNumCameras > 0)
+            walk.transforms.try_emplace(node->mName.C_Str(), toWorld);
+        for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], toWorld, node});
+        }
+        for (unsigned i = node->mNumChildren; i-- > 0;) {
+            if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], toWorld);
+        }
+    }
+    return walk;
+}
+
+/// Makes SourceMeshes of Assimp's meshes; keeps its memory from one to the next.
+class MeshReader {
+  public:
+    MeshReader(const FormatQuirks& quirks, ImportReport& report)
+        : quirks_(quirks), report_(report), decode_(quirks.linearVertexColours) {}
+
+    /// Valid until the next call. `alphas`: those of its colours count.
+    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use, bool alphas) {
+        SourceMesh out;
+        readTriangles(mesh, toWorld.determinant() < 0);
+        out.triangles = triangles_;
+        if (triangles_.empty()) return out;
+        readPositions(mesh, toWorld);
+        out.positions = positions_;
+        if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, toWorld);
+        out.texcoords = readTexcoords(mesh, use);
+        if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
+        if (alphas) out.alphas = readAlphas(mesh);
+        return out;
+    }
+
+  private:
+    void readTriangles(const aiMesh& mesh, bool mirrored) {
+        triangles_.clear();
+        const unsigned faces = mesh.mFaces != nullptr && mesh.mVertices != nullptr ? mesh.mNumFaces : 0;
+        triangles_.reserve(faces);
+        for (unsigned f = 0; f < faces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices < 3 || face.mIndices == nullptr) {
+                ++report_.ignoredPrimitives;
+            } else if (!valid(face, mesh.mNumVertices)) {
+                report_.unconnectedTriangles += face.mNumIndices - 2;
+            } else if (face.mNumIndices == 3) {
+                addTriangle(face, 0, 1, 2, mirrored);
+            } else {
+                cutPolygon(mesh, face, mirrored);
+            }
+        }
+    }
+
+    static bool valid(const aiFace& face, unsigned vertices) {
+        for (unsigned i = 0; i < face.mNumIndices; ++i) {
+            if (face.mIndices[i] >= vertices) return false;
+        }
+        return true;
+    }
+
+    void addTriangle(const aiFace& face, std::uint32_t a, std::uint32_t b, std::uint32_t c, bool mirrored) {
+        if (mirrored) std::swap(b, c);
+        triangles_.push_back({{face.mIndices[a], face.mIndices[b], face.mIndices[c]}});
+    }
+
+    void cutPolygon(const aiMesh& mesh, const aiFace& face, bool mirrored) {
+        corners_.clear();
+        for (unsigned i = 0; i < face.mNumIndices; ++i) {
+            const aiVector3D& v = mesh.mVertices[face.mIndices[i]];
+            corners_.push_back({v.x, v.y, v.z});
+        }
+        for (const Triangle& t : cutter_.cut(corners_)) addTriangle(face, t.v[0], t.v[1], t.v[2], mirrored);
+    }
+
+    void readPositions(const aiMesh& mesh, const Affine& toWorld) {
+        positions_.clear();
+        positions_.reserve(mesh.mNumVertices);
+        const bool unmoved = toWorld.identity();
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiVector3D& v = mesh.mVertices[i];
+            const Vec3 p{v.x, v.y, v.z};
+            positions_.push_back(unmoved ? p : toWorld.point(p));
+        }
+    }
+
+    std::span<const Vec3> readNormals(const aiMesh& mesh, const Affine& toWorld) {
+        normals_.clear();
+        normals_.reserve(mesh.mNumVertices);
+        const bool unmoved = toWorld.identity();
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiVector3D& v = mesh.mNormals[i];
+            const Vec3 n{v.x, v.y, v.z};
+            normals_.push_back(unmoved ? n : toWorld.normal(n));
+        }
+        return normals_;
+    }
+
+    std::span<const Vec2> readTexcoords(const aiMesh& mesh, const TexcoordUse& use) {
+        const bool there =
+            use.set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.mTextureCoords[use.set] != nullptr;
+        const aiVector3D* const source = mesh.mTextureCoords[there ? use.set : 0];
+        if (source == nullptr) return {};
+        texcoords_.clear();
+        texcoords_.reserve(mesh.mNumVertices);
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            texcoords_.push_back(
+                {source[i].x * use.scale.x + use.offset.x, source[i].y * use.scale.y + use.offset.y});
+        }
+        return texcoords_;
+    }
+
+    std::span<const Colour> readColours(const aiMesh& mesh) {
+        colours_.clear();
+        colours_.reserve(mesh.mNumVertices);
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiColor4D& c = mesh.mColors[0][i];
+            colours_.push_back(decode_({c.r, c.g, c.b}));
+        }
+        return colours_;
+    }
+
+    std::span<const float> readAlphas(const aiMesh& mesh) {
+        alphas_.clear();
+        alphas_.reserve(mesh.mNumVertices);
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) alphas_.push_back(mesh.mColors[0][i].a);
+        return alphas_;
+    }
+
+    const FormatQuirks& quirks_;
+    ImportReport& report_;
+    ColourDecoder decode_;
+    PolygonCutter cutter_;
+    std::vector<Triangle> triangles_;
+    std::vector<Vec3> positions_, normals_, corners_;
+    std::vector<Vec2> texcoords_;
+    std::vector<Colour> colours_;
+    std::vector<float> alphas_;
+};
+
+/// Whether the colours of its vertices say that they cover less than all.
+bool hasAlphas(const aiMesh& mesh, const std::optional<GltfFile>& gltf) {
+    if (mesh.mColors[0] == nullptr || !gltf || !gltf->countsWithAlpha.contains(mesh.mNumVertices))
+        return false;
+    return std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
+                       [](const aiColor4D& c) { return c.a < 1; });
+}
+
+/// What is known of the materials beside what Assimp hands over.
+struct MaterialSources {
+    const FormatQuirks& quirks;
+    const std::optional<GltfFile>& gltf;
+    MaterialTexts texts;
+};
+
+/// Model materials, in the order of the file, without those that no mesh uses.
+class Materials {
+  public:
+    Materials(const aiScene& scene, const NodeWalk& walk, const MaterialSources& from, FileImport& to,
+              TextureStore& textures)
+        : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials),
+          alphas_(scene.mNumMaterials, 0), model_(&to.model) {
+        std::vector<char> used(scene.mNumMaterials, 0);
+        for (const Instance& i : walk.instances) {
+            const aiMesh& mesh = *scene.mMeshes[i.mesh];
+            if (mesh.mMaterialIndex >= used.size()) continue;
+            used[mesh.mMaterialIndex] = 1;
+            if (hasAlphas(mesh, from.gltf)) alphas_[mesh.mMaterialIndex] = 1;
+        }
+        for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
+            if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
+            const aiMaterial& material = *scene.mMaterials[m];
+            const MaterialText text = from.texts.of(material.GetName().C_Str(), m, scene.mNumMaterials);
+            SourceMaterial source = sourceMaterialOf(material, from.quirks, text);
+            if (from.gltf && m < from.gltf->emissiveStrengths.size())
+                source.emission = source.emission * from.gltf->emissiveStrengths[m];
+            source.vertexAlpha = alphas_[m] != 0;
+            uses_[m] = texcoordUseOf(material, text, to.report);
+            const Material mapped = mapMaterial(source, textures);
+            alphas_[m] = static_cast<char>(mapped.vertexAlpha);
+            numbers_[m] = append(mapped, source.name, to.model);
+        }
+    }
+    std::uint32_t numberOf(unsigned material) {
+        if (material < numbers_.size() && numbers_[material] != kNoMaterial) return numbers_[material];
+        if (plain_ == kNoMaterial) plain_ = append(Material{}, "", *model_);
+        return plain_;
+    }
+    TexcoordUse texcoordUse(unsigned material) const {
+        return material < uses_.size() ? uses_[material] : TexcoordUse{};
+    }
+    /// Whether alphas of vertices count.
+    bool vertexAlpha(unsigned material) const { return material < alphas_.size() && alphas_[material] != 0; }
+
+  private:
+    static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFU;
+    static std::uint32_t append(Material material, const std::string& name, ModelBuffers& model) {
+        material.nameOffset = model.addName(name);
+        model.materials.push_back(material);
+        return static_cast<std::uint32_t>(model.materials.size() - 1);
+    }
+    std::vector<std::uint32_t> numbers_;
+    std::vector<TexcoordUse> uses_;
+    std::vector<char> alphas_;
+    std::uint32_t plain_ = kNoMaterial;
+    ModelBuffers* model_ = nullptr;
+};
+
+[[noreturn]] void refuseName(const std::string& ending) {
+    refuse("its name does not fit its content; rename it so that it ends in " + ending);
+}
+
+/// An importer that is chosen by the name would take it for what it is not.
+void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& importer) {
+    const std::string own = path.extension().string();
+    if (own.empty() || !importer.IsExtensionSupported(own)) return;
+    if (const auto ending = endingByContent(path)) refuseName(*ending);
+}
+
+/// What it requires and does not get, and what to do; "" where that is nothing.
+std::string needsOf(const GltfFile& gltf) {
+    if (gltf.unreadRequirements.empty()) return "";
+    const std::string& first = gltf.unreadRequirements.front();
+    std::string others;
+    for (const std::string& name : gltf.unreadRequirements | std::views::drop(1)) others += " and " + name;
+    return "it needs " + first + others + ", which " + (others.empty() ? "is" : "are") + " not read; " +
+           remedyFor(first);
+}
+
+/// Only parses: Assimp's own post-processing takes ten times as long as ours.
+const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path,
+                         const std::optional<GltfFile>& gltf, ImportReport& report) {
+    const auto files = std::make_shared<std::vector<std::string>>();
+    importer.SetIOHandler(filesForAssimp(files)); // which the importer owns from now on
+    // A file of lights or bones alone holds no surface: none is made up.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
+    refuseMisnamed(path, importer);
+    const aiScene* const scene = importer.ReadFile(path.string(), 0);
+    for (const std::string& file : *files) addFile(report, file);
+    if (scene != nullptr) return *scene;
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty()) refuse(needs);
+    if (const auto ending = endingByContent(path)) refuseName(*ending);
+    if (const auto sentence = cutOff(path)) refuse(*sentence);
+    if (const auto sentence = gltfDamage(path)) refuse(*sentence);
+    if (reason.find("No suitable reader") != std::string::npos) {
+        refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
+    }
+    if (gltf && !gltf->missingBuffers.empty()) {
+        const bool one = gltf->missingBuffers.size() == 1;
+        refuse("its geometry is in " + firstOf(gltf->missingBuffers) + (one ? ", which is" : ", which are") +
+               " missing; put " + (one ? "it" : "them") + " beside the model's file");
+    }
+    refuse("Assimp cannot read it: " + reason +
+           "; open it in the program that wrote it and export it again, as glTF or OBJ for example");
+}
+
+std::string formatOf(const Assimp::Importer& importer) {
+    const int index = importer.GetPropertyInteger("importerIndex", -1);
+    const aiImporterDesc* const info =
+        index >= 0 ? importer.GetImporterInfo(static_cast<std::size_t>(index)) : nullptr;
+    return info != nullptr && info->mName != nullptr ? info->mName : "";
+}
+
+std::string textOf(const aiScene& scene, const char* name) {
+    aiString text;
+    const bool there = scene.mMetaData != nullptr && scene.mMetaData->Get(name, text);
+    return there ? text.C_Str() : "";
+}
+
+/// FBX: neither is applied by Assimp.
+void readFbxSettings(const aiScene& scene, ModelOrigin& origin) {
+    std::int32_t axis = 1, sign = 1;
+    double centimetres = 1;
+    if (scene.mMetaData == nullptr) return;
+    scene.mMetaData->Get("UpAxis", axis);
+    scene.mMetaData->Get("UpAxisSign", sign);
+    scene.mMetaData->Get("UnitScaleFactor", centimetres);
+    if (axis >= 0 && axis <= 2) origin.up = kAxes.at(static_cast<std::size_t>(2 * axis + (sign < 0 ? 1 : 0)));
+    if (centimetres > 0 && std::isfinite(centimetres)) origin.metresPerUnit = 0.01 * centimetres;
+}
+
+ModelOrigin originOf(const std::filesystem::path& path, const std::string& format, const FormatQuirks& quirks,
+                     const aiScene& scene, const std::optional<GltfFile>& gltf) {
+    ModelOrigin origin{format, exporterNotes(path), {}, {}};
+    if (origin.exporter.empty()) {
+        origin.exporter =
+            gltf && !gltf->generator.empty() ? gltf->generator : textOf(scene, AI_METADATA_SOURCE_GENERATOR);
+    }
+    origin.metresPerUnit = statedUnit(origin.exporter);
+    if (quirks.metresAndYUp) {
+        origin.up = Vec3{0, 1, 0};
+        origin.metresPerUnit = 1;
+    }
+    if (quirks.ownAxes) readFbxSettings(scene, origin);
+    readFixedUnits(path, origin);
+    return origin;
+}
+
+/// Instances multiply: a small file can stand for more triangles than any memory holds.
+void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
+              MeshAssembler& assembler) {
+    std::uint64_t triangles = 0, vertices = 0;
+    for (const Instance& i : walk.instances) {
+        const aiMesh& mesh = *scene.mMeshes[i.mesh];
+        vertices += mesh.mNumVertices;
+        triangles += mesh.mNumFaces; // polygons have more, but no more than vertices
+    }
+    refuseTooMuch(vertices, triangles, memoryLimit, assembler);
+}
+
+/// Of what Assimp drops without a word, by what the file declares.
+void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, const NodeWalk& walk,
+                           ImportReport& report) {
+    std::set<unsigned> shown;
+    for (const Instance& instance : walk.instances) shown.insert(instance.mesh);
+    std::uint64_t read = 0;
+    for (const unsigned m : shown) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) read += mesh.mFaces[f].mNumIndices > 2 ? 1 : 0;
+    }
+    if (gltf.triangles > read) report.unconnectedTriangles += gltf.triangles - read;
+}
+
+void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile>& gltf,
+                 ImportReport& report) {
+    if (const auto libraries = missingMaterialLibraries(path); !libraries.empty()) {
+        addWarning(report, "material library " + firstOf(libraries) +
+                               (libraries.size() == 1 ? " is" : " are") +
+                               " missing; what it describes is plain grey");
+    }
+    for (const std::string& sentence : unreadInCollada(path)) addWarning(report, sentence);
+    if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty())
+        addWarning(report, needs + ": part of it is missing or wrong here");
+    if (gltf && !gltf->ignoredExtensions.empty())
+        addWarning(report, "ignored, since not supported: " + firstOf(gltf->ignoredExtensions));
+}
+
+/// The names of the nodes from below the root on, with slashes between them.
+std::string pathOf(const aiScene& scene, const aiNode& node) {
+    constexpr int kDeepest = 256; // which only a graph with cycles reaches
+    std::string path;
+    const aiNode* at = &node;
+    for (int depth = 0; at != nullptr && at != scene.mRootNode && depth < kDeepest; ++depth) {
+        const std::string name = at->mName.C_Str();
+        if (!name.empty()) path = path.empty() ? name : name + "/" + path;
+        at = at->mParent;
+    }
+    return path;
+}
+
+/// The name of the object, as its author sees it; the meshes of one node, which differ in their material, go
+/// by that.
+std::string nameOf(const Instance& instance, const aiScene& scene) {
+    const aiMesh& mesh = *scene.mMeshes[instance.mesh];
+    const std::string path = pathOf(scene, *instance.node);
+    std::string name = path.empty() ? mesh.mName.C_Str() : "";
+    if (instance.node->mNumMeshes > 1 && mesh.mMaterialIndex < scene.mNumMaterials) {
+        const aiMaterial* const material = scene.mMaterials[mesh.mMaterialIndex];
+        const std::string own = material != nullptr ? material->GetName().C_Str() : "";
+        if (!own.empty()) name = own;
+    }
+    return path.empty() || name.empty() ? path + name : path + "/" + name;
+}
+
+} // namespace
+
+FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
+    const auto importer = std::make_shared<Assimp::Importer>();
+    const std::optional<GltfFile> gltf = readGltfFile(path);
+    if (gltf && gltf->geometryUnread) refuse(needsOf(*gltf));
+    FileImport result;
+    const aiScene& scene = readScene(*importer, path, gltf, result.report);
+    options.alive();
+    result.source = importer;
+    const FormatQuirks quirks = quirksOf(formatOf(*importer));
+    result.report.origin = originOf(path, formatOf(*importer), quirks, scene, gltf);
+    const NodeWalk walk = walkNodes(scene);
+    MeshAssembler assembler;
+    makeRoom(scene, walk, options.memoryLimit, assembler);
+
+    const SceneEmbeddedPictures embedded(scene);
+    TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
+    Materials materials(scene, walk, {quirks, gltf, MaterialTexts(path)}, result, textures);
+    MeshReader reader(quirks, result.report);
+    for (const Instance& instance : walk.instances) {
+        const aiMesh& mesh = *scene.mMeshes[instance.mesh];
+        const bool alphas = materials.vertexAlpha(mesh.mMaterialIndex) && hasAlphas(mesh, gltf);
+        SourceMesh source =
+            reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex), alphas);
+        if (source.triangles.empty()) continue;
+        source.material = materials.numberOf(mesh.mMaterialIndex);
+        const std::uint32_t first = assembler.triangleCount();
+        assembler.add(source);
+        result.model.parts.push_back(
+            {result.model.addName(nameOf(instance, scene)), first, assembler.triangleCount() - first});
+        options.alive();
+    }
+    finishGeometry(assembler, options.creaseAngle, result);
+    if (gltf) countDroppedTriangles(*gltf, scene, walk, result.report);
+    const std::optional<std::string> cut = cutOff(path);
+    if (cut && result.model.triangles.empty()) refuse(*cut);
+    refuseUseless(assembler, scene.mNumMeshes, result);
+
+    if (cut) addWarning(result.report, *cut);
+    warnOfLostTriangles(result.model, result.report);
+    warnOfFiles(path, gltf, result.report);
+    warnOfMissingTextures(textures.missing(), result.report);
+    warnWhenInvisible(result.model, result.report);
+    warnOfOutliers(result.model, result.report);
+    Box3 bounds;
+    for (const Vertex& v : result.model.vertices) bounds.extend(v.position());
+    addLights(scene, walk.transforms, quirks, bounds, result.model, result.report);
+    addCameras(scene, walk.transforms, quirks, result.model, result.report);
+    return result;
+}
+
+} // namespace rtcore

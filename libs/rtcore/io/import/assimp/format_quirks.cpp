@@ -1,0 +1,33 @@
+#include "rtcore/io/import/assimp/format_quirks.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rtcore {
+
+namespace {
+
+// Formats made for OpenGL and Direct3D of old, where the texture multiplies the sum of all light.
+constexpr std::array kFixedFunction{"3DS", "ASE", "AC3D", "BlitzBasic", "LightWave", "Milkshape", "XFile"};
+
+} // namespace
+
+FormatQuirks quirksOf(const std::string& importer) {
+    FormatQuirks q;
+    const auto is = [&](const char* part) { return importer.find(part) != std::string::npos; };
+    if (is("glTF")) {
+        q.linearVertexColours = q.physicalLights = q.halfSpotAngles = true;
+        q.cameraAtNode = q.fovTimesAspect = q.framedAspect = q.metresAndYUp = true;
+    }
+    if (is("Stereolithography")) q.facetNormals = true;
+    if (is("Collada"))
+        q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = q.metresAndYUp = q.indexByHabit = true;
+    if (is("Collada")) q.gouraudIsMatte = true;
+    if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = true;
+    if (is("3DS")) q.lightsInRoot = true;
+    if (is("ASE")) q.cameraBackwards = true;
+    q.mapScalesEmission = std::ranges::any_of(kFixedFunction, is);
+    return q;
+}
+
+} // namespace rtcore

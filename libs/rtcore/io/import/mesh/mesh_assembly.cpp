@@ -1,0 +1,296 @@
+#include "rtcore/io/import/mesh/mesh_assembly.h"
+
+#include "rtcore/io/import/mesh/crease_normals.h"
+#include "rtcore/io/import/mesh/equal_positions.h"
+#include "rtcore/io/import/mesh/first_use.h"
+#include "rtcore/io/import/mesh/hash.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/platform/large_vector.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+/// Corners are numbered in 32 bits.
+constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
+/// Not worth the threads.
+constexpr std::size_t kFewTriangles = 20'000;
+/// Triangles that are only copied.
+constexpr std::size_t kManyTriangles = 1'000'000;
+/// A mesh without normals, texture coordinates, colours and alphas.
+bool isPlain(const SourceMesh& mesh) {
+    return mesh.normals.empty() && mesh.texcoords.empty() && mesh.colours.empty() && mesh.alphas.empty();
+}
+
+/// In double, where differences and products of floats keep nearly all of their bits.
+bool hasArea(Vec3 a, Vec3 b, Vec3 c) {
+    const double ux = double{b.x} - a.x, uy = double{b.y} - a.y, uz = double{b.z} - a.z;
+    const double vx = double{c.x} - a.x, vy = double{c.y} - a.y, vz = double{c.z} - a.z;
+    return uy * vz - uz * vy != 0 || uz * vx - ux * vz != 0 || ux * vy - uy * vx != 0;
+}
+
+Vec2 finiteOrZero(Vec2 t) {
+    constexpr float kLargestTexcoord = 1e12F;
+    const auto fine = [](float v) { return std::fabs(v) <= kLargestTexcoord; };
+    return {fine(t.x) ? t.x + 0.0F : 0.0F, fine(t.y) ? t.y + 0.0F : 0.0F};
+}
+
+Colour finiteOrWhite(Colour c) {
+    if (!isFinite(c)) return kWhite;
+    const auto clamped = [](float v) { return std::clamp(v, 0.0F, 1.0F) + 0.0F; };
+    return {clamped(c.r), clamped(c.g), clamped(c.b)};
+}
+
+float finiteOrOne(float alpha) { return std::isfinite(alpha) ? std::clamp(alpha, 0.0F, 1.0F) + 0.0F : 1; }
+
+} // namespace
+
+void IndexTable::reserve(std::size_t elements) {
+    const std::size_t size = std::bit_ceil(std::max<std::size_t>(elements * 2, 64));
+    if (size <= slots_.size()) return;
+    slots_.clear();
+    resizeLarge(slots_, size);
+    mask_ = size - 1;
+    std::vector<std::uint64_t> hashes;
+    hashes.swap(hashes_);
+    reserveLarge(hashes_, elements);
+    for (std::size_t i = 0; i < hashes.size(); ++i) insert(hashes[i], static_cast<std::uint32_t>(i));
+}
+
+void IndexTable::insert(std::uint64_t hash, std::uint32_t element) {
+    if (hashes_.size() * 2 >= slots_.size()) reserve(std::max<std::size_t>(hashes_.size() * 2, 32));
+    hashes_.push_back(hash);
+    std::size_t i = hash & mask_;
+    while (slots_[i].element != kNone) i = (i + 1) & mask_;
+    slots_[i] = {element, static_cast<std::uint32_t>(hash >> 32)};
+}
+
+void MeshAssembler::reserve(std::size_t vertices, std::size_t triangles) {
+    if (triangles > kMostTriangles) {
+        throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
+    }
+    reserveLarge(out_.triangles, triangles);
+    reserveLarge(out_.shading, triangles);
+    // Files without shared vertices have three in a triangle, of which about half a one is left.
+    const std::size_t expected = std::min(vertices, triangles);
+    reserveLarge(out_.vertices, expected);
+}
+
+/// Of those that meshes before have, by a table that is filled when the second comes.
+std::uint32_t MeshAssembler::knownVertexAt(Vec3 p) {
+    return vertices_.find(hashOfPosition(p),
+                          [&](std::uint32_t i) { return out_.vertices[i].position() == p; });
+}
+
+void MeshAssembler::tabulateVertices() {
+    vertices_.reserve(out_.vertices.size());
+    for (std::size_t i = vertices_.size(); i < out_.vertices.size(); ++i)
+        vertices_.insert(hashOfPosition(out_.vertices[i].position()), static_cast<std::uint32_t>(i));
+}
+
+std::uint32_t MeshAssembler::vertexAt(Vec3 p) {
+    const std::uint32_t known = knownVertexAt(p);
+    if (known != IndexTable::kNone) return known;
+    out_.vertices.push_back({p.x, p.y, p.z, 0});
+    return static_cast<std::uint32_t>(out_.vertices.size() - 1);
+}
+
+std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, const Attributes& of) {
+    vertexOfEntry_.push_back(vertex);
+    out_.normals.push_back(of.normal);
+    if (hasTexcoords_) out_.texcoords.push_back(of.texcoord);
+    if (hasColours_) out_.colours.push_back(of.colour);
+    if (hasAlphas_) out_.alphas.push_back(of.alpha);
+    return static_cast<std::uint32_t>(out_.normals.size() - 1);
+}
+
+/// Of a mesh that has only positions: no need to look for equals.
+std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
+    if (plainEntry_.size() <= vertex) plainEntry_.resize(out_.vertices.capacity(), IndexTable::kNone);
+    std::uint32_t& entry = plainEntry_[vertex];
+    if (entry == IndexTable::kNone) entry = appendEntry(vertex, {});
+    return entry;
+}
+
+std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, const Attributes& of) {
+    const auto& [normal, texcoord, colour, alpha] = of;
+    std::uint64_t hash =
+        mixedHash(mixedHash(vertex, bitsOfPair(normal.x, normal.y)), bitsOfPair(normal.z, texcoord.x));
+    hash = mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b));
+    if (hasAlphas_) hash = mixedHash(hash, bitsOfPair(alpha, 0));
+    hash = finishedHash(hash);
+    const std::uint32_t known = entries_.find(hash, [&](std::uint32_t number) {
+        const std::uint32_t i = hashedEntries_[number];
+        return vertexOfEntry_[i] == vertex && out_.normals[i] == normal &&
+               (!hasTexcoords_ || out_.texcoords[i] == texcoord) &&
+               (!hasColours_ || out_.colours[i] == colour) && (!hasAlphas_ || out_.alphas[i] == alpha);
+    });
+    if (known != IndexTable::kNone) return hashedEntries_[known];
+    entries_.insert(hash, static_cast<std::uint32_t>(hashedEntries_.size()));
+    hashedEntries_.push_back(appendEntry(vertex, of));
+    return hashedEntries_.back();
+}
+
+/// What each triangle is good for, and the bounds of all.
+std::vector<MeshAssembler::Use> MeshAssembler::measure(const SourceMesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Use> uses(count);
+    const auto useOf = [&](const Triangle& t) {
+        const auto corner = [&](int i) { return withoutTraces(mesh.positions[t.v[i]]); };
+        const Vec3 a = corner(0), b = corner(1), c = corner(2);
+        if (!isUsablePosition(a) || !isUsablePosition(b) || !isUsablePosition(c)) return Use::NonFinite;
+        return hasArea(a, b, c) ? Use::Good : Use::WithoutArea;
+    };
+#pragma omp parallel if (count > kFewTriangles)
+    {
+        Box3 bounds;
+#pragma omp for schedule(static)
+        for (std::size_t i = 0; i < count; ++i) {
+            const Triangle& t = mesh.triangles[i];
+            uses[i] = useOf(t);
+            if (uses[i] == Use::NonFinite) continue;
+            for (const std::uint32_t v : t.v) bounds.extend(mesh.positions[v]);
+        }
+#pragma omp critical(rtcore_mesh_bounds)
+        bounds_.extend(bounds);
+    }
+    return uses;
+}
+
+void MeshAssembler::addTriangle(const SourceMesh& mesh, const Triangle& t) {
+    Triangle welded;
+    ShadingTriangle shading;
+    for (int i = 0; i < 3; ++i) {
+        std::uint32_t& vertex = localVertex_[firstOfEqual_[t.v[i]]];
+        if (vertex == IndexTable::kNone) vertex = vertexAt(withoutTraces(mesh.positions[t.v[i]]));
+        welded.v[i] = vertex;
+        shading.v[i] = entriesAreVertices_ ? vertex : entryOfCorner(mesh, t.v[i], vertex);
+    }
+    shading.material = mesh.material;
+    out_.triangles.push_back(welded);
+    out_.shading.push_back(shading);
+}
+
+/// The first mesh, if it is plain: all its vertices are new, in the order in which triangles come to them.
+void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& uses) {
+    const auto welded = [&](const Triangle& t) {
+        return Triangle{{firstOfEqual_[t.v[0]], firstOfEqual_[t.v[1]], firstOfEqual_[t.v[2]]}};
+    };
+    const auto good = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), Use::Good));
+    resizeLarge(out_.triangles, good);
+    if (good == uses.size()) {
+#pragma omp parallel for schedule(static) if (good > kManyTriangles)
+        for (std::size_t i = 0; i < good; ++i) out_.triangles[i] = welded(mesh.triangles[i]);
+    } else {
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (uses[i] == Use::Good) out_.triangles[next++] = welded(mesh.triangles[i]);
+        }
+    }
+    const std::vector<std::uint32_t> order = renumberByFirstUse(out_.triangles, mesh.positions.size());
+    resizeLarge(out_.vertices, order.size());
+    resizeLarge(out_.shading, good);
+#pragma omp parallel if (good > kManyTriangles)
+    {
+#pragma omp for schedule(static) nowait
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const Vec3 p = withoutTraces(mesh.positions[order[i]]);
+            out_.vertices[i] = {p.x, p.y, p.z, 0};
+        }
+#pragma omp for schedule(static)
+        for (std::size_t i = 0; i < good; ++i) {
+            const Triangle& t = out_.triangles[i];
+            out_.shading[i] = {{t.v[0], t.v[1], t.v[2]}, mesh.material};
+        }
+    }
+}
+
+std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t corner,
+                                           std::uint32_t vertex) {
+    std::uint32_t& entry = localEntry_[corner];
+    if (entry != IndexTable::kNone) return entry;
+    if (isPlain(mesh)) return entry = plainEntryFor(vertex);
+    return entry = entryFor(vertex, {mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
+                                     mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
+                                     mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]),
+                                     mesh.alphas.empty() ? 1 : finiteOrOne(mesh.alphas[corner])});
+}
+
+/// Those of vertices, so that others can follow.
+void MeshAssembler::makeEntries() {
+    const std::size_t count = out_.vertices.size();
+    resizeLarge(vertexOfEntry_, count);
+    std::iota(vertexOfEntry_.begin(), vertexOfEntry_.end(), 0U);
+    plainEntry_ = vertexOfEntry_;
+    resizeLarge(out_.normals, count);
+    entriesAreVertices_ = false;
+}
+
+/// The first mesh with texture coordinates, colours or alphas gives them to all that came before.
+void MeshAssembler::widen(const SourceMesh& mesh) {
+    if (!mesh.texcoords.empty() && !hasTexcoords_) {
+        hasTexcoords_ = true;
+        out_.texcoords.resize(out_.normals.size());
+    }
+    if (!mesh.colours.empty() && !hasColours_) {
+        hasColours_ = true;
+        out_.colours.resize(out_.normals.size(), kWhite);
+    }
+    if (!mesh.alphas.empty() && !hasAlphas_) {
+        hasAlphas_ = true;
+        out_.alphas.resize(out_.normals.size(), 1);
+    }
+}
+
+void MeshAssembler::addFurther(const SourceMesh& mesh, const std::vector<Use>& uses) {
+    const auto clear = [&](std::vector<std::uint32_t>& list) {
+        reserveLarge(list, mesh.positions.size());
+        list.assign(mesh.positions.size(), IndexTable::kNone);
+    };
+    clear(localVertex_);
+    if (!entriesAreVertices_) clear(localEntry_);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i] == Use::Good) addTriangle(mesh, mesh.triangles[i]);
+    }
+}
+
+void MeshAssembler::add(const SourceMesh& mesh) {
+    if (mesh.triangles.size() > kMostTriangles - out_.triangles.size()) {
+        throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
+    }
+    if (entriesAreVertices_ && !isPlain(mesh)) makeEntries();
+    widen(mesh);
+    tabulateVertices();
+    firstOfEqual_ = firstOfEqualPositions(mesh.positions);
+    const std::vector<Use> uses = measure(mesh);
+    if (entriesAreVertices_ && out_.triangles.empty()) {
+        addFirst(mesh, uses);
+    } else {
+        addFurther(mesh, uses);
+    }
+    nonFinite_ += static_cast<std::uint64_t>(std::count(uses.begin(), uses.end(), Use::NonFinite));
+    degenerate_ += static_cast<std::uint64_t>(std::count(uses.begin(), uses.end(), Use::WithoutArea));
+}
+
+void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
+    if (entriesAreVertices_) resizeLarge(out_.normals, out_.vertices.size());
+    model.vertices = std::move(out_.vertices);
+    model.triangles = std::move(out_.triangles);
+    model.shading = std::move(out_.shading);
+    model.normals = std::move(out_.normals);
+    model.texcoords = std::move(out_.texcoords);
+    model.colours = std::move(out_.colours);
+    model.alphas = std::move(out_.alphas);
+    vertexOfEntry_ = hashedEntries_ = plainEntry_ = {};
+    firstOfEqual_ = localVertex_ = localEntry_ = {};
+    vertices_ = entries_ = {};
+    computeMissingNormals(model, creaseAngle);
+}
+
+} // namespace rtcore

@@ -1,0 +1,83 @@
+#include "rtcore/io/import/scan/ply_file.h"
+
+#include "rtcore/io/import/scan/ply_elements.h"
+#include "rtcore/platform/error.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace rtcore {
+
+void refuseDamaged(const std::string& message) {
+    throw FileError(FailureKind::BadData, "", message + "; it is damaged: copy or export it again");
+}
+
+void refuseCutOff(const PlyElement& element, std::uint64_t read) {
+    refuseDamaged(fmt::format("it ends after {} of the {} elements '{}' that its head promises", read,
+                              element.count, element.name));
+}
+
+void refuseMoreThanFile(const PlySource& source, const PlyElement& element, std::size_t size) {
+    const std::uint64_t most = size > 0 ? source.in.left() / size : element.count;
+    if (element.count > most) {
+        refuseDamaged(fmt::format("its head promises {} elements '{}', for which it has no room",
+                                  element.count, element.name));
+    }
+}
+
+void skipPlyElements(PlySource& source, const PlyElement& element) {
+    refuseMoreThanFile(source, element, element.fixedSize());
+    source.in.skip(element.count * element.fixedSize());
+}
+
+bool isScan(const PlyHeader& header) {
+    const auto& elements = header.elements;
+    const auto vertices = std::find_if(elements.begin(), elements.end(), areScanVertices);
+    const auto faces = std::find_if(elements.begin(), elements.end(), areScanFaces);
+    const auto passedOver = [](const PlyElement& e) {
+        return !e.hasList() && e.name != "material" && e.name != "tristrips";
+    };
+    return !header.isText && vertices < faces && faces != elements.end() &&
+           std::all_of(elements.begin(), elements.end(),
+                       [&](const PlyElement& e) { return passedOver(e) || &e == &*faces; });
+}
+
+ScanMesh readPly(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive) {
+    PlySource source{PieceReader(file, header.size, alive),
+                     header.bigEndian != (std::endian::native == std::endian::big)};
+    ScanMesh mesh;
+    for (const PlyElement& element : header.elements) {
+        if (areScanVertices(element)) {
+            readPlyVertices(source, element, mesh);
+        } else if (areScanFaces(element)) {
+            readPlyFaces(source, element, mesh);
+        } else {
+            skipPlyElements(source, element);
+        }
+    }
+    return mesh;
+}
+
+void refuseCutOffText(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive) {
+    PieceReader in(file, header.size, alive);
+    std::uint64_t lines = 0;
+    bool blank = true; // so far, of the line that is counted
+    for (auto piece = in.ahead(1); !piece.empty(); in.skip(piece.size()), piece = in.ahead(1)) {
+        for (const std::byte byte : piece) {
+            if (byte == std::byte{'\n'}) {
+                blank = true;
+            } else if (blank && byte > std::byte{' '}) {
+                blank = false;
+                ++lines;
+            }
+        }
+    }
+    for (const PlyElement& element : header.elements) {
+        if (lines < element.count) refuseCutOff(element, lines);
+        lines -= element.count;
+    }
+}
+
+} // namespace rtcore
