@@ -1,0 +1,81 @@
+#include "rtcore/motion/walk_surroundings.h"
+
+#include "rtcore/kernels/single_ray.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rtcore {
+
+namespace {
+
+double lowestPoint(const KdTree& tree, const WorldFrame& frame) {
+    if (tree.bounds.empty()) return 0;
+    double lowest = frame.toMetres(tree.bounds.lo).z;
+    for (int corner = 1; corner < 8; ++corner) {
+        const Box3& b = tree.bounds;
+        lowest = std::min(
+            lowest, frame
+                        .toMetres({(corner & 1) != 0 ? b.hi.x : b.lo.x, (corner & 2) != 0 ? b.hi.y : b.lo.y,
+                                   (corner & 4) != 0 ? b.hi.z : b.lo.z})
+                        .z);
+    }
+    return lowest;
+}
+
+} // namespace
+
+WalkSurroundings::WalkSurroundings(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame,
+                                   const WalkShape& shape)
+    : tree_(tree), mesh_(mesh), frame_(frame), shape_(shape), nearby_(tree, mesh, frame),
+      nearLedge_(tree, mesh, frame, 0), lowest_(lowestPoint(tree, frame)) {}
+
+void WalkSurroundings::useTree(const KdTree& tree) {
+    tree_ = tree;
+    nearby_.useTree(tree);
+}
+
+void WalkSurroundings::gather(const WalkState& state, double move) {
+    const Box3d here = body(std::max(state.height, shape_.stand.height)).box(state.feet);
+    const double beside = move + kStepMargin;
+    const Box3d box = here.grown({beside, beside, beside + shape_.stand.step});
+    triangles_ = withUnseenFloor(nearby_.in(box), box);
+}
+
+/// One triangle around the player, wherever it is: without edges near it.
+std::span<const SolidTriangle> WalkSurroundings::withUnseenFloor(std::span<const SolidTriangle> triangles,
+                                                                 const Box3d& box) {
+    if (!unseenFloor_ || box.lo.z > lowest_ || box.hi.z < lowest_) return triangles;
+    const double x = (box.lo.x + box.hi.x) / 2, y = (box.lo.y + box.hi.y) / 2;
+    const double far = 10 * (box.hi.x - box.lo.x + box.hi.y - box.lo.y);
+    const Vec3d a{x - 2 * far, y - far, lowest_}, b{x + 2 * far, y - far, lowest_},
+        c{x, y + 2 * far, lowest_};
+    withFloor_.assign(triangles.begin(), triangles.end());
+    withFloor_.push_back({a, b, c, {{a.x, a.y, lowest_}, {b.x, c.y, lowest_}}});
+    return withFloor_;
+}
+
+Body WalkSurroundings::climber(const WalkState& state, double top) {
+    const Body b = body(state.height);
+    Box3d way = b.box(state.feet);
+    way.hi.z += top - state.feet.z;
+    return {nearLedge_.in(way.grown(b.reach() + 2 * kStepMargin)), shape_, state.height};
+}
+
+bool WalkSurroundings::sees(Vec3d from, Vec3d to) const {
+    const Vec3 a = frame_.toScene(from), b = frame_.toScene(to);
+    return !occluded(tree_, mesh_, {a, 0, b - a, 1});
+}
+
+/// Under any part of the body.
+bool WalkSurroundings::anythingBelow(Vec3d eye) const {
+    const Vec3 down = frame_.turnBack(-Vec3d{0, 0, 1});
+    for (const Vec3d aside : {Vec3d{}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}) {
+        const Ray ray{frame_.toScene(eye + aside * shape_.radius), 0, down,
+                      std::numeric_limits<float>::max()};
+        if (occluded(tree_, mesh_, ray)) return true;
+    }
+    return false;
+}
+
+} // namespace rtcore
