@@ -84,9 +84,9 @@ MUTANTS = [
          "from == origin"),
     ]),
     ("streams: planes are not widened", [
-        ("stream-inl.h", "max(hn::Mul(t, hn::Set(d, kPlaneDown)), t0)",
+        ("ray_lists-inl.h", "max(hn::Mul(t, hn::Set(d, kPlaneDown)), t0)",
          "max(t, t0)"),
-        ("stream-inl.h", "min(hn::Mul(t, hn::Set(d, kPlaneUp)), t1)",
+        ("ray_lists-inl.h", "min(hn::Mul(t, hn::Set(d, kPlaneUp)), t1)",
          "min(t, t1)"),
     ]),
     ("streams: nothing is searched beyond what was hit", [

@@ -10,7 +10,8 @@
 
 #include "rtcore/kernels/packet-inl.h"
 #include "rtcore/kernels/ray_box-inl.h"
-#include "rtcore/simd/compaction-inl.h"
+#include "rtcore/kernels/ray_lists-inl.h"
+#include "rtcore/kernels/short_list-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
@@ -23,9 +24,7 @@ class OctantWalk {
   public:
     /// `turn`: which of the scratch's columns it works in.
     OctantWalk(const KernelScene& scene, StreamScratch& scratch, std::size_t turn)
-        : scene_(scene), scratch_(scratch), shortWalk_(scene, short_) {
-        for (std::size_t i = 0; i < StreamScratch::kColumns; ++i) columns_[i] = scratch.column(turn, i);
-    }
+        : scene_(scene), scratch_(scratch), lists_(scratch, turn), short_(scene, scratch) {}
 
     /// Takes over the rays of the scratch's groups that have this octant; none's search needs more `slack`.
     HWY_NOINLINE void begin(const RaySpan& rays, std::uint32_t octant, float slack) {
@@ -34,7 +33,7 @@ class OctantWalk {
             culling_.uniform[axis] = true;
             culling_.upperFirst[axis] = octant >> axis & 1U;
         }
-        list_ = collect(rays, octant);
+        list_ = lists_.collect(rays, octant);
         top_ = list_.size + kLanes;
         waiting_ = 0;
         halted_ = false;
@@ -43,14 +42,14 @@ class OctantWalk {
     /// Goes on until few rays reach a leaf; false when all is done.
     HWY_NOINLINE bool advance() {
         if (halted_) {
-            if (shortWalk_.step(culling_)) return true;
+            if (short_.step(culling_)) return true;
             halted_ = false;
-            endShort();
+            short_.keep(found_);
             if (!nextList()) return false;
         }
         while (true) {
             bool more = false;
-            if (list_.active > kShort) {
+            if (list_.active > ShortList<kSearch>::kMost) {
                 const KdNode node = scene_.nodes[list_.node];
                 if (node.isLeaf()) {
                     if (node.count() != 0) testLeaf({scene_, node}, list_);
@@ -58,83 +57,22 @@ class OctantWalk {
                     more = split(node, list_, waiting_, top_);
                 }
             } else if (list_.active > 0) {
-                beginShort(list_);
-                halted_ = shortWalk_.begin(list_.node, culling_);
+                short_.take(lists_, list_, slack_);
+                halted_ = short_.begin(list_.node, culling_);
                 if (halted_) return true;
-                endShort();
+                short_.keep(found_);
             }
             if (!more && !nextList()) return false;
         }
     }
 
   private:
-    enum Column { Slot, T0, T1, Origin, Direction = Origin + 3 };
-    /// The rays that enter a node. Their slots, origins and directions lie at [rays, rays + size) of the
-    /// columns, their intervals at [intervals, intervals + size). Some of these are empty: a list is only
-    /// copied where too few of its rays go on, else the two children share the rays. Vectors are always
-    /// whole.
-    struct List {
-        std::uint32_t node;
-        std::size_t rays, intervals, size;
-        std::size_t active; ///< rays whose interval is not empty
-    };
+    using List = RayLists::List;
     struct WaitingList {
         List list;
         std::size_t top;   ///< what lies from here on is free once this list's turn comes
         std::size_t found; ///< of found_, when it was made
     };
-    static constexpr std::size_t kShortVectors = 2;
-    static constexpr std::size_t kShort = kShortVectors * kLanes;
-
-    static std::size_t wholeVectors(std::size_t rays) { return (rays + kLanes - 1) / kLanes * kLanes; }
-
-    /// Whether so few rays go on that they are worth copying.
-    static bool isSparse(std::size_t active, std::size_t size) { return active * 4 < size * 3; }
-
-    /// The list of all rays of one octant, at the root.
-    HWY_INLINE List collect(const RaySpan& rays, std::uint32_t octant) {
-        const FloatTag d;
-        const IntTag di;
-        List list{0, 0, 0, 0, 0};
-        for (std::size_t group = 0; group < scratch_.groupCount; ++group) {
-            for (std::size_t lane = 0; lane < StreamScratch::kGroup; lane += kLanes) {
-                const std::size_t from = scratch_.groups[group] + lane;
-                const std::size_t slot = group * StreamScratch::kGroup + lane;
-                const Mask here = hn::RebindMask(d, hn::Eq(hn::Load(di, scratch_.octant + slot),
-                                                           hn::Set(di, static_cast<std::int32_t>(octant))));
-                if (hn::AllFalse(d, here)) continue;
-                const RayVector ray = loadRays(rays, from);
-                const Ints slots = hn::Iota(di, static_cast<std::int32_t>(slot));
-                const Compaction some(here);
-                some.store(hn::BitCast(d, slots), columns_[Slot] + list.active);
-                some.store(hn::Load(d, scratch_.rootBegin + slot), columns_[T0] + list.active);
-                some.store(hn::Load(d, scratch_.rootEnd + slot), columns_[T1] + list.active);
-                some.store(ray.ox, columns_[Origin] + list.active);
-                some.store(ray.oy, columns_[Origin + 1] + list.active);
-                some.store(ray.oz, columns_[Origin + 2] + list.active);
-                some.store(ray.dx, columns_[Direction] + list.active);
-                some.store(ray.dy, columns_[Direction + 1] + list.active);
-                some.store(ray.dz, columns_[Direction + 2] + list.active);
-                list.active += hn::CountTrue(d, here);
-            }
-        }
-        finish(list);
-        return list;
-    }
-
-    HWY_INLINE Floats get(std::size_t column, std::size_t at) const {
-        return hn::LoadU(FloatTag(), columns_[column] + at);
-    }
-
-    /// Empty intervals from the last active ray to the end of its vector.
-    HWY_INLINE void finish(List& list) {
-        const FloatTag d;
-        const std::size_t end = list.intervals + list.active;
-        hn::StoreU(hn::Set(d, 1.0F), d, columns_[T0] + end);
-        hn::StoreU(hn::Set(d, -1.0F), d, columns_[T1] + end);
-        list.size = wholeVectors(list.active);
-    }
-
     /// The next list that waits with a ray still searching; false when there is none.
     HWY_INLINE bool nextList() {
         do {
@@ -159,15 +97,15 @@ class OctantWalk {
         const std::uint32_t far = node.lowerChild() + 1 - upperFirst;
         std::size_t entersNear = 0;
         std::size_t entersFar = 0;
-        measure(node, list, entersNear, entersFar);
+        lists_.measure(node, list, entersNear, entersFar);
         const bool goNear = entersNear > 0 && !isEmptyLeaf(near);
         const bool goFar = entersFar > 0 && !isEmptyLeaf(far);
         if (goFar && goNear) {
-            const List other = enterFar(list, far, entersFar, top);
+            const List other = lists_.enterFar(list, far, entersFar, top);
             stack_[waiting++] = {other, top, found_};
         } else if (goFar) {
             const bool same = entersNear == 0;
-            if (!same) list = enterFar(list, far, entersFar, top);
+            if (!same) list = lists_.enterFar(list, far, entersFar, top);
             list.node = far;
             return true;
         }
@@ -176,86 +114,9 @@ class OctantWalk {
         if (entersFar == 0) {
             list.node = near;
         } else {
-            enterNear(list, near, entersNear, top);
+            lists_.enterNear(list, near, entersNear, top);
         }
         return true;
-    }
-
-    /// Where each ray of the list leaves the near child and enters the far one, and how many do.
-    HWY_INLINE void measure(KdNode node, const List& list, std::size_t& entersNear, std::size_t& entersFar) {
-        const FloatTag d;
-        const Floats plane = hn::Set(d, node.split);
-        const float* const origin = columns_[Origin + node.axis()] + list.rays;
-        const float* const direction = columns_[Direction + node.axis()] + list.rays;
-        const float* const begin = columns_[T0] + list.intervals;
-        const float* const end = columns_[T1] + list.intervals;
-        const Floats one = hn::Set(d, 1.0F);
-        for (std::size_t i = 0; i < list.size; i += kLanes) {
-            const Floats inverse = hn::Div(one, hn::Load(d, direction + i));
-            const Floats t = hn::Mul(hn::Sub(plane, hn::Load(d, origin + i)), inverse);
-            const Floats t0 = hn::Load(d, begin + i);
-            const Floats t1 = hn::Load(d, end + i);
-            const Floats nearEnd = min(hn::Mul(t, hn::Set(d, kPlaneUp)), t1);
-            const Floats farBegin = max(hn::Mul(t, hn::Set(d, kPlaneDown)), t0);
-            hn::Store(nearEnd, d, scratch_.nearEnd + i);
-            hn::Store(farBegin, d, scratch_.farBegin + i);
-            entersNear += hn::CountTrue(d, hn::Le(t0, nearEnd));
-            entersFar += hn::CountTrue(d, hn::Le(farBegin, t1));
-        }
-    }
-
-    /// The list of those that enter the far child, at `top`.
-    HWY_INLINE List enterFar(const List& list, std::uint32_t node, std::size_t active, std::size_t& top) {
-        const FloatTag d;
-        if (isSparse(active, list.size)) {
-            return copy(list, node, active, scratch_.farBegin, columns_[T1] + list.intervals, top);
-        }
-        for (std::size_t i = 0; i < list.size; i += kLanes) {
-            hn::Store(hn::Load(d, scratch_.farBegin + i), d, columns_[T0] + top + i);
-            hn::Store(hn::Load(d, columns_[T1] + list.intervals + i), d, columns_[T1] + top + i);
-        }
-        const List far{node, list.rays, top, list.size, active};
-        top += list.size;
-        return far;
-    }
-
-    HWY_INLINE void enterNear(List& list, std::uint32_t node, std::size_t active, std::size_t& top) {
-        const FloatTag d;
-        if (isSparse(active, list.size)) {
-            list = copy(list, node, active, columns_[T0] + list.intervals, scratch_.nearEnd, top);
-            return;
-        }
-        for (std::size_t i = 0; i < list.size; i += kLanes) {
-            hn::Store(hn::Load(d, scratch_.nearEnd + i), d, columns_[T1] + list.intervals + i);
-        }
-        list.node = node;
-        list.active = active;
-    }
-
-    /// Copies the rays whose interval [begin, end] is not empty to `top`.
-    HWY_INLINE List copy(const List& list, std::uint32_t node, std::size_t active, const float* begin,
-                         const float* end, std::size_t& top) {
-        const FloatTag d;
-        List out{node, top, top, 0, active};
-        std::size_t to = top;
-        for (std::size_t i = 0; i < list.size; i += kLanes) {
-            const Floats t0 = hn::Load(d, begin + i);
-            const Floats t1 = hn::Load(d, end + i);
-            const Mask which = hn::Le(t0, t1);
-            const std::size_t count = hn::CountTrue(d, which);
-            if (count == 0) continue;
-            const Compaction some(which);
-            some.store(get(Slot, list.rays + i), columns_[Slot] + to);
-            for (std::size_t c = Origin; c < StreamScratch::kColumns; ++c) {
-                some.store(get(c, list.rays + i), columns_[c] + to);
-            }
-            some.store(t0, columns_[T0] + to);
-            some.store(t1, columns_[T1] + to);
-            to += count;
-        }
-        finish(out);
-        top += out.size + kLanes;
-        return out;
     }
 
     /// Empties the intervals of the rays whose search has ended before this cell.
@@ -263,19 +124,12 @@ class OctantWalk {
         const FloatTag d;
         list.active = 0;
         for (std::size_t i = 0; i < list.size; i += kLanes) {
-            const Floats t0 = get(T0, list.intervals + i);
-            const Floats t1 = get(T1, list.intervals + i);
-            const Floats end = hn::Min(t1, endOf(slotsAt(list, i)));
-            hn::Store(end, d, columns_[T1] + list.intervals + i);
+            const Floats t0 = lists_.begin(list, i);
+            const Floats t1 = lists_.end(list, i);
+            const Floats end = hn::Min(t1, endOf(lists_.slotsAt(list, i)));
+            lists_.setEnd(list, i, end);
             list.active += hn::CountTrue(d, hn::Le(t0, end));
         }
-    }
-
-    /// Lanes that are not active may hold no slot at all: they read the first.
-    HWY_INLINE Ints slotsAt(const List& list, std::size_t i) const {
-        const IntTag di;
-        const Mask used = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
-        return hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, get(Slot, list.rays + i)));
     }
 
     HWY_INLINE Floats endOf(Ints slot) const {
@@ -294,16 +148,15 @@ class OctantWalk {
     HWY_INLINE void testLeafVector(const Leaf& leaf, const List& list, std::size_t i) {
         const FloatTag d;
         const IntTag di;
-        const Mask inCell = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
+        const Mask inCell = lists_.entering(list, i);
         if (hn::AllFalse(d, inCell)) return;
-        const Ints slot = slotsAt(list, i);
-        const std::size_t at = list.rays + i;
-        const Floats dx = get(Direction, at);
-        const Floats dy = get(Direction + 1, at);
-        const Floats dz = get(Direction + 2, at);
+        const Ints slot = lists_.slotsAt(list, i);
+        const Floats dx = lists_.direction(list, i, 0);
+        const Floats dy = lists_.direction(list, i, 1);
+        const Floats dz = lists_.direction(list, i, 2);
         const AxisOrder order(dx, dy, dz);
-        const ShearedRays rays =
-            shear(order, get(Origin, at), get(Origin + 1, at), get(Origin + 2, at), dx, dy, dz);
+        const ShearedRays rays = shear(order, lists_.origin(list, i, 0), lists_.origin(list, i, 1),
+                                       lists_.origin(list, i, 2), dx, dy, dz);
         const Floats tMin = hn::GatherIndex(d, scratch_.tMin, slot);
         Found found{hn::GatherIndex(d, scratch_.best, slot),
                     hn::Zero(di),
@@ -360,82 +213,16 @@ class OctantWalk {
         });
     }
 
-    /// A list of at most kShort rays goes on as a packet.
-    HWY_INLINE void beginShort(const List& list) {
-        const FloatTag d;
-        const IntTag di;
-        std::size_t to = 0;
-        for (std::size_t i = 0; i < list.size; i += kLanes) {
-            const Floats t0 = get(T0, list.intervals + i);
-            const Floats t1 = get(T1, list.intervals + i);
-            const Mask which = hn::Le(t0, t1);
-            const std::size_t count = hn::CountTrue(d, which);
-            if (count == 0) continue;
-            const Compaction some(which);
-            some.store(t0, short_.t0 + to);
-            some.store(t1, short_.t1 + to);
-            some.store(get(Slot, list.rays + i), shortSlot_ + to);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                some.store(get(Origin + axis, list.rays + i), short_.origin[axis] + to);
-                some.store(get(Direction + axis, list.rays + i), short_.direction[axis] + to);
-            }
-            to += count;
-        }
-        hn::StoreU(hn::Set(d, 1.0F), d, short_.t0 + to);
-        hn::StoreU(hn::Set(d, -1.0F), d, short_.t1 + to);
-        for (std::size_t i = wholeVectors(to); i < kShort; i += kLanes) {
-            hn::Store(hn::Set(d, 1.0F), d, short_.t0 + i);
-            hn::Store(hn::Set(d, -1.0F), d, short_.t1 + i);
-        }
-        for (std::size_t i = 0; i < to; i += kLanes) {
-            const Mask used = hn::Le(hn::Load(d, short_.t0 + i), hn::Load(d, short_.t1 + i));
-            const Ints slot =
-                hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, hn::Load(d, shortSlot_ + i)));
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                hn::Store(hn::Div(hn::Set(d, 1.0F), hn::Load(d, short_.direction[axis] + i)), d,
-                          short_.inverse[axis] + i);
-            }
-            hn::Store(hn::GatherIndex(d, scratch_.tMin, slot), d, short_.tMin + i);
-            hn::Store(hn::GatherIndex(d, scratch_.best, slot), d, short_.best + i);
-            hn::Store(hn::GatherIndex(di, scratch_.triangle, slot), di, short_.triangle + i);
-        }
-        short_.setSlack(slack_);
-        shortSize_ = to;
-    }
-
-    /// Keeps what the packet has found.
-    HWY_INLINE void endShort() {
-        for (std::size_t i = 0; i < shortSize_; ++i) {
-            const std::int32_t slot = std::bit_cast<std::int32_t>(shortSlot_[i]);
-            if constexpr (kSearch.any) {
-                found_ += short_.best[i] < 0 ? 1 : 0;
-                scratch_.best[slot] = short_.best[i];
-                scratch_.triangle[slot] = short_.triangle[i];
-            } else if (scratch_.triangle[slot] != short_.triangle[i] ||
-                       scratch_.best[slot] != short_.best[i]) { // of ties the last met is kept
-                ++found_;
-                scratch_.best[slot] = short_.best[i];
-                scratch_.triangle[slot] = short_.triangle[i];
-                scratch_.v[slot] = short_.v[i];
-                scratch_.w[slot] = short_.w[i];
-                scratch_.det[slot] = short_.det[i];
-            }
-        }
-    }
-
     const KernelScene& scene_;
     StreamScratch& scratch_;
     List list_; ///< the one at hand
     std::size_t top_ = 0, waiting_ = 0;
     bool halted_ = false; ///< in the walk of a short list
-    float* columns_[StreamScratch::kColumns];
+    RayLists lists_;
     float slack_ = 0;
     std::size_t found_ = 0; ///< grows with each hit
     Culling culling_{};
-    Packet<kShortVectors> short_;
-    PacketWalk<kShortVectors, Shared::Nothing, false, kSearch> shortWalk_;
-    alignas(64) float shortSlot_[kShort + kLanes]; ///< their bits
-    std::size_t shortSize_ = 0;
+    ShortList<kSearch> short_;
     WaitingList stack_[kMaxKdDepth];
 };
 
