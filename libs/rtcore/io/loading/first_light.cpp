@@ -1,0 +1,138 @@
+#include "rtcore/io/loading/first_light.h"
+
+#include "rtcore/io/loading/modelled_sky.h"
+#include "rtcore/look/seen_places.h"
+#include "rtcore/render/visible_scene.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+class FirstLight {
+  public:
+    explicit FirstLight(Loading& loading) : loading_(loading), out_(loading.out) {}
+
+    void give() {
+        Scene& scene = out_.scene;
+        const Surroundings& surroundings = loading_.options.surroundings;
+        bool surrounded = surroundings.environment || scene.sky;
+        if (!out_.sceneFile && (!hasLight() || !ownLightsReach())) {
+            hideDomes(loading_);
+            surrounded = surrounded || scene.environment() != nullptr;
+            // What is not hidden any more may reach.
+            if (hasLight() && !surrounded && !surroundings.look && !ownLightsReach())
+                return lightBeside(surroundings.usual);
+        }
+        if (surroundings.look) return lightByLook(*surroundings.look, true);
+        if (hasLight() || (surrounded && out_.sceneFile)) {
+            if (!out_.sceneFile) loading_.take(exposureOf(surroundings.usual));
+            if (surrounded) loading_.take({{"skyLight.on", true}});
+            if (!surrounded && !out_.sceneFile) fillTheDark();
+        } else if (surrounded) {
+            giveGround();
+            addRoomLights(scene, out_.tree, loading_.surveyed());
+            loading_.take(settingsOf(Look::Sky, loading_.surveyed()));
+        } else if (out_.sceneFile) {
+            addHeadlight(scene, out_.tree.bounds, out_.camera);
+            out_.look = Look::Headlight;
+        } else {
+            lightByLook(surroundings.usual);
+        }
+    }
+
+    /// Adds a light beside the viewer where none reaches what is seen.
+    void lightTheDark() {
+        Scene& scene = out_.scene;
+        if (out_.sceneFile || out_.look == Look::Headlight || loading_.options.surroundings.look || shines())
+            return;
+        const Mesh& mesh = scene.model.mesh;
+        const KdTree shown = visibleTree(out_.tree, scene);
+        const std::vector<SeenPlace> places = seenPlaces(shown, mesh, out_.camera);
+        if (places.empty() || isOpen(shown, mesh, places) ||
+            lightReaches(shown, mesh, lightsOf(scene.lights), places, kPlainAmbient))
+            return;
+        addHeadlight(scene, out_.tree.bounds, out_.camera);
+        loading_.warn({"no light reaches what is seen; one beside the viewer was added"});
+    }
+
+  private:
+    void lightByLook(Look look, bool last = false) {
+        Scene& scene = out_.scene;
+        const LookLights lights = lookLights(look, out_.tree, scene.model.mesh, loading_.surveyed(),
+                                             out_.camera, loading_.options.surroundings.sky);
+        lightBy(scene, lights);
+        out_.look = look;
+        loading_.take(settingsOf(look, loading_.surveyed()), last);
+    }
+
+    /// A material gives off light.
+    bool shines() const {
+        return std::any_of(out_.scene.materials.begin(), out_.scene.materials.end(),
+                           [](const Material& m) { return !isBlack(m.emission); });
+    }
+
+    bool hasLight() const {
+        // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
+        const bool chosen =
+            out_.sceneFile && (!out_.sceneFile->defaultLight || shines() || !isBlack(out_.scene.ambient));
+        return chosen || out_.scene.lights.size() > (loading_.options.surroundings.sky ? 1 : 0);
+    }
+
+    /// Whether the lights of the model, if it has any, can be noticed where its first camera looks.
+    bool ownLightsReach() const {
+        const Scene& scene = out_.scene;
+        const KdTree shown = visibleTree(out_.tree, scene);
+        const std::vector<SeenPlace> places = seenPlaces(shown, scene.model.mesh, out_.camera);
+        return scene.lights.empty() || places.empty() ||
+               lightReaches(shown, scene.model.mesh, lightsOf(scene.lights), places, kPlainAmbient);
+    }
+
+    /// Beside the lights of the model, which light nothing that is seen. The sun becomes a light like the
+    /// others: files put that of a sky behind all, where it has other samples and gives other images.
+    void lightBeside(Look look) {
+        Scene& scene = out_.scene;
+        const std::vector<SceneLight> own = std::exchange(scene.lights, {});
+        lightByLook(look);
+        for (SceneLight& each : scene.lights) each.ofSky = false;
+        scene.lights.insert(scene.lights.end(), own.begin(), own.end());
+        loading_.warn({"its own lights reach nothing that is seen; other light was added"});
+    }
+
+    void giveGround() {
+        Scene& scene = out_.scene;
+        if (!scene.sky || !wantsGround(scene.model.mesh, loading_.surveyed())) return;
+        Sky sky = *scene.sky;
+        sky.ground = true;
+        setSky(scene, sky);
+    }
+
+    /// An object is not half black by its author's only light, before nothing.
+    void fillTheDark() {
+        Scene& scene = out_.scene;
+        if (out_.indoors || loading_.surveyed().inside() || loading_.surveyed().isStage() || shines()) return;
+        const auto fill = fillLight(scene, visibleTree(out_.tree, scene), out_.camera);
+        if (!fill) return;
+        scene.background = *fill;
+        loading_.take({{"skyLight.on", true}});
+        loading_.warn(
+            {"its own lights leave much of what is seen in the dark; a background that lights was added"});
+    }
+
+    Loading& loading_;
+    LoadedScene& out_;
+};
+
+} // namespace
+
+void giveLight(Loading& loading) {
+    FirstLight light(loading);
+    light.give();
+    light.lightTheDark();
+}
+
+} // namespace rtcore

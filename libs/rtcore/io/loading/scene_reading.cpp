@@ -1,0 +1,124 @@
+#include "rtcore/io/loading/scene_reading.h"
+
+#include "rtcore/io/images/environment_file.h"
+#include "rtcore/io/loading/material_overrides.h"
+#include "rtcore/io/loading/model_reading.h"
+#include "rtcore/io/loading/sections.h"
+#include "rtcore/io/text/cam.h"
+#include "rtcore/io/text/set.h"
+#include "rtcore/look/shell_picture.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+class SceneReading {
+  public:
+    explicit SceneReading(Loading& loading) : loading_(loading), out_(loading.out) {}
+
+    void read(const std::filesystem::path& path) {
+        SceneFile file = readSceneFile(path);
+        if (loading_.options.model) file.model = *loading_.options.model;
+        InputFile model(file.model);
+        const FileKind kind = kindOfFile(file.model, model);
+        if (kind == FileKind::Scene) {
+            throw FileError(FailureKind::BadData, path.string(),
+                            "its model is a scene file too; name a .bsp or a model: " + file.model.string());
+        }
+        ImportOptions import = loading_.options.import;
+        if (!import.creaseAngle) import.creaseAngle = file.creaseAngle;
+        if (!import.flipTextures) import.flipTextures = file.flipTextures;
+        readModel(loading_, file.model, std::move(model), kind, import);
+
+        Scene& scene = out_.scene;
+        if (file.modelLights) takeModelLights(scene);
+        for (const LightDescription& light : file.lights) putLight(scene, scene.lights.size(), light);
+        static_cast<SceneLook&>(scene) = file;
+        loading_.describedSky = std::exchange(scene.sky, std::nullopt);
+        loading_.begin(LoadPhase::LoadingImages);
+        overrideMaterials(loading_, path, file);
+        hideParts(path, file);
+        for (const EnvironmentFile& environment : file.environments) {
+            if (environment.kind == EnvironmentKind::Parts)
+                addShell(path, environment);
+            else
+                loading_.addFile(environment, loadEnvironment(environment));
+        }
+        scene.activeEnvironment = file.activeEnvironment;
+        readSettings(file);
+        if (file.camera) out_.camera = *file.camera;
+        if (file.cameraFile) {
+            out_.camera = readCameraFile(*file.cameraFile).camera;
+            out_.files.push_back(*file.cameraFile);
+        }
+        loading_.hasCamera = file.camera || file.cameraFile;
+        out_.sceneFile = file;
+    }
+
+  private:
+    void hideParts(const std::filesystem::path& path, const SceneFile& file) {
+        if (file.parts.empty()) return;
+        Scene& scene = out_.scene;
+        const std::vector<NamedPart> parts = namedParts(scene.model);
+        for (const PartDescription& each : file.parts) {
+            std::vector<std::uint8_t> chosen(parts.size());
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                chosen[i] = isNamed(each.pattern, each.number, i, parts[i].name) ? 1 : 0;
+            if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end())
+                out_.warnings.push_back(unusedSection(path, "part", each.pattern, each.number));
+            scene.hiddenParts = withParts(scene.model, parts, chosen, each.hidden, scene.hiddenParts);
+        }
+    }
+
+    /// Where the model has no such parts any more, it is black, so that the numbers of the others stay.
+    void addShell(const std::filesystem::path& path, const EnvironmentFile& environment) {
+        const Model& model = out_.scene.model;
+        std::vector<std::uint8_t> pieces(model.parts.size());
+        const std::vector<NamedPart> parts = namedParts(model);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const bool named = std::ranges::any_of(environment.parts, [&](const std::string& pattern) {
+                return isNamed(pattern, std::nullopt, i, parts[i].name);
+            });
+            for (const std::uint32_t piece : parts[i].pieces) pieces[piece] |= named ? 1U : 0U;
+        }
+        const std::string& name = environment.parts.front();
+        auto shown = pictureOfShell(out_.scene, out_.tree, pieces, name);
+        if (!shown) {
+            out_.warnings.push_back(path.string() +
+                                    ": no parts of the model that show a picture are named \"" + name +
+                                    "\"; that environment is black");
+            shown = Environment::fromEquirectangular(HdrImage(2, 1), name);
+        }
+        addEnvironment(out_.scene, environment, std::move(*shown));
+    }
+
+    /// The .scn's own settings first, then those of the .set that it names, which win.
+    void readSettings(const SceneFile& file) {
+        out_.live = file.live;
+        out_.still = file.still;
+        if (!file.settings) return;
+        const SettingsFile settings = readSettingsFile(*file.settings);
+        out_.files.push_back(*file.settings);
+        out_.live.insert(out_.live.end(), settings.live.begin(), settings.live.end());
+        out_.still.insert(out_.still.end(), settings.still.begin(), settings.still.end());
+    }
+
+    Loading& loading_;
+    LoadedScene& out_;
+};
+
+} // namespace
+
+void readDescribed(Loading& loading, const std::filesystem::path& path) { SceneReading(loading).read(path); }
+
+} // namespace rtcore
