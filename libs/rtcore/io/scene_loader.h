@@ -31,8 +31,10 @@ struct Surroundings {
     /// In place of the scene's sky and of its active environment.
     std::optional<std::filesystem::path> environment = {}; ///< of any shape that openEnvironment() knows
     std::optional<Sky> sky = {};
-    std::optional<Look> look = {}; ///< in place of all of the scene's lights, too; `sky` belongs to Look::Sky
-    Look usual = Look::Headlight;  ///< of models that bring no light; a .scn brings Look::Headlight
+    /// In place of all of the scene's lights, too; `sky` belongs to Look::Sky.
+    std::optional<Look> look = {};
+    /// For models without lights; a .scn asks for Look::Headlight.
+    Look usual = Look::Headlight;
 };
 
 struct LoadOptions {
@@ -73,7 +75,8 @@ struct LoadedScene {
     /// What materials of a model without a .scn are taken for, which the user of the scene is to use and
     /// tell.
     std::vector<MaterialGuess> guesses;
-    std::optional<Look> look; ///< lightBy() it was lit by, with that camera; nothing: light of its own
+    /// By which lightBy() lit it, for that camera; nothing: it has light of its own.
+    std::optional<Look> look;
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };
 

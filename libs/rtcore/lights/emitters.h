@@ -23,8 +23,9 @@ struct EmitterRows {
 /// Which triangles are left to rays that hit them by chance, or hit by none.
 struct EmitterChoice {
     std::span<const std::uint8_t> hidden = {}; ///< by triangle of the model, not 0: it is (hiddenTriangles())
-    std::span<const std::uint8_t> dark = {}; ///< by material, not 0: its emission is seen, but lights nothing
-    bool textures = true;                    ///< as RenderSettings::textures
+    /// By material, not 0: its emission is visible, but lights nothing.
+    std::span<const std::uint8_t> dark = {};
+    bool textures = true; ///< as RenderSettings::textures
 };
 
 /// Immutable once prepared; safe from many threads. About 20 bytes for each emitter. The scene's mesh must

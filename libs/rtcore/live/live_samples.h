@@ -114,8 +114,8 @@ struct LiveLayers {
     LiveSamples own; ///< what surfaces emit and scatter themselves, and the background
     /// What they mirror and let through, as it is before they tint it; undefined where they do not.
     LiveSamples mirrored;
-    PixelArray<std::uint32_t> tints{
-        10};              ///< by sample of `own`: packLight() of SeenPoint::tint; as `mirrored`
+    /// By sample of `own`: packLight() of SeenPoint::tint; undefined where `mirrored` is.
+    PixelArray<std::uint32_t> tints{10};
     bool mirrors = false; ///< false: no surface does, and neither of the last two is kept
 
     /// `mirrors` is to be set before.
