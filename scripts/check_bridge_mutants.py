@@ -20,7 +20,7 @@ MUTANTS = [
          "return false;"),
     ]),
     ("frames: any number is on the way", [
-        ("stream/rate_control.cpp", "return frames < std::min(window(), kLeastWindow + drawn_);",
+        ("stream/rate_control.cpp", "return frames < std::min(window(), kMinWindow + drawn_);",
          "return frames < 1000;"),
     ]),
     ("frames: one is sent twice", [
@@ -34,7 +34,7 @@ MUTANTS = [
          "if (!rate_.windowOpen()) return {};"),
     ]),
     ("frames: the limit of all pages holds nothing back", [
-        ("room/room_stream.cpp", "const bool free = options_.mostBits <= 0 ||",
+        ("room/room_stream.cpp", "const bool free = options_.maxBits <= 0 ||",
          "const bool free = true ||"),
     ]),
     ("stills: those of frames that were not sent begin", [
@@ -86,7 +86,7 @@ MUTANTS = [
          "if (false) throw"),
     ]),
     ("requests: any size is taken", [
-        ("control/requests.cpp", "if (width * height > static_cast<double>(around.limits.maxPixels))",
+        ("control/requests.cpp", "if (width * height > static_cast<double>(context.limits.maxPixels))",
          "if (false)"),
     ]),
     ("requests: heavy edits stay", [
@@ -151,11 +151,11 @@ MUTANTS = [
     ]),
     ("door: parts of messages are not counted", [
         ("net/receiving_limit.h",
-         "if (over_ || (bytes_.take(nowSeconds(), static_cast<double>(count)) && unfinished_ <= mostUnfinished_)) return;",
+         "if (over_ || (bytes_.take(nowSeconds(), static_cast<double>(count)) && unfinished_ <= maxUnfinished_)) return;",
          "return;"),
     ]),
     ("door: a message may never end", [
-        ("net/receiving_limit.h", "&& unfinished_ <= mostUnfinished_",
+        ("net/receiving_limit.h", "&& unfinished_ <= maxUnfinished_",
          ""),
     ]),
     ("door: messages are not counted", [
@@ -167,7 +167,7 @@ MUTANTS = [
          "visitors_ < options_.clients;"),
     ]),
     ("door: whoever came first makes room", [
-        ("net/doorkeeper.cpp", "return static_cast<std::size_t>(most - addresses.begin());",
+        ("net/doorkeeper.cpp", "return static_cast<std::size_t>(busiest - addresses.begin());",
          "return 0;"),
     ]),
     ("door: a close may last for ever", [

@@ -50,8 +50,8 @@ MUTANTS = [
          ";"),
     ]),
     ("bundles: their reach is that of the first vector", [
-        ("bundle-inl.h", "most = hn::Max(most, hn::Load(d, packet.best + at));",
-         "most = hn::Max(most, hn::Load(d, packet.best));"),
+        ("bundle-inl.h", "max = hn::Max(max, hn::Load(d, packet.best + at));",
+         "max = hn::Max(max, hn::Load(d, packet.best));"),
     ]),
     ("bundles: they begin no earlier than their rays", [
         ("bundle_tracer-inl.h", "std::max(interval.lo - slack, 0.0F)",

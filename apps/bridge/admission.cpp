@@ -10,7 +10,7 @@ namespace bridge {
 namespace {
 
 constexpr double kLoadedAgain = 60, kLost = 3600; // seconds
-constexpr std::size_t kMostUsed = 64;
+constexpr std::size_t kMaxUsed = 64;
 
 } // namespace
 
@@ -37,7 +37,7 @@ Admission::Entered Admission::enter(std::string_view token, double now) {
     }
     if (tokens_.lasting || !sameToken(token, tokens_.driver)) return {};
     used_.push_back(std::exchange(tokens_.driver, newToken()));
-    if (used_.size() > kMostUsed) used_.pop_front();
+    if (used_.size() > kMaxUsed) used_.pop_front();
     own_.push_back({newToken(), 1, 0});
     return {own_.back().token, true};
 }

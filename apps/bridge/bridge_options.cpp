@@ -188,9 +188,9 @@ ListenAddress listenOf(const std::optional<std::string>& given) {
     if (host == "localhost") host = "127.0.0.1";
     if (host.find_first_not_of("0123456789") == std::string::npos) throw fail(); // a port alone
     if (!hasPort) return {host, kPort, {}, kPorts};
-    constexpr std::int64_t kMostPort = 65535;
+    constexpr std::int64_t kMaxPort = 65535;
     const auto port = app::parseInteger(given->substr(colon + 1));
-    if (!port || *port < 0 || *port > kMostPort) throw fail();
+    if (!port || *port < 0 || *port > kMaxPort) throw fail();
     return {host, static_cast<std::uint16_t>(*port), {}, 1};
 }
 
@@ -224,9 +224,9 @@ std::vector<std::string> lockedOf(const std::string& list) {
 
 std::optional<int> qualityOf(const std::optional<std::string>& given) {
     if (!given || *given == "auto") return {};
-    constexpr std::int64_t kLeast = 50, kMost = 95;
+    constexpr std::int64_t kMin = 50, kMax = 95;
     const auto quality = app::parseInteger(*given);
-    if (!quality || *quality < kLeast || *quality > kMost)
+    if (!quality || *quality < kMin || *quality > kMax)
         throw app::UsageError("option '--quality' takes auto or 50 to 95, not '" + *given + "'");
     return static_cast<int>(*quality);
 }
@@ -286,7 +286,7 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.limits.maxPixels = arguments.integer("max-pixels").value_or(options.limits.maxPixels);
     options.viewOnly = arguments.has("view-only");
     options.clients = static_cast<std::size_t>(arguments.integer("clients").value_or(64));
-    options.stream.mostBits = 1e6 * arguments.number("max-mbit").value_or(0);
+    options.stream.maxBits = 1e6 * arguments.number("max-mbit").value_or(0);
     options.stream.quality = qualityOf(arguments.text("quality"));
     options.watch = arguments.has("watch");
     options.stream.pingSeconds = arguments.number("ping").value_or(kPingSeconds);

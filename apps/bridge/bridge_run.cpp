@@ -26,9 +26,9 @@ namespace bridge {
 namespace {
 
 std::string socketPathFor(const std::string& instance) {
-    constexpr std::size_t kMostPath = 107;
+    constexpr std::size_t kMaxPath = 107;
     std::string path = app::privateRuntimeFolder("rts") + "/" + instance + ".web";
-    if (path.size() > kMostPath)
+    if (path.size() > kMaxPath)
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path,
                                 "the path of the socket is too long; set XDG_RUNTIME_DIR to a shorter one");
     return path;

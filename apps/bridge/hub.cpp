@@ -27,7 +27,7 @@ Hub::Hub(const BridgeOptions& options, const Tokens& tokens, RoomServices servic
                {"lightKinds", lightKindsJson()}}),
       began_(services_.clock.seconds()) {
     StreamOptions stream = options.stream;
-    stream.mostBits /= static_cast<double>(options.instances.size());
+    stream.maxBits /= static_cast<double>(options.instances.size());
     for (const std::string& name : options.instances)
         rooms_.push_back(std::make_unique<Room>(name, options.limits, stream, services_));
     rungs_ = json::array();
@@ -98,10 +98,10 @@ Room* Hub::room(const std::string& name) {
 }
 
 std::string Hub::instanceList() const {
-    constexpr std::size_t kMostReason = 120; // of a close
+    constexpr std::size_t kMaxReason = 120; // of a close
     std::string list;
     for (const auto& each : rooms_)
-        if (list.size() + 1 + each->instance().size() <= kMostReason)
+        if (list.size() + 1 + each->instance().size() <= kMaxReason)
             list += (list.empty() ? "" : " ") + each->instance();
     return list;
 }
@@ -118,7 +118,7 @@ json Hub::welcome(const Room& room, const Entrance& entrance, Right right) const
                  {"mayDrive", right == Right::Drive},
                  {"limits",
                   {{"maxPixels", options_.limits.maxPixels},
-                   {"lights", kMostLights},
+                   {"lights", kMaxLights},
                    {"message", kMessage},
                    {"requests", kRequests},
                    {"heartbeat", InputState::kHeartbeat * kMs}}},

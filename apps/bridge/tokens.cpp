@@ -15,11 +15,11 @@ namespace bridge {
 namespace {
 
 bool isToken(const std::string& text) {
-    constexpr std::size_t kLeast = 22, kMost = 128;
+    constexpr std::size_t kMin = 22, kMax = 128;
     const bool plain =
         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_") ==
         std::string::npos;
-    return plain && text.size() >= kLeast && text.size() <= kMost;
+    return plain && text.size() >= kMin && text.size() <= kMax;
 }
 
 /// What the file holds takes the place of `tokens`; where there is none they are written to it.

@@ -26,11 +26,11 @@ PageView viewOf(const json& message) {
     const auto found = message.find("view");
     if (found == message.end() || !found->is_object()) return view;
     const auto side = [&](const char* key) {
-        constexpr double kMost = 32767;
+        constexpr double kMax = 32767;
         const auto value = found->find(key);
         if (value == found->end() || !value->is_number()) return 0;
         const auto pixels = value->get<double>();
-        return pixels >= 1 && pixels <= kMost ? static_cast<int>(pixels) : 0;
+        return pixels >= 1 && pixels <= kMax ? static_cast<int>(pixels) : 0;
     };
     view.width = side("w");
     view.height = side("h");

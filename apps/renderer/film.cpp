@@ -17,9 +17,9 @@ namespace {
 
 // The last words of a program: its reason stands there, and what comes before is often long.
 std::string lastWords(std::string text) {
-    constexpr std::size_t kMost = 400;
+    constexpr std::size_t kMax = 400;
     while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-    if (text.size() > kMost) text = "..." + text.substr(text.size() - kMost);
+    if (text.size() > kMax) text = "..." + text.substr(text.size() - kMax);
     for (char& c : text) {
         if (c == '\n' || c == '\r') c = ' ';
     }

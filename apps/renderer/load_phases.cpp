@@ -83,8 +83,8 @@ class PhaseWatch {
 
 /// Glass that light passes unbent, since it bounds no solid.
 void tellOpenGlass(const std::vector<rtcore::OpenGlass>& open, app::Progress& progress) {
-    constexpr std::size_t kMost = 10;
-    for (std::size_t i = 0; i < std::min(open.size(), kMost); ++i) {
+    constexpr std::size_t kMax = 10;
+    for (std::size_t i = 0; i < std::min(open.size(), kMax); ++i) {
         const rtcore::OpenGlass& glass = open[i];
         progress.print(fmt::format(
             "the glass of {} is open (edges that do not join two triangles: {}): light passes it unbent, as "
@@ -92,8 +92,8 @@ void tellOpenGlass(const std::vector<rtcore::OpenGlass>& open, app::Progress& pr
             glass.part.empty() ? "a part without a name" : fmt::format("\"{}\"", glass.part),
             glass.openEdges));
     }
-    if (open.size() > kMost)
-        progress.print(fmt::format("the glass of {} other parts is open, too", open.size() - kMost));
+    if (open.size() > kMax)
+        progress.print(fmt::format("the glass of {} other parts is open, too", open.size() - kMax));
 }
 
 } // namespace
@@ -115,14 +115,14 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     load.import = options.import;
     load.import.stop = &watch.stopImport;
     load.model = options.model;
-    load.surroundings = options.surroundings;
+    load.lighting = options.lighting;
     load.primaryRays = knownRays(options);
     load.onPhase = [&](rtcore::LoadPhase phase) { watch.enter(phase); };
     const auto giveUp = [&] { progress.end(false); };
     try {
         rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
         for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
-        const std::string guess = app::guessText(loaded.frame);
+        const std::string guess = app::guessText(loaded.units);
         const bool forPeople =
             options.progress != app::ProgressStyle::None && options.progress != app::ProgressStyle::Json;
         if (!guess.empty() && forPeople) progress.print(options.scene.filename().string() + ": " + guess);

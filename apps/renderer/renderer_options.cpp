@@ -4,8 +4,8 @@
 #include "common/cli/isa_option.h"
 #include "common/cli/parent_option.h"
 #include "common/cli/threads_option.h"
+#include "common/settings/lighting_options.h"
 #include "common/settings/setting_option.h"
-#include "common/settings/surroundings_options.h"
 
 #include <algorithm>
 #include <charconv>
@@ -155,7 +155,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
-    options.surroundings = app::readSurroundings(arguments);
+    options.lighting = app::readLightingOptions(arguments);
     options.selection = app::readSelection(arguments);
     options.aovs = arguments.has("aovs");
     options.verbose = arguments.has("verbose");

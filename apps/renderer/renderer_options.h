@@ -41,7 +41,7 @@ struct RendererOptions {
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;
-    rtcore::Surroundings surroundings;
+    rtcore::LightingOptions lighting;
     app::Selection selection;
     bool aovs = false; ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;

@@ -5,9 +5,9 @@
 #include "common/cli/file_notes.h"
 #include "common/cli/import_option_group.h"
 #include "common/cli/isa_option.h"
+#include "common/cli/lighting_option_group.h"
 #include "common/cli/parent_option.h"
 #include "common/cli/selection_option_group.h"
-#include "common/cli/surroundings_option_group.h"
 #include "common/cli/threads_option.h"
 #include "common/progress/progress.h"
 #include "common/settings/setting_option.h"
@@ -239,7 +239,7 @@ const app::ProgramSpec& rendererSpec() {
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
         .groups = {outputOptions(), sequenceOptions(), qualityOptions(), previewOptions(), runOptions(),
-                   app::surroundingsOptionGroup(), app::selectionOptionGroup(), app::importOptionGroup()},
+                   app::lightingOptionGroup(), app::selectionOptionGroup(), app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
                       "one image, 3 x 3 samples per pixel"},
                      {"Renderer cow.obj -o cow.png -o cow.exr",

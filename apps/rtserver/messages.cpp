@@ -16,7 +16,7 @@ namespace rtserver {
 namespace {
 
 constexpr std::size_t kLongest = 4000;
-constexpr std::size_t kMostKept = 100, kLongestKept = 500; ///< all fit into one answer
+constexpr std::size_t kMaxKept = 100, kLongestKept = 500; ///< all fit into one answer
 constexpr auto kSayEvery = std::chrono::seconds(1);
 
 } // namespace
@@ -58,7 +58,7 @@ void Messages::tell(const std::string& text) { keep("event", text); }
 void Messages::keep(const char* kind, const std::string& text) {
     kept_.push_back(
         fmt::format("{} {} {}", ++count_, kind, rtcore::printable(rtcore::printable(text), kLongestKept)));
-    if (kept_.size() > kMostKept) kept_.pop_front();
+    if (kept_.size() > kMaxKept) kept_.pop_front();
 }
 
 std::string Messages::since(std::uint32_t known) const {

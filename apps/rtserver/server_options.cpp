@@ -4,11 +4,11 @@
 #include "common/cli/import_options.h"
 #include "common/cli/instance_option.h"
 #include "common/cli/isa_option.h"
+#include "common/cli/lighting_option_group.h"
 #include "common/cli/selection_option_group.h"
-#include "common/cli/surroundings_option_group.h"
 #include "common/cli/threads_option.h"
+#include "common/settings/lighting_options.h"
 #include "common/settings/setting_option.h"
-#include "common/settings/surroundings_options.h"
 
 #include "ipc/endpoint/instances.h"
 #include "ipc/layout/limits.h"
@@ -137,7 +137,7 @@ const app::ProgramSpec& serverSpec() {
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
-        .groups = {viewOptions(), runOptions(), app::surroundingsOptionGroup(), app::selectionOptionGroup(),
+        .groups = {viewOptions(), runOptions(), app::lightingOptionGroup(), app::selectionOptionGroup(),
                    app::importOptionGroup()},
         .examples = {{"RTServer nave.scn --resolution=1280x720 --daemon", "a server in the background"},
                      {"RTServer cow.obj --instance=cow",
@@ -168,7 +168,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.frameSeconds = arguments.number("frame-time").value_or(options.daemon ? kInteractive : 0) * 1e-3;
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
-    options.surroundings = app::readSurroundings(arguments);
+    options.lighting = app::readLightingOptions(arguments);
     options.selection = app::readSelection(arguments);
     options.import.threads = options.threads;
     return options;

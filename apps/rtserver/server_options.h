@@ -28,8 +28,8 @@ struct Options {
     std::optional<std::int64_t> parent; ///< when this process is gone, end as soon as no client is connected
     bool daemon = false;
     rtcore::ImportOptions import;
-    rtcore::Surroundings surroundings; ///< of the first scene
-    app::Selection selection;          ///< the same
+    rtcore::LightingOptions lighting; ///< of the first scene
+    app::Selection selection;         ///< the same
 };
 
 const app::ProgramSpec& serverSpec();

@@ -212,9 +212,8 @@ class Bench {
         times.seconds.fill(1e30);
         return times;
     }
-    static void keepLeast(StageTimes& least, const StageTimes& times) {
-        for (std::size_t i = 0; i < kStages; ++i)
-            least.seconds[i] = std::min(least.seconds[i], times.seconds[i]);
+    static void keepMin(StageTimes& min, const StageTimes& times) {
+        for (std::size_t i = 0; i < kStages; ++i) min.seconds[i] = std::min(min.seconds[i], times.seconds[i]);
     }
 
     static void printStages(const char* what, const StageTimes& t) {
@@ -239,7 +238,7 @@ class Bench {
                 bestWall, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
             renderer_.measureStages(true);
             const double seconds = render(tracer_, options_.threads);
-            keepLeast(stages, renderer_.stageTimes());
+            keepMin(stages, renderer_.stageTimes());
             best = std::min(best, seconds);
             bestExposure = std::min(bestExposure, exposure());
             bestDevelop = std::min(bestDevelop, develop());
@@ -268,7 +267,7 @@ class Bench {
         for (int i = 0; i < options_.frames; ++i) {
             replay_.rewind(false);
             const double seconds = render(replay_, 1);
-            keepLeast(stages, renderer_.stageTimes());
+            keepMin(stages, renderer_.stageTimes());
             best = std::min(best, seconds);
             bestExposure = std::min(bestExposure, exposure());
             bestDevelop = std::min(bestDevelop, develop());

@@ -30,7 +30,7 @@ using rtcore::KdTree;
 struct Options {
     std::vector<std::string> models;
     rtbench::ViewFile views;
-    std::vector<double> shares{0.1, 0.5, 0.9};
+    std::vector<double> fractions{0.1, 0.5, 0.9};
     int size = 512; ///< pixels of a side of the image
 };
 
@@ -43,14 +43,14 @@ double millisecondsOf(Work&& work) {
 }
 
 /// The first parts of a random order, by number.
-rtcore::HiddenParts hideSome(const rtcore::Model& model, double share) {
+rtcore::HiddenParts hideSome(const rtcore::Model& model, double fraction) {
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(model);
     std::vector<std::size_t> order(parts.size());
     std::iota(order.begin(), order.end(), 0);
     test::Random random(7);
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.index(i)]);
     std::vector<std::uint8_t> chosen(parts.size());
-    const auto count = static_cast<std::size_t>(share * static_cast<double>(parts.size()) + 0.5);
+    const auto count = static_cast<std::size_t>(fraction * static_cast<double>(parts.size()) + 0.5);
     for (std::size_t i = 0; i < count; ++i) chosen[order[i]] = 1;
     return withParts(model, parts, chosen, true, nullptr);
 }
@@ -64,11 +64,11 @@ std::vector<std::uint32_t> bitsOf(const std::vector<std::uint8_t>& hidden) {
 /// What is left of a model, by each of the three.
 class Hiding {
   public:
-    Hiding(const rtcore::LoadedScene& loaded, double share) : loaded_(loaded) {
+    Hiding(const rtcore::LoadedScene& loaded, double fraction) : loaded_(loaded) {
         const rtcore::Mesh& mesh = loaded.scene.mesh();
         std::vector<std::uint8_t> hidden;
         const double mask = millisecondsOf(
-            [&] { hidden = hiddenTriangles(loaded.scene.model, hideSome(loaded.scene.model, share)); });
+            [&] { hidden = hiddenTriangles(loaded.scene.model, hideSome(loaded.scene.model, fraction)); });
         const auto left = std::count(hidden.begin(), hidden.end(), 0);
         auto whole = std::make_unique<KdRayTracer>(loaded.tree, mesh, chooseLeafRecords(loaded.tree, 0));
         const double prune = millisecondsOf([&] { pruned_ = visibleTree(loaded.tree, hidden); });
@@ -84,7 +84,7 @@ class Hiding {
         std::printf(
             "  %.0f %% of the parts hidden, %td triangles left; ready after: mask %.1f ms, pruned %.1f "
             "(tree %.1f, tracer %.1f), anew %.1f (tree %.1f, tracer %.1f)\n",
-            share * 100, left, mask + bits, mask + prune + prunedTracer, prune, prunedTracer,
+            fraction * 100, left, mask + bits, mask + prune + prunedTracer, prune, prunedTracer,
             mask + build + anewTracer, build, anewTracer);
     }
 
@@ -143,7 +143,7 @@ Options parse(int argc, char** argv) {
         } else if (word == "--size" && i + 1 < argc) {
             options.size = std::max(1, std::atoi(argv[++i]) / 4) * 4;
         } else if (word == "--hidden" && i + 1 < argc) {
-            options.shares = numbersOf(argv[++i]);
+            options.fractions = numbersOf(argv[++i]);
         } else {
             options.models.push_back(word);
         }
@@ -157,7 +157,7 @@ void measure(const std::string& model, const Options& options) {
                 rtcore::namedParts(loaded.scene.model).size());
     std::vector<rtbench::BenchView> views = options.views.viewsOf(model);
     if (views.empty()) views.push_back(rtbench::makeView(loaded));
-    for (const double share : options.shares) Hiding(loaded, share).race(views, options.size);
+    for (const double fraction : options.fractions) Hiding(loaded, fraction).race(views, options.size);
 }
 
 } // namespace

@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 using ipc::Clock;
 
 constexpr std::uint32_t kWidth = 1920, kHeight = 1080;
-constexpr double kMostForCommand = 50, kMostForFrame = 2000; // microseconds, medians
+constexpr double kMaxForCommand = 50, kMaxForFrame = 2000; // microseconds, medians
 constexpr std::size_t kFrameBytes = 4u * kWidth * kHeight;
 
 double microseconds(Clock::duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
@@ -172,9 +172,9 @@ void idle() {
     std::printf("an idle server takes %.3f%% of a core\n", (cpuMicroseconds() - start) / 3e6 * 100);
 }
 
-bool within(const char* what, double median, double most) {
-    if (median <= most) return true;
-    std::fprintf(stderr, "bench_ipc: %s takes %.0f us, more than %.0f\n", what, median, most);
+bool within(const char* what, double median, double max) {
+    if (median <= max) return true;
+    std::fprintf(stderr, "bench_ipc: %s takes %.0f us, more than %.0f\n", what, median, max);
     return false;
 }
 
@@ -191,8 +191,8 @@ int main(int count, char** words) {
         frames();
         const double frame = frameLatency();
         if (guard) {
-            const bool quick = within("a command with its answer", command, kMostForCommand);
-            return within("a frame from server to client", frame, kMostForFrame) && quick ? 0 : 1;
+            const bool quick = within("a command with its answer", command, kMaxForCommand);
+            return within("a frame from server to client", frame, kMaxForFrame) && quick ? 0 : 1;
         }
         crowd();
         idle();

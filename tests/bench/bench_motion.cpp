@@ -67,8 +67,8 @@ void measure(const World& world, int walks, bool still) {
     }
     if (all.empty()) return;
     std::sort(all.begin(), all.end());
-    const auto quantile = [&](double share) {
-        return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+    const auto quantile = [&](double fraction) {
+        return all[static_cast<std::size_t>(fraction * static_cast<double>(all.size() - 1))];
     };
     std::printf("%-8s %8zu steps: median %.1f us, 99%% %.1f us, 99.9%% %.1f us, worst %.1f us\n",
                 still ? "standing" : "walking", all.size(), quantile(0.5), quantile(0.99), quantile(0.999),
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
         rtcore::LoadedScene scene = rtcore::loadScene(argv[1]);
         const double given = argc > 2 ? std::atof(argv[2]) : 0;
         const rtcore::Vec3 up = scene.scene.up;
-        const double unit = given > 0 ? given : double{scene.frame.metresPerUnit};
+        const double unit = given > 0 ? given : double{scene.units.metresPerUnit};
         const World world{std::move(scene), rtcore::WorldFrame(up, unit), rtcore::WalkShape()};
         std::printf("%zu triangles, %g metres per unit\n", world.scene.scene.mesh().triangles.size(), unit);
         const int walks = argc > 3 ? std::atoi(argv[3]) : 200;

@@ -16,13 +16,13 @@ using namespace rtcore;
 
 /// Milliseconds of processor time: other work on the machine does not count.
 double best(int turns, auto&& work) {
-    double least = 1e9;
+    double min = 1e9;
     for (int i = 0; i < turns; ++i) {
         const std::clock_t start = std::clock();
         work();
-        least = std::min(least, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+        min = std::min(min, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
-    return least;
+    return min;
 }
 
 HdrImage noise(int width, int height) {

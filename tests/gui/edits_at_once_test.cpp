@@ -49,8 +49,8 @@ class EditsAtOnce : public test::WindowFixture {
         std::filesystem::remove(folder() / "shown.scn");
         return all;
     }
-    QString number(int least, int most) {
-        return QString::number(std::uniform_int_distribution<int>(least, most)(random_));
+    QString number(int min, int max) {
+        return QString::number(std::uniform_int_distribution<int>(min, max)(random_));
     }
     QString oneOf(const QStringList& words) {
         return words[std::uniform_int_distribution<qsizetype>(0, words.size() - 1)(random_)];

@@ -218,7 +218,7 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
     ASSERT_GT(difference(live[0], live[1]), 100000);
 
     std::mt19937 random(7);
-    const auto upTo = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most + 1)); };
+    const auto upTo = [&](int max) { return static_cast<int>(random() % static_cast<unsigned>(max + 1)); };
     int shown = 0, old = 0;
     qint64 memory = 0;
     std::size_t here = 1;

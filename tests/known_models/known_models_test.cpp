@@ -60,7 +60,7 @@ rtcore::LoadedScene load(const fs::path& path) {
 /// Of the model with the truth's up axis and the guess's unit.
 double heightOf(const rtcore::LoadedScene& scene, rtcore::Vec3 up) {
     const double units = std::fabs(double{dot(scene.tree.bounds.size(), up)});
-    return units * double{scene.frame.metresPerUnit};
+    return units * double{scene.units.metresPerUnit};
 }
 
 struct Count {
@@ -71,7 +71,7 @@ void check(const KnownModel& model, const fs::path& path, Count& count) {
     const rtcore::LoadedScene scene = load(path);
     const rtcore::Vec3 up = rtcore::axisNamed(model.up).value();
     const double height = heightOf(scene, up);
-    const bool rightUp = scene.frame.up == up;
+    const bool rightUp = scene.units.up == up;
     const bool right = rightUp && std::fabs(std::log(height / model.height)) < std::log(1.5);
     ++count.models;
     count.up += rightUp ? 1 : 0;
@@ -79,8 +79,8 @@ void check(const KnownModel& model, const fs::path& path, Count& count) {
     count.told += model.told ? 1 : 0;
     count.toldRight += model.told && right ? 1 : 0;
     std::printf("%s %-28s %s %8.4g m, true %s %8.4g m: %s\n", right ? "right" : "WRONG", model.file.c_str(),
-                std::string(rtcore::axisName(scene.frame.up)).c_str(), height, model.up.c_str(), model.height,
-                rtcore::describe(scene.frame).c_str());
+                std::string(rtcore::axisName(scene.units.up)).c_str(), height, model.up.c_str(), model.height,
+                rtcore::describe(scene.units).c_str());
 }
 
 TEST(KnownModels, TheListIsAsItWasMeant) {

@@ -66,7 +66,7 @@ rtcore::LoadedScene load(const Stranger& stranger) {
         options.import.up = stranger.up;
         options.import.metresPerUnit = stranger.metresPerUnit;
     }
-    options.surroundings.usual = rtcore::Look::Sky;
+    options.lighting.usual = rtcore::LightingPreset::Sky;
     return rtcore::loadScene(stranger.path, options);
 }
 
@@ -151,8 +151,8 @@ bool isInside(const rtcore::LoadedScene& scene) {
 void expectGoodView(const Stranger& stranger) {
     const rtcore::LoadedScene scene = load(stranger);
     const bool inside = isInside(scene);
-    EXPECT_EQ(scene.frame.up, stranger.up);
-    EXPECT_FLOAT_EQ(scene.frame.metresPerUnit, static_cast<float>(stranger.metresPerUnit));
+    EXPECT_EQ(scene.units.up, stranger.up);
+    EXPECT_FLOAT_EQ(scene.units.metresPerUnit, static_cast<float>(stranger.metresPerUnit));
     EXPECT_EQ(scene.ownCamera, stranger.where == "own");
     if (stranger.where == "own") return;
     if (stranger.where != "any") {

@@ -33,26 +33,25 @@ class Obstacles {
         return some;
     }
 
-    /// The least distance of a triangle from `line`; at most `most`.
-    double clearance(const rtcore::UprightLine& line, double most) const {
+    /// The least distance of a triangle from `line`; at most `max`.
+    double clearance(const rtcore::UprightLine& line, double max) const {
         const rtcore::Box3d near =
-            rtcore::Box3d{line.foot, line.foot + rtcore::Vec3d{0, 0, line.height}}.grown(most);
-        double least = most;
+            rtcore::Box3d{line.foot, line.foot + rtcore::Vec3d{0, 0, line.height}}.grown(max);
+        double min = max;
         for (const rtcore::SolidTriangle& t : triangles_) {
-            if (t.box.overlaps(near)) least = std::min(least, separate(line, t).distance);
+            if (t.box.overlaps(near)) min = std::min(min, separate(line, t).distance);
         }
-        return least;
+        return min;
     }
 
     /// The same while the line moves straight to `foot`, to within `error`: in steps in which no distance can
     /// fall by more than that.
-    double clearanceOnTheWay(rtcore::UprightLine line, rtcore::Vec3d foot, double most, double error) const {
+    double clearanceOnTheWay(rtcore::UprightLine line, rtcore::Vec3d foot, double max, double error) const {
         const rtcore::Vec3d from = line.foot, way = foot - from;
         const double whole = length(way);
         const rtcore::Box3d swept =
-            rtcore::Box3d{least(from, foot), greatest(from, foot) + rtcore::Vec3d{0, 0, line.height}}.grown(
-                most);
-        double result = most;
+            rtcore::Box3d{minOf(from, foot), maxOf(from, foot) + rtcore::Vec3d{0, 0, line.height}}.grown(max);
+        double result = max;
         for (const rtcore::SolidTriangle& t : triangles_) {
             if (!t.box.overlaps(swept)) continue;
             for (double gone = 0; gone <= whole;) {
@@ -66,14 +65,14 @@ class Obstacles {
     }
 
   private:
-    static rtcore::Vec3d least(rtcore::Vec3d a, rtcore::Vec3d b) {
+    static rtcore::Vec3d minOf(rtcore::Vec3d a, rtcore::Vec3d b) {
         return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
     }
-    static rtcore::Vec3d greatest(rtcore::Vec3d a, rtcore::Vec3d b) {
+    static rtcore::Vec3d maxOf(rtcore::Vec3d a, rtcore::Vec3d b) {
         return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
     }
     static rtcore::Box3d boxOf(rtcore::Vec3d a, rtcore::Vec3d b, rtcore::Vec3d c) {
-        return {least(least(a, b), c), greatest(greatest(a, b), c)};
+        return {minOf(minOf(a, b), c), maxOf(maxOf(a, b), c)};
     }
 
     std::vector<rtcore::SolidTriangle> triangles_;

@@ -10,7 +10,7 @@
 namespace test {
 
 /// In [0, 1].
-inline double share(Random& random) { return double{random.number(0, 1)}; }
+inline double fraction(Random& random) { return double{random.number(0, 1)}; }
 
 class RandomKeys {
   public:
@@ -18,8 +18,8 @@ class RandomKeys {
 
     /// Of the next step.
     rtcore::WalkInput next() {
-        if (random_.index(20) == 0) angle_ = 6.28 * share(random_);
-        angle_ += 0.02 * (share(random_) - 0.5);
+        if (random_.index(20) == 0) angle_ = 6.28 * fraction(random_);
+        angle_ += 0.02 * (fraction(random_) - 0.5);
         toggle(input_.jump, 15);
         toggle(input_.crouch, 60);
         toggle(input_.crawl, 60);

@@ -29,9 +29,9 @@ class SampleModel {
 
   private:
     float number(float lo, float hi) {
-        const auto share =
+        const auto fraction =
             static_cast<float>(random_() >> 8U) / 16777216.0F; // equal on every standard library
-        return lo + (hi - lo) * share;
+        return lo + (hi - lo) * fraction;
     }
     rtcore::Vec3 vector(float size) {
         return {number(-size, size), number(-size, size), number(-size, size)};

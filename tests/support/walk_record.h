@@ -85,7 +85,7 @@ class WalkJudge {
 
   private:
     static constexpr std::size_t kTogether = 20;
-    static constexpr double kMostOfEye = 0.2, kError = 0.005;
+    static constexpr double kMaxOfEye = 0.2, kError = 0.005;
 
     rtcore::UprightLine core(rtcore::Vec3d feet, double height) const {
         return {feet + rtcore::Vec3d{0, 0, reach_}, std::max(0.0, height - 2 * reach_)};
@@ -103,18 +103,18 @@ class WalkJudge {
             for (const rtcore::Vec3d p : moments[i].trail) extend(p);
             extend(moments[i].feet + rtcore::Vec3d{0, 0, moments[i].height});
         }
-        return box.grown(reach_ + kMostOfEye);
+        return box.grown(reach_ + kMaxOfEye);
     }
 
     void look(const Obstacles& near, const WalkMoment& before, const WalkMoment& now, std::size_t tick,
               Random& random, WalkClearance& result) const {
-        const auto note = [tick](double clearance, double& least, std::size_t& when) {
-            if (clearance >= least) return;
-            least = clearance;
+        const auto note = [tick](double clearance, double& min, std::size_t& when) {
+            if (clearance >= min) return;
+            min = clearance;
             when = tick;
         };
         note(near.clearance(core(now.feet, now.height), reach_), result.atEnds, result.endsTick);
-        note(near.clearance({now.eye, 0}, kMostOfEye), result.ofEye, result.eyeTick);
+        note(near.clearance({now.eye, 0}, kMaxOfEye), result.ofEye, result.eyeTick);
         if (now.putBack) return;
         // Which of the two heights a part of the step had is not known.
         const double height = std::min(before.height, now.height);
@@ -127,8 +127,8 @@ class WalkJudge {
                  result.onTheWay, result.wayTick);
             from = to;
         }
-        const rtcore::Vec3d drawn = before.eye + (now.eye - before.eye) * share(random);
-        note(near.clearance({drawn, 0}, kMostOfEye), result.ofEye, result.eyeTick);
+        const rtcore::Vec3d drawn = before.eye + (now.eye - before.eye) * fraction(random);
+        note(near.clearance({drawn, 0}, kMaxOfEye), result.ofEye, result.eyeTick);
     }
 
     const Obstacles& all_;

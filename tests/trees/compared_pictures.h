@@ -35,7 +35,7 @@ inline Picture pictureOf(const rtcore::Scene& scene, const rtcore::RayTracer& tr
 }
 
 /// 0..1: of the image that shows surfaces.
-inline double coveredShare(const rtcore::Frame& frame) {
+inline double coveredFraction(const rtcore::Frame& frame) {
     double sum = 0;
     for (const std::uint8_t covered : frame.covered) sum += covered;
     return sum / (255.0 * static_cast<double>(frame.covered.size()));

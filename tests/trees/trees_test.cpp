@@ -117,7 +117,7 @@ class Trees : public testing::TestWithParam<Place> {
         RenderSettings settings = pictureSettings();
         settings.skyLight = {.on = number % 2 == 1, .samples = 5}; // in place of ambient occlusion
         const test::Picture expected = picture(exact.tracer, camera, settings);
-        totals.covered += test::coveredShare(expected.frame);
+        totals.covered += test::coveredFraction(expected.frame);
         totals.rays.add(expected.frame.statistics);
         for (std::size_t k = 0; k < fast.size(); ++k) {
             const test::Picture found = picture(fast[k].tracer, camera, settings);

@@ -16,9 +16,9 @@ namespace test {
 /// Answers by one tree, and prints the rays that another answers differently. Safe from many threads.
 class WitnessTracer final : public rtcore::RayTracer {
   public:
-    /// Both must outlive it. At most `most` rays are printed.
-    WitnessTracer(const rtcore::RayTracer& tracer, const rtcore::RayTracer& other, int most)
-        : tracer_(tracer), other_(other), left_(most) {}
+    /// Both must outlive it. At most `max` rays are printed.
+    WitnessTracer(const rtcore::RayTracer& tracer, const rtcore::RayTracer& other, int max)
+        : tracer_(tracer), other_(other), left_(max) {}
 
     void intersect(rtcore::RayKind kind, const rtcore::RayWave& rays, rtcore::HitWave& hits) const override {
         rtcore::HitWave others;

@@ -84,8 +84,8 @@ class SceneWalk : public testing::TestWithParam<Place> {
 
     Vec3d anywhere(test::Random& random) const {
         const Vec3d lo = GetParam().lo, size = GetParam().hi - lo;
-        const double x = test::share(random), y = test::share(random);
-        return lo + Vec3d{size.x * x, size.y * y, size.z * test::share(random)};
+        const double x = test::fraction(random), y = test::fraction(random);
+        return lo + Vec3d{size.x * x, size.y * y, size.z * test::fraction(random)};
     }
 
     void walkAtRandom(int count);
@@ -104,7 +104,7 @@ void SceneWalk::walkAtRandom(int count) {
     const test::Obstacles all(mesh(), frame());
     const test::WalkJudge judge(all, shape());
     int walked = 0, putBack = 0, lost = 0, refused = 0, wrong = 0;
-    test::WalkClearance least;
+    test::WalkClearance min;
     int places = 0;
     for (int walk = 0; walked < count && walk < 2 * count && wrong < kEnough; ++walk) {
         ++places;
@@ -126,14 +126,14 @@ void SceneWalk::walkAtRandom(int count) {
         const bool failed = clearance.atEnds < shape().radius - 1e-9 ||
                             clearance.onTheWay < shape().radius - 0.005 || clearance.ofEye < 0.05;
         wrong += failed ? 1 : 0;
-        least.atEnds = std::min(least.atEnds, clearance.atEnds);
-        least.onTheWay = std::min(least.onTheWay, clearance.onTheWay);
-        least.ofEye = std::min(least.ofEye, clearance.ofEye);
+        min.atEnds = std::min(min.atEnds, clearance.atEnds);
+        min.onTheWay = std::min(min.onTheWay, clearance.onTheWay);
+        min.ofEye = std::min(min.ofEye, clearance.ofEye);
     }
     std::printf("%s: %d walks of %d places; put back %d times, lost %d, refused steps %d, wrong %d; least "
                 "clearance %.9f, on the way %.6f, of the eye %.4f\n",
-                GetParam().name, walked, places, putBack, lost, refused, wrong, least.atEnds, least.onTheWay,
-                least.ofEye);
+                GetParam().name, walked, places, putBack, lost, refused, wrong, min.atEnds, min.onTheWay,
+                min.ofEye);
     EXPECT_EQ(walked, count);
 }
 
@@ -250,7 +250,7 @@ void SceneWalk::pressOnAnywhere(int count) {
         rtcore::Walker walker(tree(), mesh(), frame(), shape());
         if (!walker.enter(anywhere(random))) continue;
         rtcore::WalkInput input;
-        const double angle = 6.28 * test::share(random);
+        const double angle = 6.28 * test::fraction(random);
         input.ahead = {std::sin(angle), std::cos(angle), 0};
         bool inWorld = true;
         for (int i = 0; i < kTicks && inWorld; ++i) inWorld = walker.tick({}); // he falls first

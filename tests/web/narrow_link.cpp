@@ -125,7 +125,7 @@ NarrowLink::~NarrowLink() {
 void NarrowLink::run() {
     std::list<Connection> connections;
     Way there, back;
-    const std::size_t most = kMemory + static_cast<std::size_t>(rate_ * delay_);
+    const std::size_t max = kMemory + static_cast<std::size_t>(rate_ * delay_);
     while (!stopping_) {
         pollfd waiting{listener_, POLLIN, 0};
         if (::poll(&waiting, 1, 1) > 0) {
@@ -141,7 +141,7 @@ void NarrowLink::run() {
         for (Connection& one : connections)
             for (const auto& [stream, way] : {std::pair(&one.there, &there), std::pair(&one.back, &back)}) {
                 stream->give(*way);
-                for (std::size_t before = 1; before != way->held && way->held < most && !stream->ended;) {
+                for (std::size_t before = 1; before != way->held && way->held < max && !stream->ended;) {
                     before = way->held;
                     stream->take(*way, rate_, delay_);
                 }

@@ -52,8 +52,8 @@ class CameraWatch {
     static constexpr int kFrames = 5;
     static constexpr std::uint32_t kFlying = 0;
     double quietSeconds() const {
-        constexpr double kLeast = 5, kFrameTimes = 4;
-        return std::max(kLeast, kFrameTimes * last_.frameSeconds);
+        constexpr double kMin = 5, kFrameTimes = 4;
+        return std::max(kMin, kFrameTimes * last_.frameSeconds);
     }
 
     ipc::Status last_;

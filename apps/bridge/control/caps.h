@@ -11,14 +11,14 @@
 
 namespace bridge {
 
-inline double mostOf(const rtcore::Setting& setting) {
+inline double maxOf(const rtcore::Setting& setting) {
     return std::min(setting.browser.maximum, setting.maximum);
 }
-inline double leastOf(const rtcore::Setting& setting) {
+inline double minOf(const rtcore::Setting& setting) {
     return std::max(setting.browser.minimum, setting.minimum);
 }
 
-inline constexpr std::size_t kMostLights = 64; ///< no page adds one beyond them
+inline constexpr std::size_t kMaxLights = 64; ///< no page adds one beyond them
 
 struct Limits {
     std::int64_t maxPixels = 1920 * 1080;

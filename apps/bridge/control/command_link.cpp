@@ -260,9 +260,9 @@ void CommandLink::State::sendTurn() {
         std::swap(byUp, up);
     }
     if (byRight == 0 && byUp == 0) return;
-    constexpr double kMost = 360;
+    constexpr double kMax = 360;
     turning = true;
-    ask(app::command::cameraTurn(std::clamp(byRight, -kMost, kMost), std::clamp(byUp, -kMost, kMost)),
+    ask(app::command::cameraTurn(std::clamp(byRight, -kMax, kMax), std::clamp(byUp, -kMax, kMax)),
         [this](const ipc::Reply&) { turning = false; });
 }
 

@@ -11,8 +11,8 @@ namespace bridge {
 
 bool LockedKeys::isLocked(std::string_view name) const {
     const std::optional<rtcore::Action> action = rtcore::actionNamed(name);
-    const app::KeyRestraint least = action ? app::withheldFrom(*action) : app::KeyRestraint::Edits;
-    return least != app::KeyRestraint::None && restraint() >= least;
+    const app::KeyRestraint min = action ? app::withheldFrom(*action) : app::KeyRestraint::Edits;
+    return min != app::KeyRestraint::None && restraint() >= min;
 }
 
 void LockedKeys::read(std::string_view bindings) {

@@ -5,8 +5,8 @@
 namespace bridge {
 
 std::string plainName(std::string_view given) {
-    constexpr std::size_t kMost = 40;
-    return rtcore::withoutControls(given, kMost);
+    constexpr std::size_t kMax = 40;
+    return rtcore::withoutControls(given, kMax);
 }
 
 } // namespace bridge

@@ -29,15 +29,15 @@ std::string nameOf(const CommandArgument& argument) {
 double numberOf(const CommandArgument& argument, const json& value) {
     if (!value.is_number()) throw Refused(fmt::format("{} is a number", nameOf(argument)));
     const auto number = value.get<double>();
-    if (!std::isfinite(number) || std::abs(number) > app::kMostNumber)
+    if (!std::isfinite(number) || std::abs(number) > app::kMaxNumber)
         throw Refused(fmt::format("{} is out of range", nameOf(argument)));
     return number;
 }
 
-std::string wholeWord(const CommandArgument& argument, const json& value, double least, double most) {
+std::string wholeWord(const CommandArgument& argument, const json& value, double min, double max) {
     const double number = numberOf(argument, value);
-    if (number != std::floor(number) || number < least || number > most)
-        throw Refused(fmt::format("{} is a whole number, at least {}", nameOf(argument), least));
+    if (number != std::floor(number) || number < min || number > max)
+        throw Refused(fmt::format("{} is a whole number, at least {}", nameOf(argument), min));
     return fmt::format("{}", static_cast<std::int64_t>(number));
 }
 
@@ -86,13 +86,12 @@ std::optional<std::string> tableWord(const CommandArgument& argument, const json
 
 } // namespace
 
-std::string wordOf(const CommandArgument& argument, const json& value,
-                   const RequestSurroundings& surroundings) {
-    constexpr double kLeast = std::numeric_limits<std::int32_t>::min();
+std::string wordOf(const CommandArgument& argument, const json& value, const RequestContext& context) {
+    constexpr double kMin = std::numeric_limits<std::int32_t>::min();
     if (const auto word = tableWord(argument, value)) return *word;
     switch (argument.type) {
     case ArgumentType::Integer:
-        return wholeWord(argument, value, std::max(argument.minimum, kLeast), app::kMostWhole);
+        return wholeWord(argument, value, std::max(argument.minimum, kMin), app::kMaxWhole);
     case ArgumentType::Number:
         return rtcore::shortestText(numberOf(argument, value));
     case ArgumentType::Choice:
@@ -103,13 +102,13 @@ std::string wordOf(const CommandArgument& argument, const json& value,
         return dateWord(value);
     case ArgumentType::Part:
     case ArgumentType::Material:
-        return wholeWord(argument, value, 1, app::kMostWhole);
+        return wholeWord(argument, value, 1, app::kMaxWhole);
     case ArgumentType::MaterialKey:
         return materialKeyWord(value);
     case ArgumentType::MaterialValue:
         return materialValueWord(argument, value);
     case ArgumentType::Bookmark:
-        return bookmarkWord(value, surroundings.bookmarks);
+        return bookmarkWord(value, context.bookmarks);
     case ArgumentType::Text:
     case ArgumentType::Path:
     case ArgumentType::SettingValue: // of `set`, which knows the setting

@@ -12,6 +12,6 @@ namespace bridge {
 /// Numbers are written anew, other words are those of tables. Throws Refused: of another type, unknown, or of
 /// an argument that is text or a path, which no page gives.
 std::string wordOf(const app::CommandArgument& argument, const nlohmann::json& value,
-                   const RequestSurroundings& surroundings);
+                   const RequestContext& context);
 
 } // namespace bridge

@@ -23,7 +23,7 @@ using app::CommandId;
 using app::CommandSpec;
 using nlohmann::json;
 
-constexpr std::size_t kMostArguments = 64;
+constexpr std::size_t kMaxArguments = 64;
 
 const CommandSpec& commandOf(const json& request) {
     const auto found = request.find("do");
@@ -37,8 +37,8 @@ const json& argumentsOf(const json& request) {
     static const json none = json::array();
     const auto found = request.find("args");
     const json& all = found == request.end() ? none : *found;
-    if (!all.is_array() || all.size() > kMostArguments)
-        throw Refused(fmt::format("'args' is a list of {} at most", kMostArguments));
+    if (!all.is_array() || all.size() > kMaxArguments)
+        throw Refused(fmt::format("'args' is a list of {} at most", kMaxArguments));
     return all;
 }
 
@@ -50,33 +50,34 @@ bool isAlso(const json& request) {
 }
 
 /// The first sky of a scene is switched on as its light, too; later ones change no setting.
-bool setsNothing(const CommandSpec& command, const RequestSurroundings& around) {
-    return around.sky && command.name.starts_with("sky");
+bool setsNothing(const CommandSpec& command, const RequestContext& context) {
+    return context.sky && command.name.starts_with("sky");
 }
 
-void checkLocks(const CommandSpec& command, const RequestSurroundings& around) {
-    const Limits& limits = around.limits;
+void checkLocks(const CommandSpec& command, const RequestContext& context) {
+    const Limits& limits = context.limits;
     if (command.browser == BrowserUse::Edit && limits.isLocked("edits"))
         throw Refused("edits are locked here");
     if (command.id == CommandId::Defaults && !limits.locked.empty())
         throw Refused("some settings are locked; reset others one by one");
-    if (setsNothing(command, around)) return;
+    if (setsNothing(command, context)) return;
     for (const std::string_view name : command.sets)
         if (limits.isLocked(name)) throw Refused(fmt::format("{} is locked", name));
 }
 
-void checkAmounts(const CommandSpec& command, const json& arguments, const RequestSurroundings& around) {
+void checkAmounts(const CommandSpec& command, const json& arguments, const RequestContext& context) {
     const bool adds = command.id == CommandId::LightAdd || command.id == CommandId::LightCopy;
-    if (adds && around.lights >= kMostLights)
-        throw Refused(fmt::format("there are {} lights, the most that pages may have", around.lights));
+    if (adds && context.lights >= kMaxLights)
+        throw Refused(fmt::format("there are {} lights, the most that pages may have", context.lights));
     if (command.id != CommandId::Resolution) return;
     const double width = arguments[0].get<double>(), height = arguments[1].get<double>();
-    if (width * height > static_cast<double>(around.limits.maxPixels))
-        throw Refused(fmt::format("{} x {} are more than {} pixels", width, height, around.limits.maxPixels));
+    if (width * height > static_cast<double>(context.limits.maxPixels))
+        throw Refused(
+            fmt::format("{} x {} are more than {} pixels", width, height, context.limits.maxPixels));
 }
 
 std::vector<std::string> wordsOf(const CommandSpec& command, const json& given,
-                                 const RequestSurroundings& around) {
+                                 const RequestContext& context) {
     if (given.size() > command.arguments.size() &&
         (command.arguments.empty() || !command.arguments.back().repeats))
         throw Refused("there are too many arguments");
@@ -85,8 +86,8 @@ std::vector<std::string> wordsOf(const CommandSpec& command, const json& given,
         const std::size_t at = std::min(words.size(), command.arguments.size() - 1);
         const app::CommandArgument& argument = command.arguments[at];
         words.push_back(argument.type == app::ArgumentType::SettingValue
-                            ? settingValueText(words.front(), each, around.limits)
-                            : wordOf(argument, each, around));
+                            ? settingValueText(words.front(), each, context.limits)
+                            : wordOf(argument, each, context));
     }
     try {
         app::checkArguments(command, words);
@@ -105,8 +106,8 @@ json argumentJson(const app::CommandArgument& argument) {
     json row{{"name", argument.name}};
     const bool numeric =
         argument.type == app::ArgumentType::Integer || argument.type == app::ArgumentType::Number;
-    if (numeric && argument.minimum > -app::kMostWhole) row["min"] = argument.minimum;
-    if (numeric && argument.maximum < app::kMostWhole) row["max"] = argument.maximum;
+    if (numeric && argument.minimum > -app::kMaxWhole) row["min"] = argument.minimum;
+    if (numeric && argument.maximum < app::kMaxWhole) row["max"] = argument.maximum;
     if (!argument.words.empty()) row["words"] = app::wordsOf(argument);
     return row;
 }
@@ -118,13 +119,13 @@ bool isRequest(const CommandSpec& command) {
            command.browser == BrowserUse::Edit;
 }
 
-PlannedCommand planRequest(const json& request, const RequestSurroundings& surroundings) {
+PlannedCommand planRequest(const json& request, const RequestContext& context) {
     if (!request.is_object()) throw Refused("a request is an object");
     const CommandSpec& command = commandOf(request);
-    checkLocks(command, surroundings);
+    checkLocks(command, context);
     const json& given = argumentsOf(request);
-    const std::vector<std::string> words = wordsOf(command, given, surroundings);
-    checkAmounts(command, given, surroundings);
+    const std::vector<std::string> words = wordsOf(command, given, context);
+    checkAmounts(command, given, context);
     const bool step = command.id == CommandId::Undo || command.id == CommandId::Redo;
     if (step && !words.empty()) throw Refused("a page takes back its own last edit only");
     PlannedCommand planned{command.id, lineOf(command, words), command.browser == BrowserUse::Look,

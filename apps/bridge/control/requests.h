@@ -29,7 +29,7 @@ struct PlannedCommand {
 };
 
 /// What requests are held against.
-struct RequestSurroundings {
+struct RequestContext {
     const Limits& limits;
     std::span<const std::string> bookmarks; ///< of the scene
     std::size_t lights = 0;                 ///< that it has
@@ -43,7 +43,7 @@ bool isRequest(const app::CommandSpec& command);
 /// Throws Refused for a command that pages may not ask for, arguments of another number, type or range, and
 /// what is locked. Never another exception but std::bad_alloc, whatever `request` holds. Who asks is not
 /// looked at.
-PlannedCommand planRequest(const nlohmann::json& request, const RequestSurroundings& surroundings);
+PlannedCommand planRequest(const nlohmann::json& request, const RequestContext& context);
 
 /// The rows of commands that pages may ask for, with the names, ranges and words of their arguments.
 nlohmann::json commandTableJson();

@@ -32,8 +32,8 @@ json cameraJson(const rtcore::Camera& camera) {
 
 void describe(json& row, const rtcore::LightDescription& description, float metresPerUnit) {
     const rtcore::Light& light = description.light;
-    const float most = rtcore::maxComponent(light.intensity);
-    const rtcore::Colour colour = most > 0 ? light.intensity / most : rtcore::Colour{1, 1, 1};
+    const float max = rtcore::maxComponent(light.intensity);
+    const rtcore::Colour colour = max > 0 ? light.intensity / max : rtcore::Colour{1, 1, 1};
     row["kind"] = rtcore::traitsOf(light).name;
     row["position"] = vectorJson(light.position);
     row["direction"] = vectorJson(light.direction);

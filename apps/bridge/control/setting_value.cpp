@@ -43,8 +43,8 @@ json rowJson(const rtcore::Setting& setting, const Limits& limits) {
              {"help", setting.help},
              {"locked", limits.isLocked("edits") || limits.isLocked(setting.name)}};
     if (isNumber(setting.type)) {
-        row["min"] = leastOf(setting);
-        if (mostOf(setting) < rtcore::kUnlimited) row["max"] = mostOf(setting);
+        row["min"] = minOf(setting);
+        if (maxOf(setting) < rtcore::kUnlimited) row["max"] = maxOf(setting);
         if (!setting.zero.empty()) row["zero"] = setting.zero;
     }
     if (setting.type == rtcore::SettingType::Choice) row["choices"] = setting.choices;
@@ -59,9 +59,9 @@ rtcore::SettingValue valueOf(const rtcore::Setting& setting, const json& value) 
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number()) throw Refused("a value is a boolean, a number or a text");
     const auto number = value.get<double>();
-    constexpr double kMostInteger = 2147483647;
+    constexpr double kMaxInteger = 2147483647;
     if (setting.type == rtcore::SettingType::Integer && number == std::floor(number) &&
-        std::abs(number) <= kMostInteger)
+        std::abs(number) <= kMaxInteger)
         return static_cast<int>(number);
     return static_cast<float>(number);
 }
@@ -116,10 +116,10 @@ std::string settingValueText(const std::string& name, const json& value, const L
         if (const float* real = std::get_if<float>(&checked)) number = static_cast<double>(*real);
         // The caps are decimal numbers, most values floats.
         const auto rounded = [](double bound) { return static_cast<double>(static_cast<float>(bound)); };
-        if (isNumber(setting->type) && number > rounded(mostOf(*setting)))
-            throw Refused(fmt::format("{} is {} at most here", setting->name, mostOf(*setting)));
-        if (isNumber(setting->type) && number < rounded(leastOf(*setting)))
-            throw Refused(fmt::format("{} is {} at least here", setting->name, leastOf(*setting)));
+        if (isNumber(setting->type) && number > rounded(maxOf(*setting)))
+            throw Refused(fmt::format("{} is {} at most here", setting->name, maxOf(*setting)));
+        if (isNumber(setting->type) && number < rounded(minOf(*setting)))
+            throw Refused(fmt::format("{} is {} at least here", setting->name, minOf(*setting)));
         return rtcore::settingText(checked);
     } catch (const std::invalid_argument& error) {
         throw Refused(error.what());

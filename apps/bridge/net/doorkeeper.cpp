@@ -87,9 +87,9 @@ OriginOption parseOrigin(const std::string& text) {
 std::size_t leastWelcome(std::span<const std::string> addresses) {
     std::map<std::string_view, std::size_t> counts;
     for (const std::string& each : addresses) ++counts[each];
-    const auto most = std::ranges::max_element(
+    const auto busiest = std::ranges::max_element(
         addresses, {}, [&](const std::string& address) { return counts.at(address); });
-    return static_cast<std::size_t>(most - addresses.begin());
+    return static_cast<std::size_t>(busiest - addresses.begin());
 }
 
 std::string newToken() {

@@ -31,19 +31,19 @@ using ErrorCode = boost::system::error_code;
 using namespace std::chrono_literals;
 
 constexpr auto kRequestTime = 10s, kSilence = 30s, kClosing = 5s, kEnding = 1s;
-constexpr std::size_t kMostMessage = 4096, kMostHeader = 8192, kMostQueued = 4U << 20;
+constexpr std::size_t kMaxMessage = 4096, kMaxHeader = 8192, kMaxQueued = 4U << 20;
 constexpr double kMessageRate = 250, kMessageBurst = 500;
 constexpr const char* kSubprotocol = "rtbridge.1";
 
 /// The bytes of so many messages of the largest size, and of their headers. Of one message that comes in
 /// parts of a byte, each in a record of TLS, a quarter is its own.
-constexpr double kMostBytes = kMostMessage + 128;
-constexpr std::size_t kMostUnfinished = 64 * kMostMessage;
+constexpr double kMaxBytes = kMaxMessage + 128;
+constexpr std::size_t kMaxUnfinished = 64 * kMaxMessage;
 
 using CountedSocket =
     boost::beast::basic_stream<asio::generic::stream_protocol, asio::any_io_executor, ReceivingLimit>;
 inline CountedSocket counted(StreamSocket socket) {
-    return {ReceivingLimit(kMessageRate * kMostBytes, kMessageBurst * kMostBytes, kMostUnfinished),
+    return {ReceivingLimit(kMessageRate * kMaxBytes, kMessageBurst * kMaxBytes, kMaxUnfinished),
             std::move(socket)};
 }
 
@@ -83,7 +83,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
             response.set(http::field::server, "RTBridge");
             response.set(http::field::sec_websocket_protocol, kSubprotocol);
         }));
-        socket_->read_message_max(kMostMessage);
+        socket_->read_message_max(kMaxMessage);
         socket_->auto_fragment(false);
     }
 
@@ -109,9 +109,9 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         if (closing_) return;
         closing_ = true;
         queue_.clear();
-        constexpr std::size_t kMostReason = 120;
+        constexpr std::size_t kMaxReason = 120;
         const websocket::close_reason why(static_cast<websocket::close_code>(code),
-                                          reason.substr(0, kMostReason).c_str());
+                                          reason.substr(0, kMaxReason).c_str());
         socket_->async_close(why, [self = this->shared_from_this()](ErrorCode) { self->tellClosed(); });
         abandonLater();
     }
@@ -134,7 +134,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     void enqueue(Item item) {
         if (closing_) return;
         queued_ += item.size();
-        if (queued_ > kMostQueued) return close(CloseCode::Silent, "messages are not read");
+        if (queued_ > kMaxQueued) return close(CloseCode::Silent, "messages are not read");
         queue_.push_back(std::move(item));
         writeNext();
     }
@@ -292,7 +292,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
     }
     void read() {
         parser_.emplace();
-        parser_->header_limit(kMostHeader);
+        parser_->header_limit(kMaxHeader);
         parser_->body_limit(0);
         http::async_read_header(
             *stream_, buffer_, *parser_,
@@ -433,7 +433,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
     std::string address_;
     HttpShared& shared_;
     asio::steady_timer timer_;
-    boost::beast::flat_buffer buffer_{kMostHeader + 1024};
+    boost::beast::flat_buffer buffer_{kMaxHeader + 1024};
     std::optional<http::request_parser<http::empty_body>> parser_;
 };
 

@@ -26,7 +26,7 @@ class Pending {
 class Waiting {
   public:
     void add(std::weak_ptr<Pending> connection) {
-        if (connections_.size() >= kMost) makeRoom();
+        if (connections_.size() >= kMax) makeRoom();
         connections_.push_back(std::move(connection));
     }
     void remove(const Pending* connection) {
@@ -35,15 +35,15 @@ class Waiting {
     }
 
   private:
-    static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMax = 256;
     void makeRoom() {
         std::vector<std::string> addresses;
         std::erase_if(connections_, [](const auto& each) { return each.expired(); });
         for (const auto& each : connections_) addresses.push_back(each.lock()->address());
         if (addresses.empty()) return;
-        const auto least = connections_.begin() + static_cast<std::ptrdiff_t>(leastWelcome(addresses));
-        const auto dropped = least->lock();
-        connections_.erase(least);
+        const auto worst = connections_.begin() + static_cast<std::ptrdiff_t>(leastWelcome(addresses));
+        const auto dropped = worst->lock();
+        connections_.erase(worst);
         dropped->drop();
     }
     std::vector<std::weak_ptr<Pending>> connections_;

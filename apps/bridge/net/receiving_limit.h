@@ -21,7 +21,7 @@ class ReceivingLimit {
   public:
     /// `rate` bytes a second after `burst`, and `unfinished` between two messages.
     ReceivingLimit(double rate, double burst, std::size_t unfinished)
-        : bytes_(rate, burst), mostUnfinished_(unfinished) {}
+        : bytes_(rate, burst), maxUnfinished_(unfinished) {}
 
     /// From now on messages are told; `flooded` is called once, when more came than may, while it is read.
     void watchMessages(std::function<void()> flooded) {
@@ -38,8 +38,7 @@ class ReceivingLimit {
     std::size_t available_write_bytes() const { return kAll; }
     void transfer_read_bytes(std::size_t count) {
         unfinished_ += flooded_ ? count : 0;
-        if (over_ ||
-            (bytes_.take(nowSeconds(), static_cast<double>(count)) && unfinished_ <= mostUnfinished_))
+        if (over_ || (bytes_.take(nowSeconds(), static_cast<double>(count)) && unfinished_ <= maxUnfinished_))
             return;
         over_ = true;
         if (flooded_) flooded_();
@@ -48,7 +47,7 @@ class ReceivingLimit {
     void on_timer() {}
 
     TokenBucket bytes_;
-    std::size_t mostUnfinished_, unfinished_ = 0;
+    std::size_t maxUnfinished_, unfinished_ = 0;
     std::function<void()> flooded_;
     bool over_ = false;
 };

@@ -19,7 +19,7 @@ using TlsStream = ssl::stream<CountedSocket>;
 
 /// A pipe or a device would keep the start waiting.
 std::string pemOf(const std::string& file) {
-    constexpr std::size_t kMost = 1U << 20;
+    constexpr std::size_t kMax = 1U << 20;
     std::error_code unknown;
     const auto status = std::filesystem::status(file, unknown);
     if (!std::filesystem::exists(status))
@@ -27,7 +27,7 @@ std::string pemOf(const std::string& file) {
     if (!std::filesystem::is_regular_file(status))
         throw rtcore::FileError(rtcore::FailureKind::NoInput, file,
                                 "it is no regular file; give a file in PEM");
-    return rtcore::readTextFile(file, kMost);
+    return rtcore::readTextFile(file, kMax);
 }
 
 class OpenDoor : public TlsDoor {

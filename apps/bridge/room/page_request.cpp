@@ -20,9 +20,9 @@ PageRequest readPageRequest(std::string_view message) {
         return request;
     }
     const auto number = request.content.find("id");
-    constexpr double kMost = 4294967295.0;
+    constexpr double kMax = 4294967295.0;
     if (number == request.content.end() || !number->is_number_integer() || number->get<double>() < 0 ||
-        number->get<double>() > kMost) {
+        number->get<double>() > kMax) {
         request.wrong = "a request has an id from 0 to 4294967295";
         return request;
     }

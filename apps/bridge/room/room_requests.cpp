@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kMostRequests = 4;
+constexpr int kMaxRequests = 4;
 
 bool isStep(const PlannedCommand& planned) {
     return planned.edits || planned.id == app::CommandId::Undo || planned.id == app::CommandId::Redo;
@@ -42,7 +42,7 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     const PlannedCommand planned =
         planRequest(content, {limits_, facts.bookmarks(), facts.lights(), facts.hasSky()});
     if (!planned.anyone && !drives) throw Refused("only the driver may do that; ask to drive first");
-    if (asker.open >= kMostRequests || (planned.anyone && !asker.asked.take(now)))
+    if (asker.open >= kMaxRequests || (planned.anyone && !asker.asked.take(now)))
         throw Refused("too many requests at once");
     if (server_.link && !server_.isThere()) throw Refused("there is no server");
     const std::string line = lineOf(by, planned);

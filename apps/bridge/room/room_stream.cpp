@@ -135,7 +135,7 @@ void RoomStream::send(Viewer& viewer, const Shipment& shipment, bool fresh) {
 }
 
 void RoomStream::updateDemand() {
-    const double now = clock_.seconds(), most = allowance(now);
+    const double now = clock_.seconds(), max = allowance(now);
     FrameDemand demand;
     demand.stream = newest_.stream;
     for (const auto& [id, viewer] : viewers_) {
@@ -143,7 +143,7 @@ void RoomStream::updateDemand() {
         demand.anyone |= delivery.view().visible;
         demand.still |= delivery.wantsStill();
         demand.fine |= delivery.wantsFine();
-        if (viewer.outlet->busy() || delivery.rate().sentBits(now) > most) continue;
+        if (viewer.outlet->busy() || delivery.rate().sentBits(now) > max) continue;
         const std::optional<int> rung = delivery.wanted();
         if (!rung) continue;
         std::uint64_t& above = demand.above[static_cast<std::size_t>(*rung)];
@@ -164,25 +164,25 @@ double RoomStream::sentBits(double now) const {
 /// The bits per second above which a page must wait: its share, where all pages together are above their
 /// limit; else none.
 double RoomStream::allowance(double now) const {
-    const bool free = options_.mostBits <= 0 || sentBits(now) <= options_.mostBits;
-    return free ? std::numeric_limits<double>::infinity() : equalShare();
+    const bool free = options_.maxBits <= 0 || sentBits(now) <= options_.maxBits;
+    return free ? std::numeric_limits<double>::infinity() : equalPart();
 }
 
 void RoomStream::shareLimit() {
-    if (options_.mostBits <= 0 || viewers_.empty()) return;
+    if (options_.maxBits <= 0 || viewers_.empty()) return;
     const double now = clock_.seconds(), all = sentBits(now);
     for (auto& [id, viewer] : viewers_) {
         RateControl& rate = viewer.delivery.rate();
         constexpr double kRoom = 0.6;
-        if (all > options_.mostBits && rate.sentBits(now) > equalShare())
+        if (all > options_.maxBits && rate.sentBits(now) > equalPart())
             rate.limit(std::min(std::max(rate.rung(), rate.finest()) + 1, kRungCount - 1));
-        else if (all < kRoom * options_.mostBits)
+        else if (all < kRoom * options_.maxBits)
             rate.limit(std::max(rate.finest() - 1, 0));
     }
 }
 
 void RoomStream::serveWaiting() {
-    if (options_.mostBits <= 0) return;
+    if (options_.maxBits <= 0) return;
     for (auto& [id, viewer] : viewers_) pump(viewer);
     updateDemand();
 }

@@ -76,7 +76,7 @@ class RoomStream {
     void measureFrameTime(std::int64_t publishedNs);
     static std::uint32_t inputBefore(Viewer& viewer, std::int64_t ns);
     double sentBits(double now) const; ///< to all pages, within the last second or so
-    double equalShare() const { return options_.mostBits / static_cast<double>(viewers_.size()); }
+    double equalPart() const { return options_.maxBits / static_cast<double>(viewers_.size()); }
     double allowance(double now) const;
     void tellLink(Viewer& viewer, double now);
     static void pingAfter(Viewer& viewer, double seconds, double now);

@@ -14,12 +14,12 @@ constexpr Seconds kBetweenChanges = 0.3;
 constexpr Seconds kFirstClimbWait = 2, kLongestClimbWait = 16;
 constexpr Seconds kFailedClimb = 3; ///< a climb that is taken back so soon has failed
 constexpr double kKept = 0.7;       ///< of the frames: less is too slow
-constexpr int kLeastWindow = 2, kMostWindow = 6;
+constexpr int kMinWindow = 2, kMaxWindow = 6;
 constexpr double kNarrow = 8e6 / 8, kVeryNarrow = 4e6 / 8; ///< bytes per second
-constexpr std::size_t kPart = 32768, kLeastPart = 4096;
+constexpr std::size_t kPart = 32768, kMinPart = 4096;
 constexpr Seconds kPartTime = 0.06; ///< on the link
 constexpr Seconds kFluent = 1.0 / 20;
-constexpr Seconds kLeastTransit = 1e-3;
+constexpr Seconds kMinTransit = 1e-3;
 constexpr double kUsed = 0.8; ///< of a narrow link: what is left keeps queues short
 // A frame that takes less than half of the time until the next one is carried with ease.
 constexpr double kEase = 0.5;
@@ -76,7 +76,7 @@ bool RateControl::acked(std::uint32_t stream, std::uint64_t number, bool part, S
 void RateControl::noteBandwidth(std::size_t bytes, Seconds transit, Seconds sinceAck) {
     constexpr double kKeep = 0.7;
     carried_ = kKeep * carried_ + static_cast<double>(bytes);
-    carriedIn_ = kKeep * carriedIn_ + std::max(kLeastTransit, std::min(transit, sinceAck));
+    carriedIn_ = kKeep * carriedIn_ + std::max(kMinTransit, std::min(transit, sinceAck));
 }
 
 /// The link took no longer for it than its time on the way; less the least delay, where that is the one of a
@@ -86,7 +86,7 @@ void RateControl::noteProof(std::size_t bytes, Seconds way, Seconds now) {
            acks_ - proofs_.front().ack >= kProofAcks)
         proofs_.pop_front();
     const Seconds took = bases_.front().bytes * kBaseBytes <= bytes ? way - base() : way;
-    const double rate = static_cast<double>(bytes) / std::max(kLeastTransit, took);
+    const double rate = static_cast<double>(bytes) / std::max(kMinTransit, took);
     while (!proofs_.empty() && proofs_.back().bytesPerSecond <= rate) proofs_.pop_back();
     proofs_.push_back({now, acks_, rate});
 }
@@ -162,25 +162,25 @@ bool RateControl::windowOpen() const {
     const auto frames =
         std::count_if(flight_.begin(), flight_.end(), [](const Entry& each) { return !each.part; });
     // What a link holds is not known before it has carried something.
-    return frames < std::min(window(), kLeastWindow + drawn_);
+    return frames < std::min(window(), kMinWindow + drawn_);
 }
 
 bool RateControl::partWindowOpen() const {
-    constexpr std::size_t kMost = 4, kMostNarrow = 2;
-    return flight_.size() < (bandwidth() < kVeryNarrow ? kMostNarrow : kMost);
+    constexpr std::size_t kMax = 4, kMaxNarrow = 2;
+    return flight_.size() < (bandwidth() < kVeryNarrow ? kMaxNarrow : kMax);
 }
 
 std::size_t RateControl::partBytes() const {
     if (bandwidth() == 0) return kPart;
-    const double most = std::min(bandwidth() * kPartTime, static_cast<double>(kPart));
-    return std::max(static_cast<std::size_t>(most), kLeastPart);
+    const double max = std::min(bandwidth() * kPartTime, static_cast<double>(kPart));
+    return std::max(static_cast<std::size_t>(max), kMinPart);
 }
 
 int RateControl::window() const {
     // A link that takes longer for a frame than the server does holds fewer of them.
     const Seconds interval = std::max({frameTime_, onLink_, 1e-3});
     const double frames = std::ceil(base() / interval) + 1;
-    return static_cast<int>(std::clamp(frames, double(kLeastWindow), double(kMostWindow)));
+    return static_cast<int>(std::clamp(frames, double(kMinWindow), double(kMaxWindow)));
 }
 
 int RateControl::rung() const {

@@ -20,11 +20,11 @@ inline constexpr RungTable kRungs{
 inline constexpr int kRungCount = static_cast<int>(kRungs.size());
 inline constexpr int kFirstRung = 1;     ///< which viewers begin with
 inline constexpr int kFirstHalfRung = 3; ///< and those whose page is small
-inline constexpr int kMostRungs = 3;     ///< that are encoded of one frame
+inline constexpr int kMaxRungs = 3;      ///< that are encoded of one frame
 
 using RungMask = std::uint32_t; ///< bit i: kRungs[i]
 
-/// At most kMostRungs of them: where more are asked for, the finer one of two neighbours is left out, and its
+/// At most kMaxRungs of them: where more are asked for, the finer one of two neighbours is left out, and its
 /// viewers take the next coarser one.
 constexpr RungMask mergedRungs(RungMask wanted) {
     const auto has = [&](int rung) { return (wanted >> rung & 1) != 0; };
@@ -33,7 +33,7 @@ constexpr RungMask mergedRungs(RungMask wanted) {
         for (int i = 0; i < kRungCount; ++i) rungs += has(i) ? 1 : 0;
         return rungs;
     };
-    while (count() > kMostRungs) {
+    while (count() > kMaxRungs) {
         int before = -1, best = -1, bestGap = kRungCount;
         for (int i = 0; i < kRungCount; ++i) {
             if (!has(i)) continue;

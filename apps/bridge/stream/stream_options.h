@@ -11,10 +11,10 @@ namespace bridge {
 constexpr double kPingSeconds = 15; ///< half of the time after which a page is gone
 
 struct StreamOptions {
-    /// Of the JPEG of moving frames, 50..95: these have full size then, unless a page or `mostBits` asks for
+    /// Of the JPEG of moving frames, 50..95: these have full size then, unless a page or `maxBits` asks for
     /// less. Nothing: by the link of each page.
     std::optional<int> quality;
-    double mostBits = 0;               ///< a second, for all viewers together; 0: no limit
+    double maxBits = 0;                ///< a second, for all viewers together; 0: no limit
     double pingSeconds = kPingSeconds; ///< of silence, after which a page gets a ping
 
     /// The rung of pages that choose none; nothing: by their links.

@@ -12,8 +12,8 @@ enum BridgeType : std::uint8_t { kFrameMessage = 1, kPartMessage = 2, kEchoMessa
 enum HeaderFlag : std::uint16_t { kKeyFrame = 1, kExact = 2, kLastPart = 4 };
 
 constexpr std::size_t kAckBytes = 16, kInputBytes = 16, kViewBytes = 8, kPingBytes = 16;
-constexpr std::size_t kMostHeld = 16, kMostTaps = 8;
-constexpr int kMostTurn = 360'000;
+constexpr std::size_t kMaxHeld = 16, kMaxTaps = 8;
+constexpr int kMaxTurn = 360'000;
 constexpr std::uint8_t kAutomatic = 255;
 
 template <typename Number>
@@ -42,13 +42,12 @@ std::optional<ClientMessage> parseAck(std::span<const std::uint8_t> bytes) {
 std::optional<ClientMessage> parseInput(std::span<const std::uint8_t> bytes) {
     if (bytes.size() < kInputBytes) return {};
     const std::size_t held = bytes[1], taps = bytes[2];
-    if (held > kMostHeld || taps > kMostTaps || bytes.size() != kInputBytes + held + taps) return {};
+    if (held > kMaxHeld || taps > kMaxTaps || bytes.size() != kInputBytes + held + taps) return {};
     InputMessage input;
     input.sequence = get<std::uint32_t>(bytes, 4);
     input.right = get<std::int32_t>(bytes, 8);
     input.up = get<std::int32_t>(bytes, 12);
-    if (std::max(input.right, input.up) > kMostTurn || std::min(input.right, input.up) < -kMostTurn)
-        return {};
+    if (std::max(input.right, input.up) > kMaxTurn || std::min(input.right, input.up) < -kMaxTurn) return {};
     const auto keys = bytes.subspan(kInputBytes);
     input.held.assign(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(held));
     input.taps.assign(keys.begin() + static_cast<std::ptrdiff_t>(held), keys.end());

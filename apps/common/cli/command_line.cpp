@@ -100,11 +100,11 @@ po::parsed_options runBoost(const ProgramSpec& spec, const po::options_descripti
 std::string rangeText(const Option& option) {
     const bool low = option.minimum > std::numeric_limits<double>::lowest();
     const bool high = option.maximum < std::numeric_limits<double>::max();
-    const std::string least = rtcore::shortestText(option.minimum);
-    const std::string most = rtcore::shortestText(option.maximum);
-    if (low && high) return fmt::format(" from {} to {}", least, most);
-    if (low) return " of at least " + least;
-    if (high) return " of at most " + most;
+    const std::string min = rtcore::shortestText(option.minimum);
+    const std::string max = rtcore::shortestText(option.maximum);
+    if (low && high) return fmt::format(" from {} to {}", min, max);
+    if (low) return " of at least " + min;
+    if (high) return " of at most " + max;
     return "";
 }
 

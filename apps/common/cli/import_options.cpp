@@ -9,7 +9,7 @@
 namespace app {
 
 namespace {
-constexpr double kLeastUnit = 1e-9, kLargestUnit = 1e9; ///< as of a .scn
+constexpr double kMinUnit = 1e-9, kLargestUnit = 1e9; ///< as of a .scn
 } // namespace
 
 std::optional<double> readUnits(const std::string& text) {
@@ -18,7 +18,7 @@ std::optional<double> readUnits(const std::string& text) {
     double metres = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), metres);
     const bool number = error == std::errc() && end == text.data() + text.size();
-    if (number && metres >= kLeastUnit && metres <= kLargestUnit) return metres;
+    if (number && metres >= kMinUnit && metres <= kLargestUnit) return metres;
     throw UsageError("a unit is auto, mm, cm, m, in, ft or a number of metres, not '" + text + "'");
 }
 

@@ -71,7 +71,7 @@ std::string environmentOpen(const std::string& path);
 std::string environmentNone();
 std::string environmentRotation(double degrees);
 std::string environmentStrength(double factor);
-std::string look(const std::string& name); ///< of rtcore::kLookNames
+std::string look(const std::string& name); ///< of rtcore::kLightingPresetNames
 
 // The sky, which each but the first switches on.
 std::string sky(bool on);

@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t kMostWords = 3; ///< of a name
+constexpr std::size_t kMaxWords = 3; ///< of a name
 
 std::string shortNumber(double value) { return fmt::format("{:.9g}", value); }
 
@@ -21,11 +21,11 @@ std::string shortNumber(double value) { return fmt::format("{:.9g}", value); }
 std::string kindOf(const CommandArgument& argument) {
     const bool whole = argument.type == ArgumentType::Integer;
     const std::string kind = whole ? "a whole number" : "a number";
-    const double most = whole ? kMostWhole : kMostNumber;
-    const std::string least = shortNumber(argument.minimum), greatest = shortNumber(argument.maximum);
-    if (argument.open) return kind + " above " + least + " and below " + greatest;
-    if (argument.maximum < most) return kind + " from " + least + " to " + greatest;
-    return argument.minimum > -most ? kind + ", at least " + least : kind;
+    const double limit = whole ? kMaxWhole : kMaxNumber;
+    const std::string min = shortNumber(argument.minimum), max = shortNumber(argument.maximum);
+    if (argument.open) return kind + " above " + min + " and below " + max;
+    if (argument.maximum < limit) return kind + " from " + min + " to " + max;
+    return argument.minimum > -limit ? kind + ", at least " + min : kind;
 }
 
 std::string rangeOf(const CommandArgument& argument) {
@@ -85,7 +85,7 @@ bool mayCount(const CommandSpec& command, std::size_t count) {
 
 FoundCommand findCommand(std::span<const std::string> words) {
     if (words.empty()) throw UsageError("the command is empty");
-    for (std::size_t used = std::min(words.size(), kMostWords); used > 0; --used) {
+    for (std::size_t used = std::min(words.size(), kMaxWords); used > 0; --used) {
         std::string name = words[0];
         for (std::size_t i = 1; i < used; ++i) name += " " + words[i];
         for (const CommandSpec& command : commandTable()) {

@@ -14,13 +14,12 @@ namespace app {
 
 using ArgumentList = std::vector<CommandArgument>;
 
-inline CommandArgument whole(std::string_view name, double minimum = -kMostWhole,
-                             double maximum = kMostWhole) {
+inline CommandArgument whole(std::string_view name, double minimum = -kMaxWhole, double maximum = kMaxWhole) {
     return {.name = name, .type = ArgumentType::Integer, .minimum = minimum, .maximum = maximum};
 }
 
-inline CommandArgument number(std::string_view name, double minimum = -kMostNumber,
-                              double maximum = kMostNumber) {
+inline CommandArgument number(std::string_view name, double minimum = -kMaxNumber,
+                              double maximum = kMaxNumber) {
     return {.name = name, .type = ArgumentType::Number, .minimum = minimum, .maximum = maximum};
 }
 
@@ -83,7 +82,7 @@ std::vector<CommandSpec> editCommands();
 std::vector<CommandSpec> cameraCommands();
 std::vector<CommandSpec> fileCommands();
 std::vector<CommandSpec> lightCommands();
-std::vector<CommandSpec> surroundingCommands();
+std::vector<CommandSpec> skyCommands();
 std::vector<CommandSpec> bookmarkCommands();
 std::vector<CommandSpec> modelCommands();
 std::vector<CommandSpec> keyCommands();

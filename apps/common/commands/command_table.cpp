@@ -8,7 +8,7 @@ std::span<const CommandSpec> commandTable() {
     static const std::vector<CommandSpec> table = [] {
         std::vector<CommandSpec> all;
         for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), editCommands(),
-                                  cameraCommands(), fileCommands(), lightCommands(), surroundingCommands(),
+                                  cameraCommands(), fileCommands(), lightCommands(), skyCommands(),
                                   bookmarkCommands(), modelCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;

@@ -193,7 +193,7 @@ enum class BrowserUse {
 };
 
 /// Limits of arguments that have none of their own.
-inline constexpr double kMostWhole = 1e9, kMostNumber = 1e30;
+inline constexpr double kMaxWhole = 1e9, kMaxNumber = 1e30;
 
 struct CommandSpec {
     CommandId id;

@@ -17,13 +17,13 @@ namespace app {
 namespace {
 
 const std::string kName = "the server's state"; // in errors
-constexpr int kMost = 1'000'000'000;
+constexpr int kMax = 1'000'000'000;
 constexpr rtcore::Limits kTurn{.minimum = -360, .maximum = 360};
 constexpr rtcore::Limits kUnit{.minimum = 1e-12, .maximum = 1e12};
 
 /// What of a list is told.
 struct Extent {
-    std::size_t most; ///< of the switches
+    std::size_t max; ///< of the switches
     bool names;
     bool lights; ///< all of each light
 };
@@ -34,7 +34,7 @@ void write(rtcore::TomlWriter& writer, const std::string& key, const std::vector
            const Extent& extent) {
     std::vector<bool> on;
     std::vector<std::string> named;
-    for (std::size_t i = 0; i < std::min(switches.size(), extent.most); ++i) {
+    for (std::size_t i = 0; i < std::min(switches.size(), extent.max); ++i) {
         on.push_back(switches[i].on);
         named.push_back(rtcore::printable(switches[i].name));
     }
@@ -53,7 +53,7 @@ void writeLights(rtcore::TomlWriter& writer, const StateReport& state, const Ext
     const std::vector<ReportedLight>& lights = state.lights;
     write(writer, "lights", switchesOf(lights), extent);
     std::vector<int> ids;
-    for (std::size_t i = 0; i < std::min(lights.size(), extent.most); ++i) ids.push_back(lights[i].id);
+    for (std::size_t i = 0; i < std::min(lights.size(), extent.max); ++i) ids.push_back(lights[i].id);
     writer.add("ids", ids);
     if (state.sun > 0) writer.add("sun", state.sun);
     if (!extent.lights) return;
@@ -124,8 +124,8 @@ void readLights(rtcore::StrictTable& root, StateReport& state) {
     rtcore::StrictTable table = root.require("lights", root.table("lights"));
     const std::vector<bool> on = table.require("on", table.booleans("on"));
     const std::vector<std::string> names = table.texts("names").value_or(std::vector<std::string>());
-    const std::vector<int> ids = table.require("ids", table.integers("ids", 1, rtcore::kMostLightId));
-    state.sun = table.integer("sun", 1, rtcore::kMostLightId).value_or(0);
+    const std::vector<int> ids = table.require("ids", table.integers("ids", 1, rtcore::kMaxLightId));
+    state.sun = table.integer("sun", 1, rtcore::kMaxLightId).value_or(0);
     table.finish();
     if (ids.size() != on.size()) table.fail("ids", "there are not as many ids as lights");
     std::vector<ReportedLight>& lights = state.lights;
@@ -139,21 +139,21 @@ void readLights(rtcore::StrictTable& root, StateReport& state) {
 }
 
 ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
-    const std::vector<int> pair = root.require(key, root.integers(key, 0, kMost));
+    const std::vector<int> pair = root.require(key, root.integers(key, 0, kMax));
     if (pair.size() != 2) root.fail(key, "it takes an edit's number and its person");
     return {pair[0], pair[1]};
 }
 
 } // namespace
 
-std::string formatStateReport(const StateReport& state, std::size_t most) {
+std::string formatStateReport(const StateReport& state, std::size_t max) {
     Extent extent{std::max(state.lights.size(), state.environments.size()), true, true};
     for (;;) {
         std::string text = format(state, extent);
         if (text.ends_with('\n')) text.pop_back();
-        if (text.size() <= most) return text;
-        if (extent.most == 0) throw std::runtime_error("the state takes more bytes than an answer has");
-        if (!extent.lights && !extent.names) extent.most /= 2;
+        if (text.size() <= max) return text;
+        if (extent.max == 0) throw std::runtime_error("the state takes more bytes than an answer has");
+        if (!extent.lights && !extent.names) extent.max /= 2;
         if (!extent.lights) extent.names = false;
         extent.lights = false;
     }
@@ -169,7 +169,7 @@ StateReport parseStateReport(std::string_view text) {
     state.redo = root.require("redo", root.text("redo"));
     state.undoEdit = readEdit(root, "undoEdit");
     state.redoEdit = readEdit(root, "redoEdit");
-    state.edits = root.require("edits", root.integer("edits", 0, kMost));
+    state.edits = root.require("edits", root.integer("edits", 0, kMax));
     state.modified = root.require("modified", root.boolean("modified"));
     state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());

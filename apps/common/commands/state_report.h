@@ -62,10 +62,10 @@ struct StateReport {
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 
-/// What is no UTF-8 in names is shown as `\xNN`. At most `most` bytes: where that is too little the
+/// What is no UTF-8 in names is shown as `\xNN`. At most `max` bytes: where that is too little the
 /// descriptions of lights are left out, then names, then lights and environments from the end. Throws
 /// std::runtime_error where even that does not do.
-std::string formatStateReport(const StateReport& state, std::size_t most);
+std::string formatStateReport(const StateReport& state, std::size_t max);
 
 /// Throws rtcore::FileError BadData.
 StateReport parseStateReport(std::string_view text);

@@ -69,8 +69,8 @@ std::optional<std::string> readPrivateFile(const std::string& path) {
     if (::fstat(file.number, &facts) != 0 || !S_ISREG(facts.st_mode) || facts.st_uid != ::getuid() ||
         (facts.st_mode & kOthers) != 0)
         throw FileError(FailureKind::BadData, path, "other users may read it; 'chmod 600' it");
-    constexpr std::size_t kMost = 4096;
-    std::array<char, kMost> bytes{};
+    constexpr std::size_t kMax = 4096;
+    std::array<char, kMax> bytes{};
     const ssize_t count = ::read(file.number, bytes.data(), bytes.size());
     if (count < 0) throw FileError(FailureKind::NoInput, path, reason());
     if (count == 0) return {};

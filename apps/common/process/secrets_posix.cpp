@@ -44,8 +44,8 @@ void installRenewalHandler() {
 bool takeRenewalRequest() noexcept { return renewalRequested.exchange(false); }
 
 std::string hostName() {
-    constexpr std::size_t kMost = 256;
-    std::array<char, kMost> name{};
+    constexpr std::size_t kMax = 256;
+    std::array<char, kMax> name{};
     ::gethostname(name.data(), name.size() - 1);
     return name.data();
 }

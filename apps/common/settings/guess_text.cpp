@@ -2,9 +2,9 @@
 
 namespace app {
 
-std::string guessText(const rtcore::UpAndUnit& frame) {
-    if (frame.upSaid != rtcore::Said::Guessed && frame.unitSaid != rtcore::Said::Guessed) return {};
-    return rtcore::describe(frame) + "; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it";
+std::string guessText(const rtcore::ModelUnits& units) {
+    if (units.upSaid != rtcore::Said::Guessed && units.unitSaid != rtcore::Said::Guessed) return {};
+    return rtcore::describe(units) + "; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it";
 }
 
 } // namespace app

@@ -16,13 +16,13 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t kMostTold = 8;
+constexpr std::size_t kMaxTold = 8;
 
 /// "it has 'floor', 'box' and 3 more".
 std::string someOf(std::span<const std::string> all) {
     if (all.empty()) return "it has none";
     std::string text = "it has ";
-    const std::size_t told = std::min(all.size(), kMostTold);
+    const std::size_t told = std::min(all.size(), kMaxTold);
     for (std::size_t i = 0; i < told; ++i) {
         const bool last = i + 1 == told && told == all.size();
         text += (i == 0 ? "" : last ? " and " : ", ") + all[i];
@@ -51,7 +51,7 @@ std::vector<std::size_t> lightsNamed(const std::string& text, const rtcore::Scen
     const auto nameOf = [&](std::size_t i) -> std::string_view { return scene.lights[i].name; };
     std::vector<std::size_t> found = fitting(text, scene.lights.size(), nameOf);
     const std::optional<std::int64_t> id = parseInteger(text);
-    if (!found.empty() || !id || *id < 1 || *id > rtcore::kMostLightId) return found;
+    if (!found.empty() || !id || *id < 1 || *id > rtcore::kMaxLightId) return found;
     if (const auto light = rtcore::lightWithId(scene, static_cast<int>(*id))) found.push_back(*light);
     return found;
 }

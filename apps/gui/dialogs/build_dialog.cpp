@@ -29,9 +29,9 @@ BuildDialog::BuildDialog(const QString& model, QWidget* parent)
       fast_(new QCheckBox(tr("&Fast build"))),
       report_(new QCheckBox(tr("&Report on model, tree and times"))) {
     setWindowTitle(tr("Build kd-tree"));
-    constexpr int kBest = 10, kUsual = 5, kMostBands = 1000;
+    constexpr int kBest = 10, kUsual = 5, kMaxBands = 1000;
     quality_ = numberField(1, kBest, kUsual, tr("Quality of the fast build"));
-    histogram_ = numberField(0, kMostBands, 0, tr("Histogram"));
+    histogram_ = numberField(0, kMaxBands, 0, tr("Histogram"));
     histogram_->setSpecialValueText(tr("none"));
     histogram_->setSuffix(tr(" bands"));
     fast_->setToolTip(optionTip(spec(), "fast"));

@@ -65,9 +65,8 @@ QWidget* ConfigureDialog::generalPage() {
     folder->setPath(preferences_.picturesFolder());
     form->addRow(tr("Image &folder:"), folder);
     stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
-    constexpr int kMostMegabytes = 1000000;
-    addNumber(*form, tr("Mo&del cache:"), pref::modelCacheMegabytes, 0, kMostMegabytes, tr(" MB"),
-              tr("none"));
+    constexpr int kMaxMegabytes = 1000000;
+    addNumber(*form, tr("Mo&del cache:"), pref::modelCacheMegabytes, 0, kMaxMegabytes, tr(" MB"), tr("none"));
     addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
     addAtRest(*form);
     return page;
@@ -78,13 +77,13 @@ QWidget* ConfigureDialog::picturePage() {
     auto* form = new QFormLayout(page);
     addSwitch(*form, tr("Viewport fo&llows the window's size"), pref::followWindowSize);
     addScale(*form);
-    constexpr int kMostMilliseconds = 1000;
-    addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMostMilliseconds, tr(" ms"),
+    constexpr int kMaxMilliseconds = 1000;
+    addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMaxMilliseconds, tr(" ms"),
               tr("none"));
     addStillQuality(*form);
-    constexpr int kMostSamples = 16, kMostBloom = 4096;
-    addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMostSamples, {}, {});
-    addNumber(*form, tr("H exports bl&oom:"), pref::highQualityBloom, 0, kMostBloom, tr(" pixels"),
+    constexpr int kMaxSamples = 16, kMaxBloom = 4096;
+    addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMaxSamples, {}, {});
+    addNumber(*form, tr("H exports bl&oom:"), pref::highQualityBloom, 0, kMaxBloom, tr(" pixels"),
               tr("none"));
     return page;
 }
@@ -106,10 +105,10 @@ void ConfigureDialog::addSwitch(QFormLayout& form, const QString& text, const Pr
 }
 
 void ConfigureDialog::addNumber(QFormLayout& form, const QString& text, const Preference<int>& row,
-                                int minimum, int maximum, const QString& suffix, const QString& leastText) {
+                                int minimum, int maximum, const QString& suffix, const QString& minText) {
     auto* box = new QSpinBox;
     box->setRange(minimum, maximum);
-    box->setSpecialValueText(leastText);
+    box->setSpecialValueText(minText);
     box->setValue(preferences_.get(row));
     box->setSuffix(suffix);
     form.addRow(text, box);
@@ -178,13 +177,13 @@ void ConfigureDialog::addScale(QFormLayout& form) {
 
 // What progressive rendering and quick render do better than the live frame.
 void ConfigureDialog::addStillQuality(QFormLayout& form) {
-    constexpr int kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
+    constexpr int kMaxSamples = 16, kMaxBloom = 4096, kMaxRays = 4096;
     const QString asLive = tr("same as viewport");
-    constexpr int kMostPaths = 65536, kMostFilterPasses = 8;
-    addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 0, kMostPaths, {}, asLive);
-    addNumber(form, tr("Global illumination, noise &filter:"), pref::stillFilter, 0, kMostFilterPasses,
+    constexpr int kMaxPaths = 65536, kMaxFilterPasses = 8;
+    addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 0, kMaxPaths, {}, asLive);
+    addNumber(form, tr("Global illumination, noise &filter:"), pref::stillFilter, 0, kMaxFilterPasses,
               tr(" passes"), tr("none"));
-    addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {}, {});
+    addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMaxSamples, {}, {});
     auto* occlusion = new QComboBox;
     occlusion->addItem(asLive, QStringLiteral("live"));
     occlusion->addItem(tr("on"), QStringLiteral("on"));
@@ -193,15 +192,15 @@ void ConfigureDialog::addStillQuality(QFormLayout& form) {
     form.addRow(tr("Quick render, &ambient occlusion:"), occlusion);
     stores_.append(
         [this, occlusion] { preferences_.set(pref::stillOcclusion, occlusion->currentData().toString()); });
-    addNumber(form, tr("Quick render, occlusion &rays:"), pref::stillOcclusionSamples, 0, kMostRays, {},
+    addNumber(form, tr("Quick render, occlusion &rays:"), pref::stillOcclusionSamples, 0, kMaxRays, {},
               asLive);
-    addNumber(form, tr("Quick render, &bloom:"), pref::stillBloom, -1, kMostBloom, tr(" pixels"), asLive);
+    addNumber(form, tr("Quick render, &bloom:"), pref::stillBloom, -1, kMaxBloom, tr(" pixels"), asLive);
 }
 
 void ConfigureDialog::addSensitivity(QFormLayout& form) {
     auto* box = new QDoubleSpinBox;
-    constexpr double kLeast = 0.01, kMost = 2, kStep = 0.02;
-    box->setRange(kLeast, kMost);
+    constexpr double kMin = 0.01, kMax = 2, kStep = 0.02;
+    box->setRange(kMin, kMax);
     box->setSingleStep(kStep);
     box->setValue(preferences_.get(pref::mouseSensitivity));
     box->setSuffix(tr("° per pixel"));

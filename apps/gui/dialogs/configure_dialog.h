@@ -31,7 +31,7 @@ class ConfigureDialog : public QDialog {
     QWidget* inputPage();
     void addSwitch(QFormLayout& form, const QString& text, const Preference<bool>& row);
     void addNumber(QFormLayout& form, const QString& text, const Preference<int>& row, int minimum,
-                   int maximum, const QString& suffix, const QString& leastText);
+                   int maximum, const QString& suffix, const QString& minText);
     void addTheme(QFormLayout& form);
     void addShortcuts(QFormLayout& form);
     void addLanguage(QFormLayout& form);

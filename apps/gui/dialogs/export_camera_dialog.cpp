@@ -19,12 +19,12 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
     path_->setPath(path);
     const QSize kept = preferences.get(pref::exportSize);
     const QSize proposed = kept.isEmpty() ? size : kept;
-    width_ = numberField(1, mostOf("width"), proposed.width(), tr("Width"));
-    height_ = numberField(1, mostOf("height"), proposed.height(), tr("Height"));
-    antialiasing_ = numberField(1, mostOf("antialiasing"), preferences.get(pref::exportAntialiasing),
-                                tr("Anti-aliasing"));
+    width_ = numberField(1, maxOf("width"), proposed.width(), tr("Width"));
+    height_ = numberField(1, maxOf("height"), proposed.height(), tr("Height"));
+    antialiasing_ =
+        numberField(1, maxOf("antialiasing"), preferences.get(pref::exportAntialiasing), tr("Anti-aliasing"));
     antialiasing_->setToolTip(tr("N × N samples per pixel"));
-    bloom_ = numberField(0, mostOf("bloom.radius"), preferences.get(pref::exportBloom), tr("Bloom"));
+    bloom_ = numberField(0, maxOf("bloom.radius"), preferences.get(pref::exportBloom), tr("Bloom"));
     bloom_->setSpecialValueText(tr("none"));
     bloom_->setSuffix(tr(" pixels"));
     auto* now = new QPushButton(tr("As &now"));

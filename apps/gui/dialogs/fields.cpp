@@ -17,7 +17,7 @@ QSpinBox* numberField(int minimum, int maximum, int value, const QString& access
     return box;
 }
 
-int mostOf(std::string_view setting) { return static_cast<int>(rtcore::requireSetting(setting).maximum); }
+int maxOf(std::string_view setting) { return static_cast<int>(rtcore::requireSetting(setting).maximum); }
 
 QWidget* rowOfFields(std::initializer_list<QWidget*> fields) {
     auto* row = new QWidget;

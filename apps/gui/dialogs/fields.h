@@ -17,7 +17,7 @@ class PlainLabel;
 QSpinBox* numberField(int minimum, int maximum, int value, const QString& accessibleName);
 
 /// The most that a whole-numbered setting of the table takes.
-int mostOf(std::string_view setting);
+int maxOf(std::string_view setting);
 
 /// Fields side by side, as one row of a form; the first one takes the focus of the row's label.
 QWidget* rowOfFields(std::initializer_list<QWidget*> fields);

@@ -97,11 +97,11 @@ void JobsPanel::makeTable() {
         JobQueue::Progress, new ProgressDelegate(JobQueue::FractionRole, JobQueue::RunningRole, this));
     table_->header()->setStretchLastSection(false);
     table_->header()->setSectionResizeMode(JobQueue::Title, QHeaderView::Stretch);
-    constexpr int kStateWide = 130, kProgressWide = 110, kTimeWide = 70, kLeastWide = 480;
+    constexpr int kStateWide = 130, kProgressWide = 110, kTimeWide = 70, kMinWide = 480;
     table_->setColumnWidth(JobQueue::State, kStateWide);
     table_->setColumnWidth(JobQueue::Progress, kProgressWide);
     table_->setColumnWidth(JobQueue::TimeLeft, kTimeWide);
-    table_->setMinimumWidth(kLeastWide);
+    table_->setMinimumWidth(kMinWide);
     connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, &JobsPanel::refresh);
     connect(table_, &QTreeView::activated, this, &JobsPanel::show);
 }

@@ -27,9 +27,9 @@ QComboBox* actionBox(const QString& action) {
 }
 
 QSpinBox* numberBox(int number) {
-    constexpr int kMost = 99;
+    constexpr int kMax = 99;
     auto* box = new QSpinBox;
-    box->setRange(0, kMost);
+    box->setRange(0, kMax);
     box->setSpecialValueText(QStringLiteral("–"));
     box->setValue(number);
     box->setAccessibleName(KeyBindingsPage::tr("Number of the light or environment map"));

@@ -31,9 +31,9 @@ QString bindingRows(const QList<Binding>& bindings) {
             if (binding.action == action) keys.append(binding.keys);
         }
         if (keys.isEmpty()) continue;
-        constexpr qsizetype kMost = 4;
-        const QString text = keys.size() > kMost ? keys.first() + QStringLiteral(" … ") + keys.last()
-                                                 : keys.join(QStringLiteral(", "));
+        constexpr qsizetype kMax = 4;
+        const QString text = keys.size() > kMax ? keys.first() + QStringLiteral(" … ") + keys.last()
+                                                : keys.join(QStringLiteral(", "));
         rows += row(text, actionTitle(action));
     }
     return rows;

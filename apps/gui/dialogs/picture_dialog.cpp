@@ -50,11 +50,11 @@ PictureDialog::PictureDialog(const QString& file, QWidget* parent)
 void PictureDialog::chooseSize() {
     const QScreen* screen =
         parentWidget() != nullptr ? parentWidget()->screen() : QGuiApplication::primaryScreen();
-    const QSize most = screen->availableSize() * 4 / 5;
+    const QSize max = screen->availableSize() * 4 / 5;
     const QSize foot(0, layout()->itemAt(1)->sizeHint().height());
     QSize size = picture_.size() / devicePixelRatioF();
-    if (!QRect(QPoint(), most - foot).contains(QRect(QPoint(), size)))
-        size.scale(most - foot, Qt::KeepAspectRatio);
+    if (!QRect(QPoint(), max - foot).contains(QRect(QPoint(), size)))
+        size.scale(max - foot, Qt::KeepAspectRatio);
     resize((size + foot).expandedTo(QSize(minimumSizeHint().width(), 240)));
 }
 

@@ -96,13 +96,13 @@ void RenderDialog::makeFields(const RenderContext& context) {
     size_->addItems({tr("from scene"), tr("custom")});
     size_->setAccessibleName(tr("Resolution"));
     size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
-    width_ = numberField(1, mostOf("width"), size.width(), tr("Width"));
-    height_ = numberField(1, mostOf("height"), size.height(), tr("Height"));
+    width_ = numberField(1, maxOf("width"), size.width(), tr("Width"));
+    height_ = numberField(1, maxOf("height"), size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     integrator_ = new QComboBox;
     integrator_->addItems({tr("as in scene"), tr("fast"), tr("full light")});
     integrator_->setAccessibleName(tr("Quality"));
-    samples_ = numberField(0, mostOf("path.samples"), 0, tr("Samples of path tracing"));
+    samples_ = numberField(0, maxOf("path.samples"), 0, tr("Samples of path tracing"));
     samples_->setSpecialValueText(tr("from scene"));
     samples_->setSuffix(tr(" samples per pixel"));
     integratorRow_ = rowOfFields({integrator_, samples_});
@@ -110,17 +110,17 @@ void RenderDialog::makeFields(const RenderContext& context) {
     newNoise_->setChecked(true);
     newNoise_->setToolTip(tr("Noise that stands still in a film looks like dirt on the glass.") +
                           QStringLiteral("\npath.seedPerFrame"));
-    antialiasing_ = numberField(0, mostOf("antialiasing"), context.antialiasing, tr("Anti-aliasing"));
+    antialiasing_ = numberField(0, maxOf("antialiasing"), context.antialiasing, tr("Anti-aliasing"));
     antialiasing_->setSpecialValueText(tr("from scene"));
     occlusion_ = new QComboBox;
     occlusion_->addItems({tr("from scene"), tr("on"), tr("off")});
     occlusion_->setAccessibleName(tr("Ambient occlusion"));
     occlusionRays_ =
-        numberField(0, mostOf("ambientOcclusion.samples"), 0, tr("Rays of the ambient occlusion"));
+        numberField(0, maxOf("ambientOcclusion.samples"), 0, tr("Rays of the ambient occlusion"));
     occlusionRays_->setSpecialValueText(tr("from scene"));
     occlusionRays_->setSuffix(tr(" rays per point"));
     occlusionRow_ = rowOfFields({occlusion_, occlusionRays_});
-    bloom_ = numberField(-1, mostOf("bloom.radius"), -1, tr("Bloom"));
+    bloom_ = numberField(-1, maxOf("bloom.radius"), -1, tr("Bloom"));
     bloom_->setSpecialValueText(tr("from scene"));
     bloom_->setSuffix(tr(" pixels"));
 }

@@ -35,14 +35,14 @@ StartServerDialog::StartServerDialog(Preferences& preferences, const QString& in
       camera_(new FileField(FileField::Kind::Open, tr("Camera"), tr("Cameras (*.cam);;All files (*)"))),
       settings_(new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set);;All files (*)"))),
       instance_(new QLineEdit), further_(new QLineEdit), size_(new QComboBox) {
-    constexpr int kMostPixels = ipc::kMaxFrameSide, kMostThreads = 1024;
-    width_ = numberField(1, kMostPixels, window.width(), tr("Width"));
-    height_ = numberField(1, kMostPixels, window.height(), tr("Height"));
-    threads_ = numberField(0, kMostThreads, 0, tr("Threads"));
+    constexpr int kMaxPixels = ipc::kMaxFrameSide, kMaxThreads = 1024;
+    width_ = numberField(1, kMaxPixels, window.width(), tr("Width"));
+    height_ = numberField(1, kMaxPixels, window.height(), tr("Height"));
+    threads_ = numberField(0, kMaxThreads, 0, tr("Threads"));
     threads_->setSpecialValueText(tr("all cores"));
     limit_ = new QDoubleSpinBox;
-    constexpr double kMostFrames = 1000;
-    limit_->setRange(0, kMostFrames);
+    constexpr double kMaxFrames = 1000;
+    limit_->setRange(0, kMaxFrames);
     limit_->setDecimals(0);
     limit_->setSpecialValueText(tr("none"));
     limit_->setSuffix(tr(" frames/s"));

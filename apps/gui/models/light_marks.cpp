@@ -41,11 +41,11 @@ QVector3D Projection::movedInPlane(const QVector3D& point, const QPointF& from, 
 // Where the axis through the point is nearest to the ray.
 std::optional<double> Projection::alongAxis(const QVector3D& point, const QVector3D& axis,
                                             const QPointF& at) const {
-    constexpr double kLeastSine = 0.02;
+    constexpr double kMinSine = 0.02;
     const QVector3D direction = ray(at), off = point - eye_;
     const double cosine = static_cast<double>(QVector3D::dotProduct(axis, direction));
     const double squareSine = 1 - cosine * cosine;
-    if (squareSine < kLeastSine * kLeastSine) return std::nullopt;
+    if (squareSine < kMinSine * kMinSine) return std::nullopt;
     const auto dot = [](const QVector3D& a, const QVector3D& b) {
         return static_cast<double>(QVector3D::dotProduct(a, b));
     };

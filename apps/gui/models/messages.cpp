@@ -142,9 +142,9 @@ QString warningsText(const QStringList& warnings) {
         if (!ofKind.contains(kind)) kinds.append(kind);
         ofKind[kind].append(warning);
     }
-    constexpr qsizetype kMostLines = 4;
+    constexpr qsizetype kMaxLines = 4;
     QStringList lines;
-    for (const QString& kind : kinds.mid(0, kMostLines))
+    for (const QString& kind : kinds.mid(0, kMaxLines))
         lines.append(countedText(ofKind[kind].first(), ofKind[kind].size()));
     const qsizetype more = kinds.size() - lines.size();
     if (more > 0) lines.append(tr("Further warnings: %1").arg(more));

@@ -11,7 +11,7 @@ namespace gui {
 
 namespace {
 
-constexpr int kMostSide = 4096;
+constexpr int kMaxSide = 4096;
 
 /// So many words of a line, and what follows them.
 struct Line {
@@ -106,7 +106,7 @@ std::optional<SeenRow> readSeen(const QString& answer) {
 QImage readMark(const QString& answer, const QColor& colour) {
     const QStringList words = answer.split(QLatin1Char(' '));
     const int width = words.value(0).toInt(), height = words.value(1).toInt();
-    if (width < 1 || height < 1 || width > kMostSide || height > kMostSide) return {};
+    if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) return {};
     const auto columns = static_cast<std::size_t>(width);
     const std::vector<bool> mask = readRuns(words, columns * static_cast<std::size_t>(height));
     if (mask.empty()) return {};

@@ -9,7 +9,7 @@
 namespace gui {
 
 namespace {
-constexpr qsizetype kMostRecent = 10;
+constexpr qsizetype kMaxRecent = 10;
 }
 
 Preferences::Preferences(QObject* parent)
@@ -22,14 +22,14 @@ Preferences::Preferences(QObject* parent)
 QStringList Preferences::recentFiles() const {
     QStringList files = get(pref::recentFiles);
     files.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
-    return files.mid(0, kMostRecent);
+    return files.mid(0, kMaxRecent);
 }
 
 void Preferences::addRecentFile(const QString& path) {
     QStringList files = get(pref::recentFiles);
     files.removeAll(path);
     files.prepend(path);
-    set(pref::recentFiles, files.mid(0, kMostRecent));
+    set(pref::recentFiles, files.mid(0, kMaxRecent));
 }
 
 QString Preferences::picturesFolder() const {

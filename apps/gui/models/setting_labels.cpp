@@ -33,10 +33,10 @@ QString number(double value) {
 
 QString rangeText(const Setting& setting) {
     if (setting.type != SettingType::Integer && setting.type != SettingType::Number) return {};
-    const QString least = number(setting.minimum);
+    const QString min = number(setting.minimum);
     if (setting.maximum >= rtcore::kUnlimited)
-        return QCoreApplication::translate("gui", "at least %1").arg(least);
-    return QCoreApplication::translate("gui", "%1 to %2").arg(least, number(setting.maximum));
+        return QCoreApplication::translate("gui", "at least %1").arg(min);
+    return QCoreApplication::translate("gui", "%1 to %2").arg(min, number(setting.maximum));
 }
 
 } // namespace

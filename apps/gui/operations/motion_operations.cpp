@@ -20,7 +20,7 @@ namespace gui {
 namespace {
 
 constexpr double kStepsPerDoubling = 2;
-constexpr double kMostWheelSteps = 12;
+constexpr double kMaxWheelSteps = 12;
 constexpr double kHalfTurn = 180;     ///< degrees
 constexpr double kNearer = 1.2;       ///< by a step of the wheel
 constexpr double kPixelsPerStep = 15; ///< of a drag that goes nearer
@@ -106,7 +106,7 @@ void MotionOperations::askForBindings() {
 
 void MotionOperations::changeSpeed(double steps) {
     if (!context_.session.live()) return;
-    steps_ = std::clamp(steps_ + steps, -kMostWheelSteps, kMostWheelSteps);
+    steps_ = std::clamp(steps_ + steps, -kMaxWheelSteps, kMaxWheelSteps);
     const double factor = std::exp2(steps_ / kStepsPerDoubling);
     context_.session.send(command::speed(factor));
     const QString text = context_.session.status().view.walking

@@ -6,7 +6,7 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
-#include "rtcore/look/look_name.h"
+#include "rtcore/look/lighting_preset_name.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -15,8 +15,8 @@ namespace gui {
 
 namespace {
 
-std::string nameOf(rtcore::Look look) {
-    return std::string(rtcore::kLookNames[static_cast<std::size_t>(look)]);
+std::string nameOf(rtcore::LightingPreset look) {
+    return std::string(rtcore::kLightingPresetNames[static_cast<std::size_t>(look)]);
 }
 
 } // namespace
@@ -25,11 +25,12 @@ SurroundingsOperations::SurroundingsOperations(const GuiContext& context, QObjec
     : QObject(parent), context_(context) {
     Actions& actions = context_.actions;
     actions.on(ActionId::LookSky,
-               [this] { edit(command::look(nameOf(rtcore::Look::Sky)), tr("Lit by a sky")); });
-    actions.on(ActionId::LookStudio,
-               [this] { edit(command::look(nameOf(rtcore::Look::Studio)), tr("Lit as in a studio")); });
+               [this] { edit(command::look(nameOf(rtcore::LightingPreset::Sky)), tr("Lit by a sky")); });
+    actions.on(ActionId::LookStudio, [this] {
+        edit(command::look(nameOf(rtcore::LightingPreset::Studio)), tr("Lit as in a studio"));
+    });
     actions.on(ActionId::LookHeadlight, [this] {
-        edit(command::look(nameOf(rtcore::Look::Headlight)), tr("Lit by a light beside you"));
+        edit(command::look(nameOf(rtcore::LightingPreset::Headlight)), tr("Lit by a light beside you"));
     });
     actions.on(ActionId::OpenEnvironment, [this] { askForFile(); });
     actions.on(ActionId::NoEnvironment,

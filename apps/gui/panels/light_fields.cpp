@@ -33,7 +33,7 @@ namespace {
 
 namespace command = app::command;
 
-constexpr double kFar = 1e9, kMostDegrees = 180;
+constexpr double kFar = 1e9, kMaxDegrees = 180;
 constexpr int kFrame = 14; ///< pixels around the text of a field
 constexpr float kUsualTemperature = 4000;
 
@@ -71,8 +71,10 @@ QString lightText(const ShownLight& light) {
 
 QColor lightColour(const rtcore::LightDescription& light) {
     const rtcore::Colour colour = tintOf(light);
-    const float most = std::max(maxComponent(colour), 1e-30F);
-    const auto part = [&](float value) { return rtcore::srgbEncode(std::clamp(value / most, 0.0F, 1.0F)); };
+    const float largest = std::max(maxComponent(colour), 1e-30F);
+    const auto part = [&](float value) {
+        return rtcore::srgbEncode(std::clamp(value / largest, 0.0F, 1.0F));
+    };
     return QColor::fromRgbF(part(colour.r), part(colour.g), part(colour.b));
 }
 
@@ -138,11 +140,11 @@ void LightFields::addIdentity() {
     });
 }
 
-LightFields::Vector LightFields::vectorFields(const QString& name, double most) {
+LightFields::Vector LightFields::vectorFields(const QString& name, double max) {
     Vector fields;
     constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        fields.at(i) = new ValueBox(-most, most);
+        fields.at(i) = new ValueBox(-max, max);
         fields.at(i)->setAccessibleName(name + QLatin1Char(' ') + QChar(kAxes.at(i)));
         fields.at(i)->setToolTip(plainTip(fields.at(i)->accessibleName()));
         const int text = fields.at(i)->fontMetrics().horizontalAdvance(QStringLiteral("-12.345 m"));
@@ -196,7 +198,7 @@ void LightFields::addColour() {
     form_->addRow(tr("Colour"), colour_);
     hasTemperature_ = new QCheckBox;
     hasTemperature_->setAccessibleName(tr("Colour by temperature"));
-    temperature_ = new ValueBox(rtcore::kLeastTemperature, rtcore::kMostTemperature);
+    temperature_ = new ValueBox(rtcore::kMinTemperature, rtcore::kMaxTemperature);
     temperature_->setSuffix(QStringLiteral(" K"));
     temperature_->setAccessibleName(tr("Temperature"));
     temperature_->setToolTip(tr("Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K"));
@@ -220,7 +222,7 @@ void LightFields::addColour() {
 void LightFields::addShape() {
     for (std::size_t i = 0; i < size_.size(); ++i) {
         size_.at(i) = new ValueBox(0, kFar);
-        angles_.at(i) = new ValueBox(0, kMostDegrees);
+        angles_.at(i) = new ValueBox(0, kMaxDegrees);
         angles_.at(i)->setSuffix(degrees());
     }
     size_[1]->setAccessibleName(tr("Height"));
@@ -263,7 +265,7 @@ void LightFields::showSize(const rtcore::Light& light) {
     const rtcore::LightTraits& traits = traitsOf(light);
     static_cast<QLabel*>(form_->labelForField(sizeRow_))
         ->setText(traits.disc || traits.sides ? tr("Size") : tr("Radius"));
-    size_[0]->setMaximum(traits.disc ? kMostDegrees : kFar);
+    size_[0]->setMaximum(traits.disc ? kMaxDegrees : kFar);
     size_[0]->setSuffix(traits.disc ? degrees() : metres());
     size_[1]->setSuffix(metres());
     size_[0]->setAccessibleName(traits.disc    ? tr("Angle under which it is seen")

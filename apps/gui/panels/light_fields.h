@@ -65,7 +65,7 @@ class LightFields : public QWidget {
     void addPlace();
     void addColour();
     void addShape();
-    Vector vectorFields(const QString& name, double most);
+    Vector vectorFields(const QString& name, double max);
     /// The other two components stay to the last bit.
     void onVector(const Vector& fields, const char* step,
                   std::string (*line)(int, const std::array<float, 3>&), rtcore::Vec3 rtcore::Light::*exact);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kId = Qt::UserRole;
 constexpr int kComputed = 1'000'000, kNone = kComputed + 1; ///< behind the numbers of maps
-constexpr int kFewest = 3, kMost = 8;                       ///< rows of the list that are seen
+constexpr int kFewest = 3, kMax = 8;                        ///< rows of the list that are seen
 
 QGroupBox* addBox(const QString& title, QVBoxLayout& column) {
     auto* box = new QGroupBox(title);
@@ -135,7 +135,7 @@ void LightsPanel::showLights(const QList<ShownLight>& lights) {
         item->setCheckState(light.on ? Qt::Checked : Qt::Unchecked);
         item->setToolTip(plainTip(light.id <= 9 ? tr("Key: %1").arg(light.id) : QString()));
     }
-    const int rows = std::clamp(list_->count(), kFewest, kMost);
+    const int rows = std::clamp(list_->count(), kFewest, kMax);
     list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 4) + 6);
 }
 

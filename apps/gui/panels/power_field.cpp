@@ -12,13 +12,13 @@ namespace gui {
 
 namespace {
 
-constexpr double kMostPower = 1e15;
+constexpr double kMaxPower = 1e15;
 constexpr int kLumens = 0, kWatts = 1; ///< of the units
 
 } // namespace
 
 PowerField::PowerField(QWidget* parent)
-    : QWidget(parent), value_(new ValueBox(0, kMostPower)), unit_(new QComboBox) {
+    : QWidget(parent), value_(new ValueBox(0, kMaxPower)), unit_(new QComboBox) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

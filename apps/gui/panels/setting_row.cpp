@@ -144,13 +144,13 @@ QWidget* SettingRow::makeEditor(const Setting& setting, const QString& label) {
 
 // It ends where pages do: few want more, and that may be typed.
 ValueSlider* SettingRow::makeSlider(const Setting& setting) {
-    constexpr double kMostEven = 5000, kMostFactor = 1e7;
+    constexpr double kMaxEven = 5000, kMaxFactor = 1e7;
     const bool number = setting.type == SettingType::Integer || setting.type == SettingType::Number;
     if (!number || isPictureSize(name_)) return nullptr;
-    const double least = setting.minimum, most = std::min(setting.maximum, setting.browser.maximum);
-    const bool even = most - least <= kMostEven, byFactors = least > 0 && most / least <= kMostFactor;
+    const double min = setting.minimum, max = std::min(setting.maximum, setting.browser.maximum);
+    const bool even = max - min <= kMaxEven, byFactors = min > 0 && max / min <= kMaxFactor;
     if (!even && !byFactors) return nullptr;
-    auto* slider = new ValueSlider(least, most, setting.type == SettingType::Integer);
+    auto* slider = new ValueSlider(min, max, setting.type == SettingType::Integer);
     slider->setAccessibleName(fullName(setting));
     slider->setToolTip(settingTip(setting));
     slider->setFocusPolicy(Qt::StrongFocus);

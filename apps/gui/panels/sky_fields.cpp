@@ -24,7 +24,7 @@ namespace command = app::command;
 
 constexpr int kDay = 24 * 3600, kSliderStep = 300; ///< seconds
 constexpr int kDirectionDigits = 3;                ///< as many as are seen
-constexpr double kMostStrength = 1e6;
+constexpr double kMaxStrength = 1e6;
 
 rtcore::Vec3 upOf(const SceneState& state) {
     const auto found =
@@ -59,8 +59,8 @@ void SkyFields::send(const char* step, const std::string& line) {
     if (!showing_) emit edited(QString::fromLatin1(step), line);
 }
 
-ValueBox* SkyFields::number(const QString& label, double least, double most, const QString& unit) {
-    auto* box = new ValueBox(least, most);
+ValueBox* SkyFields::number(const QString& label, double min, double max, const QString& unit) {
+    auto* box = new ValueBox(min, max);
     box->setAccessibleName(label);
     box->setSuffix(unit);
     form_->addRow(label, box);
@@ -76,7 +76,7 @@ void SkyFields::addMap() {
     mapRotation_ = number(tr("Turned by"), -360, 360, QStringLiteral("°"));
     mapRotation_->setToolTip(tr("Turns the environment map, to the right about the up axis"));
     sends(mapRotation_, "environment rotation", command::environmentRotation);
-    mapStrength_ = number(tr("Brightness"), 0, kMostStrength);
+    mapStrength_ = number(tr("Brightness"), 0, kMaxStrength);
     mapStrength_->setToolTip(tr("How bright the environment map is; 1 is as its file says"));
     sends(mapStrength_, "environment strength", command::environmentStrength);
 }
@@ -160,10 +160,10 @@ void SkyFields::addDirection() {
 }
 
 void SkyFields::addAir() {
-    turbidity_ = number(tr("Haze"), rtcore::kLeastTurbidity, rtcore::kMostTurbidity);
+    turbidity_ = number(tr("Haze"), rtcore::kMinTurbidity, rtcore::kMaxTurbidity);
     turbidity_->setToolTip(tr("2 very clear, 3 clear, 6 hazy, 10 thick"));
     sends(turbidity_, "sky turbidity", command::skyTurbidity);
-    strength_ = number(tr("Strength"), 0, kMostStrength);
+    strength_ = number(tr("Strength"), 0, kMaxStrength);
     sends(strength_, "sky strength", command::skyStrength);
     ground_ = new QCheckBox(tr("Ground plane"));
     ground_->setToolTip(tr("A wide ground below the model"));

@@ -61,7 +61,7 @@ class SkyFields : public QWidget {
     void addPlace();
     void addDirection();
     void addAir();
-    ValueBox* number(const QString& label, double least, double most, const QString& unit = {});
+    ValueBox* number(const QString& label, double min, double max, const QString& unit = {});
     /// What changes is sent as the command that `line` makes of the value.
     void sends(ValueBox* box, const char* step, std::string (*line)(double));
     void sendPlace();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kAllDecimals = 60; ///< QDoubleSpinBox rounds to them
 constexpr double kFirstStep = 0.01;
-constexpr double kLeastPlain = 1e-5, kMostPlain = 1e7; ///< shown without an exponent
+constexpr double kMinPlain = 1e-5, kMaxPlain = 1e7; ///< shown without an exponent
 
 } // namespace
 
@@ -25,7 +25,7 @@ QString ValueBox::textFromValue(double value) const {
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     const double size = std::abs(value);
     // "1E+05" is shorter than "100000", but harder to read.
-    const bool plain = size == 0 || (size >= kLeastPlain && size < kMostPlain);
+    const bool plain = size == 0 || (size >= kMinPlain && size < kMaxPlain);
     return locale.toString(value, plain ? 'f' : 'g', QLocale::FloatingPointShortest);
 }
 

@@ -17,30 +17,30 @@ double withFewDigits(double value) { return QString::number(value, 'g', kDigits)
 
 } // namespace
 
-ValueSlider::ValueSlider(double least, double most, bool whole, QWidget* parent)
-    : QSlider(Qt::Horizontal, parent), least_(least), most_(most), whole_(whole),
-      byFactors_(least > 0 && most / least >= kManyOrders) {
-    constexpr int kLeastWide = 60, kPages = 10;
+ValueSlider::ValueSlider(double min, double max, bool whole, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), min_(min), max_(max), whole_(whole),
+      byFactors_(min > 0 && max / min >= kManyOrders) {
+    constexpr int kMinWide = 60, kPages = 10;
     const bool eachNumber = whole_ && !byFactors_;
-    setRange(0, eachNumber ? static_cast<int>(most_ - least_) : kPositions);
+    setRange(0, eachNumber ? static_cast<int>(max_ - min_) : kPositions);
     setPageStep(std::max(1, maximum() / kPages));
-    setMinimumWidth(kLeastWide);
+    setMinimumWidth(kMinWide);
     connect(this, &QSlider::valueChanged, this, [this](int position) { emit moved(valueAt(position)); });
 }
 
 double ValueSlider::valueAt(int position) const {
-    if (position <= 0) return least_;
-    if (position >= maximum()) return most_;
+    if (position <= 0) return min_;
+    if (position >= maximum()) return max_;
     const double fraction = static_cast<double>(position) / maximum();
     const double value =
-        byFactors_ ? least_ * std::pow(most_ / least_, fraction) : least_ + fraction * (most_ - least_);
+        byFactors_ ? min_ * std::pow(max_ / min_, fraction) : min_ + fraction * (max_ - min_);
     return whole_ ? std::round(value) : withFewDigits(value);
 }
 
 int ValueSlider::positionOf(double value) const {
-    const double inside = std::clamp(value, least_, most_);
-    const double fraction = byFactors_ ? std::log(inside / least_) / std::log(most_ / least_)
-                                       : (inside - least_) / (most_ - least_);
+    const double inside = std::clamp(value, min_, max_);
+    const double fraction =
+        byFactors_ ? std::log(inside / min_) / std::log(max_ / min_) : (inside - min_) / (max_ - min_);
     return static_cast<int>(std::lround(fraction * maximum()));
 }
 

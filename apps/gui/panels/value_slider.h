@@ -9,8 +9,8 @@ class ValueSlider : public QSlider {
     Q_OBJECT
 
   public:
-    /// From `least` to `most`; `whole`: over whole numbers only.
-    ValueSlider(double least, double most, bool whole, QWidget* parent = nullptr);
+    /// From `min` to `max`; `whole`: over whole numbers only.
+    ValueSlider(double min, double max, bool whole, QWidget* parent = nullptr);
 
     /// Moves it there, to an end where the value is beyond. Emits nothing.
     void showValue(double value);
@@ -23,7 +23,7 @@ class ValueSlider : public QSlider {
     double valueAt(int position) const;
     int positionOf(double value) const;
 
-    double least_, most_;
+    double min_, max_;
     bool whole_, byFactors_;
 };
 

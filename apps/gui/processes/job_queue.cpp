@@ -16,7 +16,7 @@ namespace gui {
 
 namespace {
 
-constexpr qsizetype kMostLog = 256 * 1024;
+constexpr qsizetype kMaxLog = 256 * 1024;
 
 QStringList withQueueOptions(const JobRequest& request) {
     QStringList words{QStringLiteral("--progress=json")};
@@ -122,7 +122,7 @@ void JobQueue::onPrinted(const QString& line) {
     Job* job = current();
     if (job == nullptr) return;
     job->log += line + QLatin1Char('\n');
-    if (job->log.size() > kMostLog) job->log = job->log.right(kMostLog / 2);
+    if (job->log.size() > kMaxLog) job->log = job->log.right(kMaxLog / 2);
     tell(rowOf(job->id));
 }
 

@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kPreviewPace = 15ms;
 constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last image is seen, however late that is
-constexpr int kMostTries = 5;      ///< while the predecessor, on a busy machine, takes its time to die
+constexpr int kMaxTries = 5;       ///< while the predecessor, on a busy machine, takes its time to die
 constexpr auto kEndPatience = 1s;  ///< with a Renderer that does not end when it is asked to
 
 int nextNumber() {
@@ -138,7 +138,7 @@ void PreviewProcess::finish(int exitCode, bool crashed) {
     if (!crashed && exitCode == 0) look();
     if (!active_) return;
     const bool later = !crashed && exitCode == static_cast<int>(app::ExitCode::TryAgain);
-    if (later && ++tries_ < kMostTries) return tryAgain();
+    if (later && ++tries_ < kMaxTries) return tryAgain();
     const QString words = QString::fromUtf8(process_->readAllStandardError()).trimmed();
     fail(words.isEmpty() ? tr("The Renderer failed.") : words);
 }

@@ -80,8 +80,8 @@ void ServerKeeper::leaveOurs() {
     server_.stop();
     QEventLoop loop; // a second at most: its shared memory is to be free again
     connect(&server_, &ServerProcess::ended, &loop, &QEventLoop::quit);
-    constexpr int kMost = 4000;
-    QTimer::singleShot(kMost, &loop, &QEventLoop::quit);
+    constexpr int kMax = 4000;
+    QTimer::singleShot(kMax, &loop, &QEventLoop::quit);
     if (server_.running()) loop.exec(QEventLoop::ExcludeUserInputEvents);
 }
 

@@ -18,7 +18,7 @@ namespace gui {
 
 namespace {
 
-constexpr qint64 kMostServerLog = 256 * 1024;
+constexpr qint64 kMaxServerLog = 256 * 1024;
 
 QStringList wordsOf(const ServerRequest& request) {
     QStringList words{request.scene, QStringLiteral("--instance=") + request.instance};
@@ -98,7 +98,7 @@ void ServerProcess::tellEnd(int exitCode, bool crashed) {
 QString ServerProcess::log() const {
     QFile file(logFile_);
     if (!file.open(QIODevice::ReadOnly)) return {};
-    if (file.size() > kMostServerLog) file.seek(file.size() - kMostServerLog);
+    if (file.size() > kMaxServerLog) file.seek(file.size() - kMaxServerLog);
     return QString::fromUtf8(file.readAll());
 }
 

@@ -11,10 +11,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kMostWaiting = 1000;
-constexpr double kLeast = 1e-4; ///< degrees, or of the image's width
+constexpr std::size_t kMaxWaiting = 1000;
+constexpr double kMin = 1e-4; ///< degrees, or of the image's width
 
-bool isSome(const Steering::Move& move) { return std::abs(move.right) + std::abs(move.upwards) >= kLeast; }
+bool isSome(const Steering::Move& move) { return std::abs(move.right) + std::abs(move.upwards) >= kMin; }
 
 /// The next command of it, which it is without then; "" for none.
 std::string takeLine(Steering& steering) {
@@ -36,9 +36,9 @@ std::string takeLine(Steering& steering) {
 }
 
 /// Added up, within what a command takes.
-void add(Steering::Move& sum, double right, double upwards, double most) {
-    sum.right = std::clamp(sum.right + right, -most, most);
-    sum.upwards = std::clamp(sum.upwards + upwards, -most, most);
+void add(Steering::Move& sum, double right, double upwards, double max) {
+    sum.right = std::clamp(sum.right + right, -max, max);
+    sum.upwards = std::clamp(sum.upwards + upwards, -max, max);
 }
 
 } // namespace
@@ -50,7 +50,7 @@ void Session::send(const std::string& command) { send(command, this, {}); }
 void Session::send(const std::string& command, const QObject* context,
                    std::function<void(const Answer&)> done) {
     const bool wanted = state_ != SessionState::Disconnected && state_ != SessionState::Refused;
-    if (!wanted || link_->waiting.size() >= kMostWaiting) {
+    if (!wanted || link_->waiting.size() >= kMaxWaiting) {
         const QString text = wanted ? tr("the server takes no commands") : tr("there is no server");
         if (!done) return emit commandFailed(QString::fromStdString(command), text);
         QMetaObject::invokeMethod(
@@ -173,8 +173,8 @@ void Session::pan(double right, double upwards) {
 }
 
 void Session::approach(double factor) {
-    constexpr double kMost = 1000;
-    link_->steering.approach = std::clamp(link_->steering.approach * factor, 1 / kMost, kMost);
+    constexpr double kMax = 1000;
+    link_->steering.approach = std::clamp(link_->steering.approach * factor, 1 / kMax, kMax);
     steer();
 }
 

@@ -26,11 +26,11 @@ constexpr auto kResizeRest = 300ms;
 constexpr QRgb kBackground = 0xff1a1c1f;
 
 /// Of the same kind, along its edges, so that a frame of few pixels shows no squares; at most about as large
-/// as a widget of `most`, and not above what is upsampled within a few milliseconds.
-QImage upsampled(const QImage& picture, const QSize& most) {
-    constexpr double kMostPixels = 1 << 21;
-    const double pixels = static_cast<double>(most.width()) * most.height();
-    const QSize size = most * std::min(1.0, std::sqrt(kMostPixels / pixels));
+/// as a widget of `max`, and not above what is upsampled within a few milliseconds.
+QImage upsampled(const QImage& picture, const QSize& max) {
+    constexpr double kMaxPixels = 1 << 21;
+    const double pixels = static_cast<double>(max.width()) * max.height();
+    const QSize size = max * std::min(1.0, std::sqrt(kMaxPixels / pixels));
     const bool grows =
         size.width() >= picture.width() && size.height() >= picture.height() && size != picture.size();
     if (!grows || picture.format() != QImage::Format_RGB32) return picture;

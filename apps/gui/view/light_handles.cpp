@@ -21,7 +21,7 @@ namespace {
 constexpr double kMarkRadius = 7, kReach = 11; ///< pixels: of a mark, and how near a click is to it
 constexpr double kHandle = 56;                 ///< pixels from the mark to the end of a handle, at most
 constexpr double kShortest = 18;               ///< below, an axis that points at the eye has no handle
-constexpr double kLeastDrag = 3;
+constexpr double kMinDrag = 3;
 
 const std::array<QVector3D, 3> kAxes{QVector3D(1, 0, 0), QVector3D(0, 1, 0), QVector3D(0, 0, 1)};
 const std::array<QColor, 3> kAxisColours{QColor(235, 90, 80), QColor(120, 210, 90), QColor(90, 150, 250)};
@@ -185,7 +185,7 @@ void LightHandles::drag(const QMouseEvent& event) {
     const std::optional<Projection> in = projection();
     drag_->now = event.position();
     const bool goesOn = drag_->moves;
-    if (!in || (!goesOn && apart(drag_->from, drag_->now) < kLeastDrag)) return;
+    if (!in || (!goesOn && apart(drag_->from, drag_->now) < kMinDrag)) return;
     drag_->moves = true;
     const int id = drag_->id;
     const LightMark* mark = find(id);

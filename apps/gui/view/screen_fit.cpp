@@ -10,8 +10,8 @@ namespace gui {
 
 void fitIntoScreen(QWidget& window) {
     const QRect room = window.screen()->availableGeometry();
-    const QSize most = room.size() - QSize(0, window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
-    window.resize(window.size().boundedTo(most));
+    const QSize max = room.size() - QSize(0, window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
+    window.resize(window.size().boundedTo(max));
     const bool placed = window.testAttribute(Qt::WA_Moved); // else the desktop finds a place
     if (placed && !room.contains(window.geometry()))
         window.move(qBound(room.left(), window.x(), room.right() + 1 - window.width()),

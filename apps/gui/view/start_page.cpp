@@ -14,7 +14,7 @@ namespace gui {
 
 namespace {
 
-constexpr qsizetype kMostShown = 5;
+constexpr qsizetype kMaxShown = 5;
 constexpr int kBetweenParts = 16, kBetweenColumns = 40;
 
 QWidget* part(QVBoxLayout*& column) {
@@ -88,7 +88,7 @@ void StartPage::setRecent(const QStringList& files) {
     recentPart_->setVisible(!files.isEmpty());
     if (files.isEmpty()) return;
     recent_->addWidget(headingLabel(tr("Recent")));
-    for (const QString& path : files.mid(0, kMostShown)) addScene(*recent_, QFileInfo(path).fileName(), path);
+    for (const QString& path : files.mid(0, kMaxShown)) addScene(*recent_, QFileInfo(path).fileName(), path);
 }
 
 } // namespace gui

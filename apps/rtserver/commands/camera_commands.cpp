@@ -115,8 +115,8 @@ double widthAtPivot(const Call& call) {
     const float width = length(view.plane().right) * static_cast<float>(settings.width);
     if (view.parallel()) return static_cast<double>(width);
     const float away = dot(call.walk().pivot() - view.eye(), view.forward());
-    const float least = 1e-3F * document.world().loaded.tree.bounds.diagonal();
-    return static_cast<double>(width * std::max(std::fabs(away), least));
+    const float min = 1e-3F * document.world().loaded.tree.bounds.diagonal();
+    return static_cast<double>(width * std::max(std::fabs(away), min));
 }
 
 Result pan(const Call& call) {

@@ -13,14 +13,14 @@ namespace {
 
 constexpr auto kPatience = std::chrono::seconds(1); ///< for files that are being written when the server ends
 constexpr const char* kPaused = "the server was paused";
-constexpr std::size_t kMostPending = 64; ///< of a client; then its further commands stay in its queue
+constexpr std::size_t kMaxPending = 64; ///< of a client; then its further commands stay in its queue
 
 bool isEnd(const ipc::Command& command) { return command.text == "quit" || command.text == "exit"; }
 
 } // namespace
 
-CommandService::CommandService(Workspace& state, Messages& messages, Surroundings surroundings)
-    : state_(state), messages_(messages), around_(std::move(surroundings)), requests_(around_.replies) {}
+CommandService::CommandService(Workspace& state, Messages& messages, Services services)
+    : state_(state), messages_(messages), services_(std::move(services)), requests_(services_.replies) {}
 
 CommandService::~CommandService() {
     longWork_.stopWhere([](const ipc::Command&) { return true; });
@@ -32,8 +32,8 @@ CommandService::~CommandService() {
 
 ipc::ClientSet CommandService::full() const {
     ipc::ClientSet full;
-    for (const ipc::Command* command : commands_.ofClientsWith(kMostPending)) {
-        if (around_.replies.isConnected(*command)) full.set(static_cast<std::size_t>(command->slot));
+    for (const ipc::Command* command : commands_.ofClientsWith(kMaxPending)) {
+        if (services_.replies.isConnected(*command)) full.set(static_cast<std::size_t>(command->slot));
     }
     return full;
 }
@@ -45,21 +45,21 @@ void CommandService::add(std::vector<ipc::Command> commands) {
 void CommandService::serve(std::vector<ipc::Command> commands) {
     for (const ipc::Command& command : commands) {
         // Not to be held up by a file that does not answer.
-        if (isEnd(command) && commands_.isBeside(command.client)) around_.host.quit();
+        if (isEnd(command) && commands_.isBeside(command.client)) services_.host.quit();
     }
     add(std::move(commands));
     commands_.forgetWaiting([this](const ipc::Command& command) {
-        return command.wantsAnswer && !around_.replies.isConnected(command);
+        return command.wantsAnswer && !services_.replies.isConnected(command);
     });
     commands_.serve([this](const ipc::Command& command) {
-        return around_.host.quits() ? Served::Again : serveOne(command);
+        return services_.host.quits() ? Served::Again : serveOne(command);
     });
 }
 
 Served CommandService::serveOne(const ipc::Command& command) {
     Served served = Served::Done;
     answerBy(command, [&] {
-        return begin(command, runCommand(command.text, state_, around_.host, command.client), served);
+        return begin(command, runCommand(command.text, state_, services_.host, command.client), served);
     });
     return served;
 }
@@ -99,7 +99,7 @@ void CommandService::finishSideWork() {
     }
     // A client that has left, by Ctrl-C for example, takes no answer any more.
     longWork_.stopWhere([this](const ipc::Command& command) {
-        return command.wantsAnswer && !around_.replies.isConnected(command);
+        return command.wantsAnswer && !services_.replies.isConnected(command);
     });
     for (const SideWork::Done& done : longWork_.takeDone())
         answerBy(done.command, [&] { return std::optional(done.finish()); });
@@ -112,8 +112,8 @@ void CommandService::answerBy(const ipc::Command& command, const Act& act) {
     try {
         const std::optional<std::string> text = act();
         if (!text) return;
-        around_.publishStatus();
-        around_.replies.answer(command, *text);
+        services_.publishStatus();
+        services_.replies.answer(command, *text);
     } catch (const std::exception& error) {
         refuseFor(command, error);
         if (!command.wantsAnswer) messages_.complain(rtcore::inQuotes(command.text) + ": " + error.what());
@@ -122,14 +122,14 @@ void CommandService::answerBy(const ipc::Command& command, const Act& act) {
 
 void CommandService::loaded(const std::optional<Failure>& failure) {
     if (failure) return requests_.loadFailed(failure->code, failure->text);
-    if (requests_.waitsForLoad()) around_.publishStatus();
+    if (requests_.waitsForLoad()) services_.publishStatus();
     requests_.loaded();
 }
 
 void CommandService::answerRequests(bool idle) {
     const auto release = [this](std::uint64_t press) { state_.walk.keyboard().endPress(press); };
     if (requests_.waitForKeys()) {
-        around_.publishStatus();
+        services_.publishStatus();
         requests_.answerReleased([this](std::uint64_t press) { return state_.walk.keyboard().isDown(press); },
                                  release);
     }
@@ -137,7 +137,7 @@ void CommandService::answerRequests(bool idle) {
     if (state_.paused || !state_.idles)
         requests_.refuseIdle(app::ExitCode::Failed, state_.paused ? kPaused : "idling was turned off");
     if (!idle || !requests_.waitForIdle()) return;
-    around_.publishStatus();
+    services_.publishStatus();
     requests_.idle();
 }
 
@@ -152,12 +152,12 @@ void CommandService::refuseObstructing(const std::string& why) {
 
 void CommandService::refuseFor(const ipc::Command& command, const std::exception& error) {
     const Failure failure = failureOf(error);
-    around_.replies.refuse(command, failure.code, failure.text);
+    services_.replies.refuse(command, failure.code, failure.text);
 }
 
 void CommandService::refuseAll(const std::vector<ipc::Command>& commands, const std::string& why) {
     for (const ipc::Command& command : commands)
-        around_.replies.refuse(command, static_cast<int>(app::ExitCode::TryAgain), why);
+        services_.replies.refuse(command, static_cast<int>(app::ExitCode::TryAgain), why);
 }
 
 // --- While a frame is drawn ---
@@ -183,8 +183,8 @@ Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
 // The status stays as it is: it tells of the frame that is drawn, too.
 void CommandService::tell(const ipc::Command& command) {
     try {
-        around_.replies.answer(command,
-                               runCommand(command.text, state_, around_.host, command.client).answer);
+        services_.replies.answer(command,
+                                 runCommand(command.text, state_, services_.host, command.client).answer);
     } catch (const std::exception& error) {
         refuseFor(command, error);
     }

@@ -25,13 +25,13 @@ namespace rtserver {
 class CommandService {
   public:
     /// What the service tells of, or asks for.
-    struct Surroundings {
+    struct Services {
         Host& host;
         Replies& replies;
         std::function<void()> publishStatus; ///< before each answer: its receiver sees no outdated idle flag
     };
     /// All must outlive it.
-    CommandService(Workspace& state, Messages& messages, Surroundings surroundings);
+    CommandService(Workspace& state, Messages& messages, Services services);
     /// Gives long work up, and waits a little for files that are being written.
     ~CommandService();
     CommandService(const CommandService&) = delete;
@@ -79,7 +79,7 @@ class CommandService {
 
     Workspace& state_;
     Messages& messages_;
-    Surroundings around_;
+    Services services_;
     CommandBook commands_;
     Requests requests_;
     SideWork sideWork_;

@@ -59,7 +59,7 @@ Result describe(const Call& call) {
 // --- Places ---
 
 /// What is guessed of a unit counts where it makes the model as large as what electric lights light.
-std::optional<float> unitForLights(const rtcore::UpAndUnit& units, float diagonal) {
+std::optional<float> unitForLights(const rtcore::ModelUnits& units, float diagonal) {
     constexpr float kSmallest = 1, kLargest = 10'000; // m
     const float metres = diagonal * units.metresPerUnit;
     const bool counts =
@@ -67,7 +67,7 @@ std::optional<float> unitForLights(const rtcore::UpAndUnit& units, float diagona
     return counts ? std::optional(units.metresPerUnit) : std::nullopt;
 }
 
-LightSurroundings surroundingsOf(const Document& document) {
+SceneExtent sceneExtentOf(const Document& document) {
     const rtcore::Box3 bounds = document.world().loaded.tree.bounds;
     const float size = bounds.diagonal();
     return {bounds.centre(), size > 0 ? size : 1, -document.scene()->up,
@@ -99,14 +99,14 @@ class Place {
     }
     /// Throws std::runtime_error where nothing is.
     SeenSurface surface() const {
-        const auto share = [&](std::size_t i) {
+        const auto fraction = [&](std::size_t i) {
             const float value = number(call_[i]);
             if (!(value >= 0 && value <= 1))
                 throw app::UsageError("seen takes numbers from 0 to 1, not '" + call_[i] + "'");
             return value;
         };
         const bool given = call_.size() > first_;
-        const auto surface = given ? surfaceAt(call_.document(), share(first_), share(first_ + 1))
+        const auto surface = given ? surfaceAt(call_.document(), fraction(first_), fraction(first_ + 1))
                                    : surfaceAt(call_.document(), 0.5F, 0.5F);
         if (!surface) throw std::runtime_error("there is no surface there; the light stays as it was");
         return *surface;
@@ -119,25 +119,25 @@ class Place {
 };
 
 /// A little off the surface, so that the light falls on it.
-Vec3 before(const SeenSurface& surface, const LightSurroundings& around) {
+Vec3 before(const SeenSurface& surface, const SceneExtent& extent) {
     constexpr float kOfSize = 0.02F, kOfDistance = 0.1F;
     return surface.position +
-           surface.normal * std::fmin(kOfSize * around.size, kOfDistance * surface.distance);
+           surface.normal * std::fmin(kOfSize * extent.size, kOfDistance * surface.distance);
 }
 
 LightPlace placeOf(const Call& call, std::size_t first) {
-    const LightSurroundings around = surroundingsOf(call.document());
+    const SceneExtent extent = sceneExtentOf(call.document());
     const rtcore::Camera& camera = call.document().camera();
     if (call.size() <= first) {
         const auto surface = surfaceAt(call.document(), 0.5F, 0.5F);
-        return surface ? LightPlace{before(*surface, around), around.downwards}
+        return surface ? LightPlace{before(*surface, extent), extent.downwards}
                        : LightPlace{camera.eye, camera.forward};
     }
     const Place place(call, first);
-    if (place.word() == "at") return {place.vector(), around.downwards};
+    if (place.word() == "at") return {place.vector(), extent.downwards};
     if (place.word() == "here") return {camera.eye, camera.forward};
     const SeenSurface surface = place.surface();
-    return {before(surface, around), surface.normal};
+    return {before(surface, extent), surface.normal};
 }
 
 // --- Lights ---
@@ -152,7 +152,7 @@ Result add(const Call& call) {
     const rtcore::LightKind kind = kindOf(call[0]);
     LightPlace place = placeOf(call, 1);
     if (!rtcore::traitsOf(kind).position) place.direction = call.document().camera().forward;
-    const int id = addLight(call.document(), newLight(kind, place, surroundingsOf(call.document())));
+    const int id = addLight(call.document(), newLight(kind, place, sceneExtentOf(call.document())));
     return {.answer = std::to_string(id)};
 }
 
@@ -215,7 +215,7 @@ Result power(const Call& call) {
 
 Result kind(const Call& call) {
     return change(call, [&](LightDescription& light) {
-        setKind(light, kindOf(call[1]), surroundingsOf(call.document()));
+        setKind(light, kindOf(call[1]), sceneExtentOf(call.document()));
     });
 }
 

@@ -9,7 +9,7 @@ namespace rtserver {
 
 namespace {
 
-constexpr std::size_t kMost = 64; ///< twice as many as there can be clients
+constexpr std::size_t kMax = 64; ///< twice as many as there can be clients
 
 Finish resultOf(DetachedTask<Finish>& task) {
     try {
@@ -22,7 +22,7 @@ Finish resultOf(DetachedTask<Finish>& task) {
 } // namespace
 
 void SideWork::start(const ipc::Command& command, Work work, StopFlag stop) {
-    if (jobs_.size() >= kMost) {
+    if (jobs_.size() >= kMax) {
         throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
                                 "too many commands before it wait for files that do not answer");
     }

@@ -4,7 +4,7 @@
 
 #include "rtcore/io/images/environment_file.h"
 #include "rtcore/io/text/sun_date.h"
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 /// With the sky or the studio that the scene has, or a usual sky, changed; it lights from then on.
 template <typename Change>
-Result editSurroundings(const Call& call, Change change) {
+Result editLighting(const Call& call, Change change) {
     rtcore::Sky sky = call.document().scene()->sky.value_or(rtcore::Sky{.haze = true});
     change(sky);
     setSky(call.document(), sky);
@@ -31,7 +31,7 @@ Result editSurroundings(const Call& call, Change change) {
 /// A usual sky in place of a studio.
 template <typename Change>
 Result editSky(const Call& call, Change change) {
-    return editSurroundings(call, [&](rtcore::Sky& sky) {
+    return editLighting(call, [&](rtcore::Sky& sky) {
         if (sky.studio) sky = {.strength = sky.strength, .ground = sky.ground, .haze = true};
         change(sky);
     });
@@ -91,11 +91,11 @@ Result skyTurbidity(const Call& call) {
 }
 
 Result skyStrength(const Call& call) {
-    return editSurroundings(call, [&](rtcore::Sky& sky) { sky.strength = number(call[0]); });
+    return editLighting(call, [&](rtcore::Sky& sky) { sky.strength = number(call[0]); });
 }
 
 Result skyGround(const Call& call) {
-    return editSurroundings(call, [&](rtcore::Sky& sky) { sky.ground = flag(call[0]); });
+    return editLighting(call, [&](rtcore::Sky& sky) { sky.ground = flag(call[0]); });
 }
 
 Result skyHaze(const Call& call) {
@@ -103,7 +103,7 @@ Result skyHaze(const Call& call) {
 }
 
 Result look(const Call& call) {
-    setLook(call.document(), *rtcore::lookNamed(call[0]));
+    setLightingPreset(call.document(), *rtcore::lightingPresetNamed(call[0]));
     return {};
 }
 

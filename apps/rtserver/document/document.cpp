@@ -96,8 +96,8 @@ void Document::setModelUnits(std::optional<rtcore::Vec3> up, std::optional<doubl
 
 void Document::guessModelUnits(bool up, bool unit) {
     const rtcore::LoadedScene& loaded = world_->loaded;
-    const rtcore::UpAndUnit guess = rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.model);
-    rtcore::UpAndUnit units = modelUnits();
+    const rtcore::ModelUnits guess = rtcore::guessModelUnits(loaded.origin, loaded.tree, loaded.scene.model);
+    rtcore::ModelUnits units = modelUnits();
     if (up) {
         units.up = guess.up;
         units.otherUp = guess.otherUp;
@@ -112,11 +112,11 @@ void Document::guessModelUnits(bool up, bool unit) {
     useModelUnits(units);
 }
 
-void Document::useModelUnits(const rtcore::UpAndUnit& units) {
+void Document::useModelUnits(const rtcore::ModelUnits& units) {
     rtcore::Scene edited = *scene_;
     rtcore::Camera camera = camera_;
     const bool same = units.up == edited.up && units.metresPerUnit == edited.metresPerUnit;
-    rtcore::reframe(world_->loaded, units, edited, camera);
+    rtcore::applyModelUnits(world_->loaded, units, edited, camera);
     if (same) return;
     rtcore::Changes changes{rtcore::Change::View, rtcore::Change::Sky, rtcore::Change::Setting};
     changes.set(rtcore::Change::Light, !rtcore::shineAlike(edited.lights, scene_->lights));

@@ -71,7 +71,7 @@ class Document {
     /// A file that an edit reads is one of what is shown: it is not written over.
     void addInput(const std::filesystem::path& path) { world_->inputs.add(path); }
     /// The up axis and the unit of the model, and who says them.
-    const rtcore::UpAndUnit& modelUnits() const { return world_->loaded.frame; }
+    const rtcore::ModelUnits& modelUnits() const { return world_->loaded.units; }
     /// Another up axis, another unit, as the user says. The model stays where it is: the view of a model
     /// without a camera is found again.
     void setModelUnits(std::optional<rtcore::Vec3> up, std::optional<double> metresPerUnit);
@@ -127,7 +127,7 @@ class Document {
 
   private:
     void putScene(rtcore::Scene edited);
-    void useModelUnits(const rtcore::UpAndUnit& units);
+    void useModelUnits(const rtcore::ModelUnits& units);
     void placeCamera(const rtcore::Camera& camera);
     void takeSettings(const rtcore::RenderSettings& settings);
     void makeOf(const EditStep& step, const Snapshot& from, const Snapshot& to);

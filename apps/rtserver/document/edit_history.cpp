@@ -9,8 +9,8 @@ namespace rtserver {
 
 namespace {
 
-constexpr std::size_t kMostSteps = 5000, kFewestSteps = 100;
-constexpr std::size_t kMostBytes = 256U << 20U;
+constexpr std::size_t kMaxSteps = 5000, kFewestSteps = 100;
+constexpr std::size_t kMaxBytes = 256U << 20U;
 /// Maps of skies are 6 MB each: those of steps before the last are drawn again when they are needed.
 constexpr std::size_t kStepsWithMaps = 1;
 
@@ -44,7 +44,7 @@ bool changesSettings(const EditStep& step) { return step.before.settings != step
 
 bool changesCamera(const EditStep& step) { return step.before.camera != step.after.camera; }
 bool changesModelUnits(const EditStep& step) {
-    const rtcore::UpAndUnit &before = step.before.modelUnits, &after = step.after.modelUnits;
+    const rtcore::ModelUnits &before = step.before.modelUnits, &after = step.after.modelUnits;
     return before.up != after.up || before.metresPerUnit != after.metresPerUnit;
 }
 
@@ -80,7 +80,7 @@ std::uint64_t EditHistory::stateBehind(const EditStep& step, std::uint64_t befor
 void EditHistory::forgetFirst() {
     const auto plus = [](std::size_t bytes, const EditStep& step) { return bytes + bytesOf(step); };
     std::size_t bytes = std::accumulate(steps_.begin(), steps_.end(), std::size_t{0}, plus);
-    while (steps_.size() > kMostSteps || (steps_.size() > kFewestSteps && bytes > kMostBytes)) {
+    while (steps_.size() > kMaxSteps || (steps_.size() > kFewestSteps && bytes > kMaxBytes)) {
         bytes -= bytesOf(steps_.front());
         base_ = steps_.front().state;
         steps_.pop_front();

@@ -5,7 +5,7 @@
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtcore/survey/up_and_unit.h"
+#include "rtcore/survey/model_units.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Snapshot {
     std::shared_ptr<const rtcore::Scene> scene; ///< of older steps without the sky's map: withSkyMap()
     rtcore::RenderSettings settings;
     rtcore::Camera camera;
-    rtcore::UpAndUnit modelUnits; ///< the up axis and the unit, and why
+    rtcore::ModelUnits modelUnits; ///< the up axis and the unit, and why
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
 };
 

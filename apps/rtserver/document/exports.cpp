@@ -34,14 +34,14 @@ void addHiddenParts(const rtcore::Scene& scene, rtcore::SceneFile& file) {
     const auto hidden = static_cast<std::size_t>(
         std::count_if(parts.begin(), parts.end(),
                       [&](const rtcore::NamedPart& part) { return isHidden(part, scene.hiddenParts); }));
-    const bool most = 2 * hidden > parts.size();
-    if (most) file.parts.push_back({"*", {}, true});
+    const bool mostHidden = 2 * hidden > parts.size();
+    if (mostHidden) file.parts.push_back({"*", {}, true});
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (isHidden(parts[i], scene.hiddenParts) == most) continue;
+        if (isHidden(parts[i], scene.hiddenParts) == mostHidden) continue;
         if (parts[i].name.empty() || rtcore::isPattern(parts[i].name))
-            file.parts.push_back({"", static_cast<int>(i) + 1, !most});
+            file.parts.push_back({"", static_cast<int>(i) + 1, !mostHidden});
         else
-            file.parts.push_back({std::string(parts[i].name), {}, !most});
+            file.parts.push_back({std::string(parts[i].name), {}, !mostHidden});
     }
 }
 

@@ -32,7 +32,7 @@ constexpr UsualSizes kUsualDiagonals{0.01F, 0.002F, 0.1F,
 constexpr double kUsualLumens = 800;
 constexpr float kReach = 0.1F;            ///< diagonals: so far away it brings an irradiance of pi, then
 constexpr float kInner = 25, kOuter = 35; ///< degrees
-constexpr double kMostDisc = 180;         ///< degrees
+constexpr double kMaxDisc = 180;          ///< degrees
 
 [[noreturn]] void refuse(const Light& light, const char* what) {
     throw std::runtime_error(fmt::format("a {} light has no {}", traitsOf(light).name, what));
@@ -43,17 +43,17 @@ Vec3 unitOr(Vec3 direction, Vec3 otherwise) {
     return unit == Vec3{} ? otherwise : unit;
 }
 
-float squareDistance(Vec3 a, Vec3 b, const LightSurroundings& around) {
-    const float nearest = 0.01F * around.size;
+float squareDistance(Vec3 a, Vec3 b, const SceneExtent& extent) {
+    const float nearest = 0.01F * extent.size;
     return std::fmax(dot(a - b, a - b), nearest * nearest);
 }
 
 /// What the kind needs and the light lacks; what it has no use for is as a file without it gives it.
-void complete(Light& light, const LightSurroundings& around) {
+void complete(Light& light, const SceneExtent& extent) {
     const Light usual;
     const rtcore::LightTraits& traits = traitsOf(light);
-    const UsualSizes& sizes = around.metresPerUnit ? kUsualMetres : kUsualDiagonals;
-    const float unit = around.metresPerUnit ? 1 / *around.metresPerUnit : around.size;
+    const UsualSizes& sizes = extent.metresPerUnit ? kUsualMetres : kUsualDiagonals;
+    const float unit = extent.metresPerUnit ? 1 / *extent.metresPerUnit : extent.size;
     if (!traits.position) {
         light.position = usual.position;
         light.radius = usual.radius;
@@ -78,25 +78,25 @@ void scale(LightDescription& light, float factor) {
 }
 
 void setDisc(Light& light, double degrees, bool another) {
-    if (another || degrees > kMostDisc)
+    if (another || degrees > kMaxDisc)
         throw std::invalid_argument("a directional light takes one angle, in degrees, at most 180");
     light.discSine = rtcore::sineOfHalf(degrees);
 }
 
 } // namespace
 
-LightDescription newLight(LightKind kind, const LightPlace& place, const LightSurroundings& around) {
+LightDescription newLight(LightKind kind, const LightPlace& place, const SceneExtent& extent) {
     LightDescription result;
     Light& light = result.light;
     light.kind = kind;
     light.position = place.position;
-    light.direction = unitOr(place.direction, around.downwards);
-    const float reach = kReach * around.size;
+    light.direction = unitOr(place.direction, extent.downwards);
+    const float reach = kReach * extent.size;
     light.intensity = rtcore::kWhite * (traitsOf(kind).position ? kPi * reach * reach : kPi);
-    complete(light, around);
-    if (around.metresPerUnit && traitsOf(kind).position)
+    complete(light, extent);
+    if (extent.metresPerUnit && traitsOf(kind).position)
         setPower(result, static_cast<float>(rtcore::powerOfWatts(light, kUsualLumens / rtcore::kLumensPerWatt,
-                                                                 double{*around.metresPerUnit})));
+                                                                 double{*extent.metresPerUnit})));
     return result;
 }
 
@@ -129,17 +129,17 @@ void setTemperature(LightDescription& light, std::optional<float> kelvin) {
     light.light.intensity = rtcore::kWhite * (watts / powerFactor(light.light));
 }
 
-void setKind(LightDescription& light, LightKind kind, const LightSurroundings& around) {
+void setKind(LightDescription& light, LightKind kind, const SceneExtent& extent) {
     if (kind == light.light.kind) return;
     LightDescription changed = light;
     Light& now = changed.light;
     now.kind = kind;
     const bool had = traitsOf(light.light).position, has = traitsOf(kind).position;
-    if (has && !had) now.position = around.centre - now.direction * (0.5F * around.size);
+    if (has && !had) now.position = extent.centre - now.direction * (0.5F * extent.size);
     if (traitsOf(kind).direction && !traitsOf(light.light).direction)
-        now.direction = has ? around.downwards : unitOr(around.centre - now.position, around.downwards);
-    const float square = squareDistance(now.position, around.centre, around);
-    complete(now, around);
+        now.direction = has ? extent.downwards : unitOr(extent.centre - now.position, extent.downwards);
+    const float square = squareDistance(now.position, extent.centre, extent);
+    complete(now, extent);
     if (had == has) {
         scale(changed, powerFactor(light.light) / powerFactor(now));
     } else {

@@ -16,7 +16,7 @@ struct LightPlace {
 };
 
 /// What sizes and strengths of lights follow from.
-struct LightSurroundings {
+struct SceneExtent {
     rtcore::Vec3 centre; ///< of the model
     float size = 1;      ///< its diagonal, scene units, above 0
     rtcore::Vec3 downwards{0, -1, 0};
@@ -25,8 +25,7 @@ struct LightSurroundings {
 
 /// A light as it is added: white, of 800 lm, and as large as electric lights are; a directional one throws pi
 /// W/m^2.
-rtcore::LightDescription newLight(rtcore::LightKind kind, const LightPlace& place,
-                                  const LightSurroundings& around);
+rtcore::LightDescription newLight(rtcore::LightKind kind, const LightPlace& place, const SceneExtent& extent);
 
 /// All that it gives off, W, each weighted as its luminance is; of a directional light, which has no end, the
 /// irradiance on a surface that faces it, W/m^2. A spot's is that of its cone, with half of its rim.
@@ -44,7 +43,7 @@ void setColour(rtcore::LightDescription& light, rtcore::Colour colour);
 void setTemperature(rtcore::LightDescription& light, std::optional<float> kelvin);
 /// Of the same power; between directional lights and others, of the same irradiance in the middle of the
 /// model. What the new kind needs and the old one lacked is as in a new light.
-void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const LightSurroundings& around);
+void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const SceneExtent& extent);
 /// A rectangle takes two numbers, a directional light the angle under which its disc is seen, degrees; the
 /// others a radius. Scene units, not negative.
 void setSize(rtcore::LightDescription& light, double size, std::optional<double> height);

@@ -20,9 +20,9 @@ std::string idsOf(const rtcore::Scene& scene) {
     std::ranges::sort(ids);
     if (ids.empty()) return "none";
     if (ids.size() == 1) return fmt::format("only number {}", ids.front());
-    constexpr std::size_t kMost = 20;
+    constexpr std::size_t kMax = 20;
     const bool inRow = std::cmp_equal(ids.back() - ids.front() + 1, ids.size());
-    if (inRow || ids.size() > kMost) return fmt::format("numbers {} to {}", ids.front(), ids.back());
+    if (inRow || ids.size() > kMax) return fmt::format("numbers {} to {}", ids.front(), ids.back());
     const int last = ids.back();
     ids.pop_back();
     return fmt::format("numbers {} and {}", fmt::join(ids, ", "), last);

@@ -29,7 +29,7 @@ void lightBySky(Document& document) { document.assign({{"skyLight.on", true}}); 
 /// would be dark.
 void switchHeadlight(const Document& document, rtcore::Scene& edited, bool on) {
     const rtcore::LoadedScene& loaded = document.world().loaded;
-    if (!loaded.look) return;
+    if (!loaded.preset) return;
     const auto light = std::ranges::find(edited.lights, rtcore::kHeadlightName, &rtcore::SceneLight::name);
     if (light != edited.lights.end()) {
         light->light.on = on ? 1 : 0;
@@ -58,15 +58,16 @@ void setSky(Document& document, const std::optional<rtcore::Sky>& sky) {
     if (first) lightBySky(document);
 }
 
-void setLook(Document& document, rtcore::Look look) {
+void setLightingPreset(Document& document, rtcore::LightingPreset preset) {
     rtcore::Scene edited = *document.scene();
     const rtcore::LoadedScene& loaded = document.world().loaded;
     const rtcore::Mesh& mesh = edited.model.mesh;
     const rtcore::Survey found = rtcore::survey(loaded.tree, mesh, rtcore::axesOf(edited));
-    const rtcore::LookLights lights = rtcore::lookLights(look, loaded.tree, mesh, found, document.camera());
+    const rtcore::PresetLighting lights =
+        rtcore::presetLighting(preset, loaded.tree, mesh, found, document.camera());
     rtcore::lightBy(edited, lights);
     document.publish(std::move(edited));
-    document.assign(rtcore::settingsOf(look, found));
+    document.assign(rtcore::settingsOf(preset, found));
 }
 
 void setEnvironment(Document& document, int environment) {

@@ -3,7 +3,7 @@
 
 #include "rtserver/document/document.h"
 
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace rtserver {
 /// light the scene from then on (skyLight.on).
 void setSky(Document& document, const std::optional<rtcore::Sky>& sky);
 /// In place of all lights, of the sky and of the environment; skyLight.on follows.
-void setLook(Document& document, rtcore::Look look);
+void setLightingPreset(Document& document, rtcore::LightingPreset preset);
 
 /// Counted from 0. Throws std::invalid_argument when the scene has fewer.
 void setEnvironment(Document& document, int environment);

@@ -8,19 +8,19 @@ namespace rtserver {
 namespace {
 
 // In the logarithm of the exposure.
-constexpr double kNear = 0.0005;            ///< too little to be seen
-constexpr double kLeastSpeed = 0.12;        ///< per second
-constexpr double kLeastSpeedOfRange = 0.05; ///< per time constant
+constexpr double kNear = 0.0005;          ///< too little to be seen
+constexpr double kMinSpeed = 0.12;        ///< per second
+constexpr double kMinSpeedOfRange = 0.05; ///< per time constant
 
 /// What is left of a distance: it falls to 1/e in each time constant, but never slower than at the least
 /// speed, so that there is an end.
 double leftOf(double distance, double seconds, double timeConstant) {
     if (timeConstant <= 0) return 0;
-    const double least = std::min(kLeastSpeed, kLeastSpeedOfRange / timeConstant);
-    const double slow = least * timeConstant; // the distance at which that speed is reached
+    const double min = std::min(kMinSpeed, kMinSpeedOfRange / timeConstant);
+    const double slow = min * timeConstant; // the distance at which that speed is reached
     const double until = distance > slow ? std::min(timeConstant * std::log(distance / slow), seconds) : 0;
     const double there = distance * std::exp(-until / timeConstant);
-    return std::max(there - least * (seconds - until), 0.0);
+    return std::max(there - min * (seconds - until), 0.0);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ double fits(double pace, double work, double target) {
 
 double inSteps(double scale) {
     constexpr double kRounding = 1e-3;
-    return std::max(kLeastScale, std::floor(scale * kSteps + kRounding) / kSteps);
+    return std::max(kMinScale, std::floor(scale * kSteps + kRounding) / kSteps);
 }
 
 double paceAt(const FrameDetail& detail, const DetailGovernor::Work& work, double seconds) {
@@ -44,9 +44,9 @@ void DetailGovernor::learn(const FrameDetail& detail, const Work& work, double s
 
 void DetailGovernor::learnLimit(const FrameDetail& detail, const Work& work, double seconds) {
     if (!(seconds > 0)) return;
-    const double most = paceAt(detail, work, seconds);
+    const double max = paceAt(detail, work, seconds);
     double& pace = paceOf(detail);
-    if (pace > most) pace = most;
+    if (pace > max) pace = max;
 }
 
 } // namespace rtserver

@@ -29,9 +29,9 @@ void cutSamples(rtcore::RenderSettings& settings, double scale) {
     settings.maxDepth = std::min(settings.maxDepth, 2);
     // Mirrors, but no polished floors.
     settings.minContribution = std::max(settings.minContribution, scale < kCoarse ? 0.3F : 0.1F);
-    const int mostRays = scale < kCoarse ? 1 : 4;
-    settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, mostRays);
-    settings.skyLight.samples = std::min(settings.skyLight.samples, mostRays);
+    const int maxRays = scale < kCoarse ? 1 : 4;
+    settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, maxRays);
+    settings.skyLight.samples = std::min(settings.skyLight.samples, maxRays);
     settings.areaLights.samples = std::min(settings.areaLights.samples, 1);
     settings.fog.shafts = std::min(settings.fog.shafts, 2);
 }

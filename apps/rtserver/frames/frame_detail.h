@@ -18,8 +18,8 @@ struct FrameDetail {
     friend bool operator==(const FrameDetail&, const FrameDetail&) = default;
 };
 
-inline constexpr double kLeastScale = 0.125, kLeastLiveScale = 1.0 / 3;
-inline constexpr FrameDetail kCoarsest{kLeastScale, true};
+inline constexpr double kMinScale = 0.125, kMinLiveScale = 1.0 / 3;
+inline constexpr FrameDetail kCoarsest{kMinScale, true};
 
 /// What a frame of that detail is rendered with: `settings` themselves for a whole one.
 rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const FrameDetail& detail);

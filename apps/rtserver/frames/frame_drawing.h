@@ -66,7 +66,7 @@ class FrameDrawing {
     bool takeChange();
 
     /// For the time in which no frame is wanted: what the next one would begin with.
-    void prepareToMove() { frames_.keepLight(state_.document); }
+    void prepareToMove() { frames_.seedLive(state_.document); }
 
     const FrameMaker& frames() const { return frames_; }
     /// What a frame of all pixels and samples takes: the last one, or the one that is traced, so far. 0:

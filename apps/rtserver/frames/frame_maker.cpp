@@ -21,7 +21,7 @@ constexpr int kMeterEvery = 8;
 bool canBeLive(const Document& document) {
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
-    return rtcore::LiveRenderer::draws({*scene, *document.tracer(), document.camera(), settings});
+    return rtcore::LiveRenderer::supports({*scene, *document.tracer(), document.camera(), settings});
 }
 
 /// Everywhere.
@@ -39,7 +39,7 @@ bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const 
     const Clock::time_point start = Clock::now();
     const std::uint64_t revision = document.revisions().revision();
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
-    if (unkept_.frame == &frame) keepLight(document);       // its memory is written to
+    if (unkept_.frame == &frame) seedLive(document);        // its memory is written to
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     control.threads = threads_;
     control.finished = nullptr;
@@ -109,17 +109,17 @@ bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const r
     return true;
 }
 
-void FrameMaker::keepLight(const Document& document) {
+void FrameMaker::seedLive(const Document& document) {
     if (unkept_.frame == nullptr) return;
     noticeChanges(document);
-    keepLight();
+    seedLive();
 }
 
-void FrameMaker::keepLight() {
+void FrameMaker::seedLive() {
     const Unkept unkept = std::exchange(unkept_, {});
     if (unkept.frame == nullptr) return;
     try {
-        live_->keep(unkept.plane, *unkept.frame, threads_, unkept.age);
+        live_->seed(unkept.plane, *unkept.frame, threads_, unkept.age);
     } catch (const std::bad_alloc&) {
         live_.emplace(); // there are coarse frames without it
     }
@@ -129,17 +129,17 @@ void FrameMaker::keepLight() {
 void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                               const rtcore::Frame& frame) {
     constexpr double kWorthIt = 0.1; // of the pixels
-    keepLight();
+    seedLive();
     if (rtcore::pixelsOf(tiles) >= kWorthIt * static_cast<double>(frame.radiance.pixels.size()) &&
         !live_->empty())
-        live_->keepParts(view, frame, tiles, threads_);
+        live_->seedParts(view, frame, tiles, threads_);
 }
 
 bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, rtcore::RenderControl& control,
                           rtcore::Frame& frame) {
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     noticeChanges(document);
-    keepLight();
+    seedLive();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, detail.scale);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
@@ -150,9 +150,9 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
 
 bool FrameMaker::drawsLive(const Document& document) {
     noticeChanges(document);
-    keepLight();
+    seedLive();
     return !live_->empty() && canBeLive(document) &&
-           live_->follows(document.camera().eye, *document.tracer());
+           live_->canReuse(document.camera().eye, *document.tracer());
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights
@@ -166,10 +166,10 @@ void FrameMaker::noticeChanges(const Document& document) {
         live_->forget();
         unkept_ = {};
     } else if (changes.has(rtcore::Change::Light)) {
-        keepLight();
+        seedLive();
         const bool inAir = rtcore::fogMedium(*scene, settings).on;
         const rtcore::LightChange change(keptLights_, rtcore::lightsOf(scene->lights));
-        if (change.any() && (inAir || live_->relight(change, threads_) > kFew)) live_->forget();
+        if (change.any() && (inAir || live_->invalidate(change, threads_) > kFew)) live_->forget();
     }
     if (changes.any()) keptLights_ = rtcore::lightsOf(scene->lights);
     keptFor_ = settings;

@@ -39,7 +39,7 @@ class FrameMaker {
     bool drawsLive(const Document& document);
     /// Takes over the light of the last frame that was not live, for live ones: that is put off until one is
     /// asked for.
-    void keepLight(const Document& document);
+    void seedLive(const Document& document);
     /// Of the last frame, where it was live: what of its time traced pixels took.
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
     /// Of the pixels of the last frame, the part whose light is of frames before it.
@@ -81,7 +81,7 @@ class FrameMaker {
     void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                       const rtcore::Frame& frame);
     void noticeChanges(const Document& document);
-    void keepLight();
+    void seedLive();
     void meter(const Document& document, const rtcore::RenderSettings& settings, bool live,
                rtcore::RenderControl& control);
     void adapt(float target, const rtcore::ExposureSettings& settings);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto kLongFrame = std::chrono::seconds(1);
 constexpr double kNotDrawing = 0.4; ///< frame times in which a change is noticed and a frame is left
-constexpr double kLeast = 0.25;     ///< frame times; in less no other frame than the coarsest is tried
+constexpr double kMin = 0.25;       ///< frame times; in less no other frame than the coarsest is tried
 /// Of a frame time, for the first live frame after a whole one: nearly all that it shows is known, and where
 /// nothing goes on moving the next whole frame comes the sooner.
 constexpr double kGlimpse = 0.5;
@@ -35,7 +35,7 @@ FrameDetail FrameSchedule::chooseLive() const {
 /// For a frame after a change, so that the coarsest is in time when it is left.
 double FrameSchedule::patience() const {
     const double spare = (2 - kNotDrawing) * demand_.frameSeconds - coarsest_;
-    return spare < kLeast * demand_.frameSeconds ? 0 : std::min(spare, demand_.frameSeconds);
+    return spare < kMin * demand_.frameSeconds ? 0 : std::min(spare, demand_.frameSeconds);
 }
 
 FrameDetail FrameSchedule::begin(const Demand& demand) {

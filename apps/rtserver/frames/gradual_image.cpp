@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 // Steps in which little changes, and not more of them than can be seen.
 constexpr double kStepPart = 1.0 / 48; ///< of the pixels
-constexpr auto kLeastWait = 16ms, kMostWait = 250ms;
+constexpr auto kMinWait = 16ms, kMaxWait = 250ms;
 
 } // namespace
 
@@ -51,11 +51,11 @@ const rtcore::LdrImage* GradualImage::step(const rtcore::HdrImage& radiance,
                                            const std::function<float(float)>& exposure,
                                            Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    if (!active_ || now - shown_ < kLeastWait) return nullptr;
+    if (!active_ || now - shown_ < kMinWait) return nullptr;
     const std::vector<rtcore::PixelArea> finished = finished_.take();
     waiting_.insert(waiting_.end(), finished.begin(), finished.end());
     const bool exposed = expose(exposure(brightening_));
-    const bool enough = pixelsOf(waiting_) >= kStepPart * pixels_ || now - shown_ >= kMostWait;
+    const bool enough = pixelsOf(waiting_) >= kStepPart * pixels_ || now - shown_ >= kMaxWait;
     if (enough) {
         transition_.step(std::exchange(waiting_, {}), radiance);
         brightening_ = transition_.brightening();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSpared = 0.85;                                 ///< of the time: frames are not all alike
 constexpr double kSecondsPerRay = 1e-6, kSecondsPerPixel = 1e-7; ///< guesses
-constexpr double kLeastSamples = 0.004, kMostSamples = 1;        ///< of the pixels of a frame
+constexpr double kMinSamples = 0.004, kMaxSamples = 1;           ///< of the pixels of a frame
 constexpr double kWantedSamples = 0.02;                          ///< of them: for these the size gives way
 constexpr double kStep = 1.0 / 12;                               ///< of the scale
 constexpr double kGrows = 0.9; ///< of the time, in which a larger frame must fit before there is one
@@ -31,9 +31,9 @@ FrameDetail LiveGovernor::detail(double pixels, double rays, double target) cons
     const double left = std::max(target * kSpared - count * pixel, 0.0);
     // Of a scene that nothing is known of, few: its frame is never left.
     constexpr double kFirst = 0.5, kFirstSamples = 64;
-    const double first = std::min(kLeastSamples, std::max(kFirst * target / sample, kFirstSamples) / count);
-    const double least = secondsPerSample_ > 0 ? kLeastSamples : first;
-    return {scale_, true, std::clamp(left / (sample * count), least, kMostSamples)};
+    const double first = std::min(kMinSamples, std::max(kFirst * target / sample, kFirstSamples) / count);
+    const double min = secondsPerSample_ > 0 ? kMinSamples : first;
+    return {scale_, true, std::clamp(left / (sample * count), min, kMaxSamples)};
 }
 
 void LiveGovernor::learn(const FrameDetail& detail, double pixels, double target, const Cost& cost) {
@@ -41,12 +41,12 @@ void LiveGovernor::learn(const FrameDetail& detail, double pixels, double target
     if (cost.samples > 0) follow(secondsPerSample_, cost.sampleSeconds / cost.samples);
     follow(secondsPerPixel_, std::max(cost.seconds - cost.sampleSeconds, 0.0) / count);
     if (!(target > 0)) return;
-    const auto least = [&](double scale) {
+    const auto minSeconds = [&](double scale) {
         return pixels * area(scale) * (secondsPerPixel_ + kWantedSamples * secondsPerSample_);
     };
-    if (least(scale_) > target) {
-        scale_ = std::max(kLeastLiveScale, scale_ - kStep);
-    } else if (scale_ < 1 && least(scale_ + kStep) < kGrows * target) {
+    if (minSeconds(scale_) > target) {
+        scale_ = std::max(kMinLiveScale, scale_ - kStep);
+    } else if (scale_ < 1 && minSeconds(scale_ + kStep) < kGrows * target) {
         scale_ = std::min(1.0, scale_ + kStep);
     }
 }

@@ -8,7 +8,7 @@ namespace rtserver {
 
 /// One thread. Knows from frames before it what a traced pixel takes, and what each pixel takes besides. What
 /// gives way are traced pixels at first, down to kWantedSamples of them; then the size, by twelfths; then
-/// traced pixels again, down to kLeastSamples. Light that is older than 50 frames is worse than few pixels.
+/// traced pixels again, down to kMinSamples. Light that is older than 50 frames is worse than few pixels.
 class LiveGovernor {
   public:
     /// What a live frame took.

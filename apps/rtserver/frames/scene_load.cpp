@@ -16,11 +16,11 @@ constexpr auto kImportPatience = std::chrono::seconds(1);
 
 SceneLoad::SceneLoad(const std::filesystem::path& path,
                      const std::optional<std::filesystem::path>& cachedModel,
-                     const rtcore::ImportOptions& import, const rtcore::Surroundings& surroundings,
+                     const rtcore::ImportOptions& import, const rtcore::LightingOptions& lighting,
                      int threads)
     : progress_(std::make_shared<Progress>()),
-      task_([progress = progress_, path, cachedModel, import, surroundings, threads] {
-          return load(*progress, path, cachedModel, import, surroundings, threads);
+      task_([progress = progress_, path, cachedModel, import, lighting, threads] {
+          return load(*progress, path, cachedModel, import, lighting, threads);
       }) {}
 
 SceneLoad::~SceneLoad() {
@@ -38,7 +38,7 @@ float SceneLoad::fraction() const {
 std::unique_ptr<World> SceneLoad::load(Progress& progress, const std::filesystem::path& path,
                                        const std::optional<std::filesystem::path>& cachedModel,
                                        const rtcore::ImportOptions& import,
-                                       const rtcore::Surroundings& surroundings, int threads) {
+                                       const rtcore::LightingOptions& lighting, int threads) {
     app::useThreads(threads);
     rtcore::LoadOptions options;
     options.build.threads = threads;
@@ -46,7 +46,7 @@ std::unique_ptr<World> SceneLoad::load(Progress& progress, const std::filesystem
     options.primaryRays = 1; // the first frame is waited for; the exact tree comes after it
     options.cachedModel = cachedModel;
     options.import = import;
-    options.surroundings = surroundings;
+    options.lighting = lighting;
     options.import.stop = &progress.stop;
     options.onPhase = [&progress](rtcore::LoadPhase) {
         if (progress.stop) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");

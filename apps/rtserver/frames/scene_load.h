@@ -20,7 +20,7 @@ class SceneLoad {
   public:
     /// `cachedModel`: as in rtcore::LoadOptions.
     SceneLoad(const std::filesystem::path& path, const std::optional<std::filesystem::path>& cachedModel,
-              const rtcore::ImportOptions& import, const rtcore::Surroundings& surroundings, int threads);
+              const rtcore::ImportOptions& import, const rtcore::LightingOptions& lighting, int threads);
     ~SceneLoad();
     SceneLoad(const SceneLoad&) = delete;
     SceneLoad& operator=(const SceneLoad&) = delete;
@@ -39,7 +39,7 @@ class SceneLoad {
     static std::unique_ptr<World> load(Progress& progress, const std::filesystem::path& path,
                                        const std::optional<std::filesystem::path>& cachedModel,
                                        const rtcore::ImportOptions& import,
-                                       const rtcore::Surroundings& surroundings, int threads);
+                                       const rtcore::LightingOptions& lighting, int threads);
 
     std::shared_ptr<Progress> progress_;
     DetachedTask<std::unique_ptr<World>> task_;

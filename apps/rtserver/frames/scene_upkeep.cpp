@@ -26,13 +26,13 @@ std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
 void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
     if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
     rtcore::ImportOptions import = options_.import;
-    rtcore::Surroundings surroundings = options_.surroundings;
+    rtcore::LightingOptions lighting = options_.lighting;
     if (state_.document.ready()) { // what was said of the first model
         import.up.reset();
         import.metresPerUnit.reset();
-        surroundings = {.usual = options_.surroundings.usual};
+        lighting = {.usual = options_.lighting.usual};
     }
-    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, surroundings, options_.threads);
+    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, lighting, options_.threads);
 }
 
 std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
@@ -63,7 +63,7 @@ void SceneUpkeep::show(std::unique_ptr<World> world) {
 }
 
 void SceneUpkeep::tellModelUnits() {
-    const rtcore::UpAndUnit& units = state_.document.modelUnits();
+    const rtcore::ModelUnits& units = state_.document.modelUnits();
     const std::string guess = app::guessText(units);
     if (guess.empty()) return;
     Messages::print(state_.document.title() + ": " + guess);

@@ -200,8 +200,8 @@ std::vector<Command> Server::takeCommands(const ClientSet& later) {
 void Server::answer(const Command& command, std::string_view text) { reply(command, 0, text); }
 
 void Server::refuse(const Command& command, int code, std::string_view text) {
-    constexpr int kMost = 255;
-    reply(command, static_cast<std::uint32_t>(std::clamp(code, 1, kMost)), text);
+    constexpr int kMax = 255;
+    reply(command, static_cast<std::uint32_t>(std::clamp(code, 1, kMax)), text);
 }
 
 void Server::reply(const Command& command, std::uint32_t code, std::string_view text) {

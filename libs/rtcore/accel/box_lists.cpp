@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 constexpr std::size_t kRun = BoxLists::kPadding;
 static_assert(kLanes <= kRun);
 
-float least(Float values) {
+float minLane(Float values) {
     float lanesOf[kLanes];
     store(values, lanesOf);
     float result = lanesOf[0];
@@ -32,8 +32,8 @@ void findBounds(const BoxLists& boxes, std::size_t count, Box3& bounds) {
             lo = min(lo, load(boxes.lo[a] + i));
             hi = max(hi, load(boxes.hi[a] + i));
         }
-        bounds.lo[static_cast<int>(a)] = least(lo);
-        bounds.hi[static_cast<int>(a)] = -least(-hi);
+        bounds.lo[static_cast<int>(a)] = minLane(lo);
+        bounds.hi[static_cast<int>(a)] = -minLane(-hi);
     }
 }
 

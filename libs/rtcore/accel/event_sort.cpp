@@ -23,15 +23,15 @@ constexpr unsigned kSmallDigitBits = 8;
 constexpr std::size_t kRankedFrom = 8;
 
 /// One stable pass of a radix sort by the digit of `bits` bits from `shift` on.
-void radixPass(const Event* from, std::size_t count, Event* to, Event least, unsigned shift, unsigned bits) {
+void radixPass(const Event* from, std::size_t count, Event* to, Event min, unsigned shift, unsigned bits) {
     std::array<std::uint32_t, std::size_t{1} << kDigitBits> next;
     const Event mask = (Event{1} << bits) - 1;
     std::fill_n(next.begin(), mask + 1, 0U);
-    for (std::size_t i = 0; i < count; ++i) ++next[((from[i] >> 30U) - least) >> shift & mask];
+    for (std::size_t i = 0; i < count; ++i) ++next[((from[i] >> 30U) - min) >> shift & mask];
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i <= mask; ++i) sum += std::exchange(next[i], sum);
     for (std::size_t i = 0; i < count; ++i) {
-        to[next[((from[i] >> 30U) - least) >> shift & mask]++] = from[i];
+        to[next[((from[i] >> 30U) - min) >> shift & mask]++] = from[i];
     }
 }
 
@@ -134,7 +134,7 @@ class MeshEvents {
 } // namespace
 
 void sortFewEvents(Event* events, std::size_t count) {
-    if (count < kRankedFrom || count > kMostRanked) {
+    if (count < kRankedFrom || count > kMaxRanked) {
         std::sort(events, events + count);
     } else {
         rankSort(events, count);
@@ -142,23 +142,23 @@ void sortFewEvents(Event* events, std::size_t count) {
 }
 
 void sortEvents(Event* events, std::size_t count, EventList& scratch) {
-    if (count <= kMostRanked) {
+    if (count <= kMaxRanked) {
         sortFewEvents(events, count);
         return;
     }
     // Kind and position are the upper 34 bits; the triangles below them are in order already.
     const auto [first, last] = std::minmax_element(events, events + count);
-    const Event least = *first >> 30U;
-    const auto bits = static_cast<unsigned>(std::bit_width((*last >> 30U) - least));
-    const unsigned most = count < kLargeDigitsFrom ? kSmallDigitBits : kDigitBits;
-    const unsigned passes = (bits + most - 1) / most;
+    const Event min = *first >> 30U;
+    const auto bits = static_cast<unsigned>(std::bit_width((*last >> 30U) - min));
+    const unsigned max = count < kLargeDigitsFrom ? kSmallDigitBits : kDigitBits;
+    const unsigned passes = (bits + max - 1) / max;
     if (passes == 0) return;
     const unsigned digit = (bits + passes - 1) / passes;
     if (scratch.capacity() < count) scratch = EventList(count);
     Event* from = events;
     Event* to = scratch.data();
     for (unsigned pass = 0; pass < passes; ++pass) {
-        radixPass(from, count, to, least, pass * digit, digit);
+        radixPass(from, count, to, min, pass * digit, digit);
         std::swap(from, to);
     }
     if (from != events) std::copy(from, from + count, events);

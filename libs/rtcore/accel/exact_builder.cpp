@@ -71,8 +71,8 @@ class ExactBuilder {
         const auto upper = std::make_shared<EventLists>();
         divide(std::move(lists), split, cells.lower, cells.upper, lower, *upper);
         const std::size_t all = std::size_t{lower.triangles} + upper->triangles;
-        const ReferenceBudget lowerBudget = budget.share(lower.triangles, all);
-        const ReferenceBudget upperBudget = budget.share(upper->triangles, all);
+        const ReferenceBudget lowerBudget = budget.portion(lower.triangles, all);
+        const ReferenceBudget upperBudget = budget.portion(upper->triangles, all);
         out = std::make_unique<Subtree>();
         out->axis = split.axis;
         out->split = split.position;

@@ -98,7 +98,7 @@ float ExactSubtreeBuilder::buildNode(std::uint32_t index, const NodeEvents& even
     }
     if (split.cost >= leafCost) ++failures;
     if (!split.valid() || failures > context_.lookAhead ||
-        (split.cost >= leafCost && leastCost(split, cell) >= leafCost)) {
+        (split.cost >= leafCost && minCost(split, cell) >= leafCost)) {
         makeLeaf(index, events);
         return leafCost;
     }
@@ -113,10 +113,10 @@ float ExactSubtreeBuilder::buildNode(std::uint32_t index, const NodeEvents& even
     tree_->nodes[index] = {split.axis, split.position, children, children + 1};
     const AreaOfParts area(cell, split.axis);
     const float lowerCost = buildNode(children, lower, parts.lower, cells.lower, depth + 1, failures,
-                                      budget.share(parts.lower, parts.lower + parts.upper));
+                                      budget.portion(parts.lower, parts.lower + parts.upper));
     top_ = parts.keep;
     const float upperCost = buildNode(children + 1, upper, parts.upper, cells.upper, depth + 1, failures,
-                                      budget.share(parts.upper, parts.lower + parts.upper));
+                                      budget.portion(parts.upper, parts.lower + parts.upper));
 
     const float cost = context_.cost.traversal + area.lower(split.position) * lowerCost +
                        area.upper(split.position) * upperCost;
@@ -136,7 +136,7 @@ Split ExactSubtreeBuilder::findSplit(const NodeEvents& events, std::uint32_t cou
 }
 
 /// What a split costs at least, whatever the splits below it bring: each of them costs a step.
-float ExactSubtreeBuilder::leastCost(const Split& split, const Box3& cell) const {
+float ExactSubtreeBuilder::minCost(const Split& split, const Box3& cell) const {
     const CostModel& cost = context_.cost;
     const AreaOfParts area(cell, split.axis);
     return cost.traversal + area.lower(split.position) * std::min(cost.leaf(split.lower), cost.traversal) +

@@ -71,7 +71,7 @@ std::uint32_t clipEvents(const BuildContext& context, const std::vector<std::uin
 struct ReferenceBudget {
     static ReferenceBudget ofScene(std::size_t triangles) { return {16 * triangles + 4096}; }
     bool allows(std::size_t triangles) const { return triangles <= references; }
-    ReferenceBudget share(std::size_t mine, std::size_t all) const {
+    ReferenceBudget portion(std::size_t mine, std::size_t all) const {
         const double part = all > 0 ? static_cast<double>(mine) / static_cast<double>(all) : 0;
         return {static_cast<std::size_t>(static_cast<double>(references) * part)};
     }
@@ -111,7 +111,7 @@ class ExactSubtreeBuilder {
     float buildNode(std::uint32_t index, const NodeEvents& events, std::uint32_t count, const Box3& cell,
                     int depth, int failures, ReferenceBudget budget);
     Split findSplit(const NodeEvents& events, std::uint32_t count, const Box3& cell) const;
-    float leastCost(const Split& split, const Box3& cell) const;
+    float minCost(const Split& split, const Box3& cell) const;
     Division divide(const Split& split, std::uint32_t count, NodeEvents& upper, NodeEvents& lower,
                     const Box3& lowerCell, const Box3& upperCell);
     std::uint32_t clipStraddling(const Box3& cell, AxisEvents& added);

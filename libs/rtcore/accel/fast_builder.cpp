@@ -93,9 +93,9 @@ class SerialFastBuilder {
         tree_->nodes.resize(tree_->nodes.size() + 2);
         tree_->nodes[index] = {split.axis, split.position, children, children + 1};
         buildNode(children, top, n.lower, top + n.lower, cells.lower, depth + 1,
-                  budget.share(n.lower, n.lower + n.upper));
+                  budget.portion(n.lower, n.lower + n.upper));
         buildNode(children + 1, first, n.upper, top, cells.upper, depth + 1,
-                  budget.share(n.upper, n.lower + n.upper));
+                  budget.portion(n.upper, n.lower + n.upper));
     }
 
     /// For `count` items from `top` on.
@@ -196,8 +196,8 @@ class FastBuilder {
         out->axis = split.axis;
         out->split = split.position;
         Subtree* const node = out.get();
-        const ReferenceBudget lowerBudget = budget.share(n.lower, n.lower + n.upper);
-        const ReferenceBudget upperBudget = budget.share(n.upper, n.lower + n.upper);
+        const ReferenceBudget lowerBudget = budget.portion(n.lower, n.lower + n.upper);
+        const ReferenceBudget upperBudget = budget.portion(n.upper, n.lower + n.upper);
         const auto upper = std::make_shared<ItemList>(std::move(items));
 #pragma omp task default(shared) firstprivate(upper, cells, upperBudget, depth, node)
         errors_.guard(

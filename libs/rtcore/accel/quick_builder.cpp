@@ -194,7 +194,7 @@ class QuickBuilder {
         forEachInTasks(pieces.size(), [&](std::size_t i) {
             const SampleTree::Leaf& leaf = top.leaves()[i];
             const TriangleList own = handout.of(i);
-            pieces[i] = build(own, leaf.cell, leaf.depth, budget.share(own.count, handout.size()));
+            pieces[i] = build(own, leaf.cell, leaf.depth, budget.portion(own.count, handout.size()));
         });
         return top.joined(pieces);
     }

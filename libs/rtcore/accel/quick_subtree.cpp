@@ -19,9 +19,9 @@ Planes planesIn(const Box3& bounds) {
     for (int a = 0; a < 3; ++a) {
         const float extent = bounds.hi[a] - bounds.lo[a];
         for (std::size_t k = 0; k < kPlanes; ++k) {
-            constexpr float kShare = 1.0F / (kPlanes + 1);
+            constexpr float kStep = 1.0F / (kPlanes + 1);
             planes[static_cast<std::size_t>(a)][k] =
-                bounds.lo[a] + extent * (static_cast<float>(k + 1) * kShare);
+                bounds.lo[a] + extent * (static_cast<float>(k + 1) * kStep);
         }
     }
     return planes;
@@ -77,9 +77,9 @@ void QuickSubtreeBuilder::buildNode(std::uint32_t index, std::size_t first, std:
     tree_->nodes.resize(tree_->nodes.size() + 2);
     tree_->nodes[index] = {split.axis, split.position, children, children + 1};
     buildNode(children, top, n.lower, top + n.lower + BoxLists::kPadding, cells.lower, depth + 1,
-              budget.share(n.lower, n.lower + n.upper));
+              budget.portion(n.lower, n.lower + n.upper));
     buildNode(children + 1, first, n.upper, top, cells.upper, depth + 1,
-              budget.share(n.upper, n.lower + n.upper));
+              budget.portion(n.upper, n.lower + n.upper));
 }
 
 /// The cheapest of planes that divide the boxes' bounds evenly, and of the bounds themselves: these cut off
@@ -122,9 +122,9 @@ void QuickSubtreeBuilder::makeLeaf(std::uint32_t index, std::size_t first, std::
 
 /// For `count` boxes from `top` on, and their end.
 void QuickSubtreeBuilder::makeRoom(std::size_t top, std::size_t count) {
-    const std::size_t least = top + count + BoxLists::kPadding;
-    if (triangles_.capacity() >= least) return;
-    const std::size_t capacity = std::max(least, triangles_.capacity() * 3 / 2);
+    const std::size_t min = top + count + BoxLists::kPadding;
+    if (triangles_.capacity() >= min) return;
+    const std::size_t capacity = std::max(min, triangles_.capacity() * 3 / 2);
     const auto grow = [&](auto& list) {
         std::remove_reference_t<decltype(list)> larger(capacity);
         std::copy(list.data(), list.data() + top, larger.data());

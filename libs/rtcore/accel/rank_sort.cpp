@@ -17,8 +17,8 @@ void rankSort(Event* events, std::size_t count) {
     // Signed numbers, which older instruction sets compare faster, in the same order.
     const hn::CappedTag<std::int64_t, 8> d;
     const std::size_t lanes = hn::Lanes(d);
-    alignas(64) std::int64_t keys[kMostRanked + 8];
-    alignas(64) std::int64_t ranks[kMostRanked + 8];
+    alignas(64) std::int64_t keys[kMaxRanked + 8];
+    alignas(64) std::int64_t ranks[kMaxRanked + 8];
     const std::size_t whole = (count + lanes - 1) / lanes * lanes;
     for (std::size_t i = 0; i < count; ++i) keys[i] = static_cast<std::int64_t>(events[i] ^ Event{1} << 63U);
     for (std::size_t i = count; i < whole; ++i) keys[i] = 0;

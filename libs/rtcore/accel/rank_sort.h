@@ -8,9 +8,9 @@
 
 namespace rtcore {
 
-inline constexpr std::size_t kMostRanked = 96;
+inline constexpr std::size_t kMaxRanked = 96;
 
-/// Sorts `count` events, kMostRanked at most, of which no two are equal.
+/// Sorts `count` events, kMaxRanked at most, of which no two are equal.
 void rankSort(Event* events, std::size_t count);
 
 } // namespace rtcore

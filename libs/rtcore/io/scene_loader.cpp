@@ -31,9 +31,9 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
     loading.begin(LoadPhase::ReadingScene);
     loading.out.files.push_back(path);
     readAll(loading, path);
-    decideUpAndUnit(loading);
+    decideModelUnits(loading);
     chooseCamera(loading);
-    takeSurroundings(loading);
+    takeLightingOptions(loading);
     giveLight(loading);
     Scene& scene = loading.out.scene;
     if (!loading.out.sceneFile) loading.out.guesses = guessMaterials(scene);

@@ -5,10 +5,10 @@
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/text/scn.h"
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 #include "rtcore/look/material_names.h"
 #include "rtcore/scene/scene.h"
-#include "rtcore/survey/up_and_unit.h"
+#include "rtcore/survey/model_units.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,14 +27,14 @@ enum class LoadPhase { ReadingScene, ImportingModel, BuildingTree, LoadingImages
 inline constexpr std::size_t kFastTreeTriangles = 200'000;
 
 /// What lights a scene, as far as its user says. Not an environment together with one of the others.
-struct Surroundings {
+struct LightingOptions {
     /// In place of the scene's sky and of its active environment.
     std::optional<std::filesystem::path> environment = {}; ///< of any shape that openEnvironment() knows
     std::optional<Sky> sky = {};
-    /// In place of all of the scene's lights, too; `sky` belongs to Look::Sky.
-    std::optional<Look> look = {};
-    /// For models without lights; a .scn asks for Look::Headlight.
-    Look usual = Look::Headlight;
+    /// In place of all of the scene's lights, too; `sky` belongs to LightingPreset::Sky.
+    std::optional<LightingPreset> preset = {};
+    /// For models without lights; a .scn asks for LightingPreset::Headlight.
+    LightingPreset usual = LightingPreset::Headlight;
 };
 
 struct LoadOptions {
@@ -43,7 +43,7 @@ struct LoadOptions {
     std::optional<std::filesystem::path> model; ///< in place of the one that a .scn names; ignored for others
     /// A .bsp that was made of the model: read in its place, which goes on to be named, where it can be read.
     std::optional<std::filesystem::path> cachedModel;
-    Surroundings surroundings;
+    LightingOptions lighting;
     /// Primary rays that the scene is loaded for, when they are known and few: a large model then gets a fast
     /// tree, whose images are the same. 0 = many.
     std::uint64_t primaryRays = 0;
@@ -68,7 +68,7 @@ struct LoadedScene {
     std::vector<std::filesystem::path> files; ///< all that were read, as far as known; some may stand twice
     std::vector<OpenGlass> openGlass;         ///< of the model with the scene's materials
     BuildTimes buildTimes;                    ///< zero when the tree came from a .bsp
-    UpAndUnit frame;                          ///< what Scene::up and Scene::metresPerUnit are, and why
+    ModelUnits units;                         ///< what Scene::up and Scene::metresPerUnit are, and why
     ModelOrigin origin;                       ///< of the model
     bool ownCamera = true;                    ///< false: defaultCamera()
     bool indoors = false;                     ///< the camera has walls around it (isEnclosed())
@@ -76,7 +76,7 @@ struct LoadedScene {
     /// tell.
     std::vector<MaterialGuess> guesses;
     /// By which lightBy() lit it, for that camera; nothing: it has light of its own.
-    std::optional<Look> look;
+    std::optional<LightingPreset> preset;
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };
 
@@ -87,6 +87,6 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
 
 /// Another up axis or unit of a scene that was loaded, and what of `camera` and `scene` follows from it: the
 /// camera and the light of a model that brings none, and otherwise what is up in the picture.
-void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& camera);
+void applyModelUnits(LoadedScene& loaded, const ModelUnits& units, Scene& scene, Camera& camera);
 
 } // namespace rtcore

@@ -28,12 +28,12 @@ struct Beam {
 /// The triangles of a leaf, some at a time, as seen from a point.
 class SeenTriangles {
   public:
-    static constexpr std::size_t kMost = 32;
+    static constexpr std::size_t kMax = 32;
 
     /// Those of the leaf's references from `first` to before `last`, as many as there is room for.
     HWY_INLINE SeenTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first,
                              std::uint32_t last, Vec3 point)
-        : count(std::min<std::size_t>(last - first, kMost)) {
+        : count(std::min<std::size_t>(last - first, kMax)) {
         const FloatTag d;
         if (scene.records == nullptr) {
             for (std::size_t i = 0; i < count; ++i)
@@ -59,7 +59,7 @@ class SeenTriangles {
     }
 
     std::size_t count;
-    alignas(64) std::int32_t triangle[kMost];
+    alignas(64) std::int32_t triangle[kMax];
 
   private:
     HWY_INLINE void take(const Corners& corners, std::size_t i, Vec3 point) {
@@ -71,7 +71,7 @@ class SeenTriangles {
         triangle[i] = corners.triangle;
     }
 
-    alignas(64) float offsets_[9][kMost];
+    alignas(64) float offsets_[9][kMax];
 };
 
 /// Which triangles rays of each beam may meet, a bit for each. `triangles` as seen from their point;
@@ -90,17 +90,17 @@ HWY_INLINE void findCandidates(const SeenTriangles& triangles, const AlongAxis& 
         }
         const auto apart = [&](const Floats(&across)[3], const float(&shears)[2],
                                const float(&places)[2]) HWY_ATTR {
-            Floats least = hn::Set(d, std::numeric_limits<float>::max()), most = hn::Neg(least);
+            Floats min = hn::Set(d, std::numeric_limits<float>::max()), max = hn::Neg(min);
             for (const float shear : shears) {
                 for (std::size_t c = 0; c < 3; ++c) {
                     // Fused or not: this only culls.
                     const Floats place = hn::NegMulAdd(hn::Set(d, shear), corners[2][c], across[c]);
-                    least = hn::Min(least, place);
-                    most = hn::Max(most, place);
+                    min = hn::Min(min, place);
+                    max = hn::Max(max, place);
                 }
             }
-            return hn::Or(hn::Gt(least, kThroughPoint ? hn::Zero(d) : hn::Set(d, places[1])),
-                          hn::Lt(most, kThroughPoint ? hn::Zero(d) : hn::Set(d, places[0])));
+            return hn::Or(hn::Gt(min, kThroughPoint ? hn::Zero(d) : hn::Set(d, places[1])),
+                          hn::Lt(max, kThroughPoint ? hn::Zero(d) : hn::Set(d, places[0])));
         };
         for (std::size_t b = 0; b < kBeams; ++b) {
             const Beam& beam = beams[b];
@@ -109,7 +109,7 @@ HWY_INLINE void findCandidates(const SeenTriangles& triangles, const AlongAxis& 
             found[b] |= bitsOf(hn::Not(out)) << i;
         }
     }
-    for (std::uint32_t& bits : found) bits &= ~std::uint32_t{0} >> (SeenTriangles::kMost - triangles.count);
+    for (std::uint32_t& bits : found) bits &= ~std::uint32_t{0} >> (SeenTriangles::kMax - triangles.count);
 }
 
 } // namespace HWY_NAMESPACE

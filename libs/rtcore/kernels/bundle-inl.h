@@ -159,7 +159,7 @@ class BundleWalk {
     }
 
     HWY_INLINE void testLeaf(const Leaf& leaf, const Lanes& begin, const Lanes& end) {
-        for (std::uint32_t i = 0; i < leaf.common; i += SeenTriangles::kMost) {
+        for (std::uint32_t i = 0; i < leaf.common; i += SeenTriangles::kMax) {
             const SeenTriangles triangles(scene_, leaf, i, leaf.common, bundle_.origin);
             forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR { testPacket(triangles, p); });
         }
@@ -167,7 +167,7 @@ class BundleWalk {
     }
 
     HWY_NOINLINE void testNarrow(const Leaf& leaf, const Lanes& begin, const Lanes& end) {
-        for (std::uint32_t i = leaf.common; i < leaf.count; i += SeenTriangles::kMost) {
+        for (std::uint32_t i = leaf.common; i < leaf.count; i += SeenTriangles::kMax) {
             const SeenTriangles triangles(scene_, leaf, i, leaf.count, bundle_.origin);
             forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR {
                 const BundledPacket& packet = bundle_.packets[p];
@@ -263,10 +263,10 @@ class BundleWalk {
     HWY_INLINE void measureReach(std::size_t p) {
         const FloatTag d;
         const BundledPacket& packet = bundle_.packets[p];
-        Floats most = hn::Load(d, packet.best);
+        Floats max = hn::Load(d, packet.best);
         for (std::size_t at = kLanes; at < BundledPacket::kRays; at += kLanes)
-            most = hn::Max(most, hn::Load(d, packet.best + at));
-        bundle_.reach[p] = hn::GetLane(hn::MaxOfLanes(d, most)) + bundle_.slack[p];
+            max = hn::Max(max, hn::Load(d, packet.best + at));
+        bundle_.reach[p] = hn::GetLane(hn::MaxOfLanes(d, max)) + bundle_.slack[p];
     }
 
     const KernelScene& scene_;

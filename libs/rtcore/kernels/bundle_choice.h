@@ -28,7 +28,7 @@ class BundleChoice {
     static constexpr std::uint32_t kTurns = 8;
 
     void decide() {
-        constexpr double kClearly = 0.95, kMost = 8;
+        constexpr double kClearly = 0.95, kMax = 8;
         double ratio = sum_[0] > 0 ? sum_[1] / sum_[0] : 1; // a coarse clock may see no time pass
         if (ratio < kClearly) {
             bundles_ = !bundles_;
@@ -36,7 +36,7 @@ class BundleChoice {
         }
         sum_[0] = sum_[1] = 0;
         // The dearer the other way, the less often: trials take a fiftieth of the time.
-        untilTrial_ = static_cast<std::uint32_t>(128 * std::clamp(ratio, 1.0, kMost));
+        untilTrial_ = static_cast<std::uint32_t>(128 * std::clamp(ratio, 1.0, kMax));
     }
 
     bool bundles_ = true;          ///< thought to be better

@@ -40,18 +40,18 @@ struct GroupShape {
     }
     /// Of no ray the longest component of the direction is shorter.
     float length() const {
-        float least = 0;
-        for (const Range& r : direction) least = std::max(least, std::max(r.lo, -r.hi));
-        return least;
+        float min = 0;
+        for (const Range& r : direction) min = std::max(min, std::max(r.lo, -r.hi));
+        return min;
     }
     bool commonOrigin() const {
         return origin[0].lo == origin[0].hi && origin[1].lo == origin[1].hi && origin[2].lo == origin[2].hi;
     }
     /// Whether all directions have one sign on each axis, and no inverse overflows.
     bool oneOctant() const {
-        constexpr float kLeast = 1 / std::numeric_limits<float>::max();
+        constexpr float kMin = 1 / std::numeric_limits<float>::max();
         return std::all_of(direction, direction + 3,
-                           [](const Range& r) { return r.lo > kLeast || r.hi < -kLeast; });
+                           [](const Range& r) { return r.lo > kMin || r.hi < -kMin; });
     }
     Culling culling() const {
         Culling c{};
@@ -106,12 +106,14 @@ HWY_INLINE void addOrigins(const RaySpan& rays, std::size_t first, GroupShape& s
 
 /// 0, 1, 2 where that is the dominant axis of all; else 3.
 HWY_INLINE int commonAxis(const GroupShape& shape, const RaySpan& rays, std::size_t first) {
-    const auto least = [&](int axis) {
+    const auto minOf = [&](int axis) {
         return std::max(shape.direction[axis].lo, -shape.direction[axis].hi);
     };
-    const auto most = [&](int axis) { return std::max(-shape.direction[axis].lo, shape.direction[axis].hi); };
+    const auto maxOf = [&](int axis) {
+        return std::max(-shape.direction[axis].lo, shape.direction[axis].hi);
+    };
     for (int axis = 0; axis < 3; ++axis) {
-        if (least(axis) > most((axis + 1) % 3) && least(axis) > most((axis + 2) % 3)) return axis;
+        if (minOf(axis) > maxOf((axis + 1) % 3) && minOf(axis) > maxOf((axis + 2) % 3)) return axis;
     }
     const FloatTag d;
     Mask allX = hn::Eq(hn::Zero(d), hn::Zero(d));

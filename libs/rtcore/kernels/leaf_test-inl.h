@@ -86,10 +86,10 @@ HWY_INLINE Corners cornersOf(const KernelScene& scene, const Leaf& leaf, std::ui
 /// If the node is a leaf, sends for the corners of its triangles before they are needed.
 HWY_INLINE void sendForLeaf(const KernelScene& scene, KdNode node) {
     if (scene.records == nullptr || !node.isLeaf()) return;
-    constexpr std::size_t kMost = 640, kCacheLine = 64; // bytes
+    constexpr std::size_t kMax = 640, kCacheLine = 64; // bytes
     const auto* const records =
         reinterpret_cast<const char*>(scene.records + kFloatsPerRecord * node.firstReference);
-    const std::size_t bytes = std::min(kFloatsPerRecord * sizeof(float) * node.count(), kMost);
+    const std::size_t bytes = std::min(kFloatsPerRecord * sizeof(float) * node.count(), kMax);
     for (std::size_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(records + at);
 }
 

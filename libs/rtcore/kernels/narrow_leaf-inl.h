@@ -76,13 +76,13 @@ struct PreciseTest {
             put(hn::IfThenElseZero(meets, hn::Set(dd, 1.0)), inside);
             put(hn::Mul(hn::Div(sum, det), get(5)), t);
             if constexpr (kSearch.any && !kSearch.filtered) continue;
-            put(hn::Div(v, det), share1);
-            put(hn::Div(w, det), share2);
+            put(hn::Div(v, det), weight1);
+            put(hn::Div(w, det), weight2);
         }
     }
 
     alignas(64) float column[kColumns][kLanes]; ///< x, y, z, sx, sy, minusSz; x, y, z of each corner
-    alignas(64) float inside[kLanes], t[kLanes], share1[kLanes], share2[kLanes];
+    alignas(64) float inside[kLanes], t[kLanes], weight1[kLanes], weight2[kLanes];
 };
 
 /// isDoubtful() of those inside.
@@ -109,8 +109,8 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
             const ShearedRay ray{0, 1, 2, of(0), of(1), of(2), of(3), of(4), of(5)};
             const PreciseHit hit = preciseHit(ray, corner(0), corner(1), corner(2));
             test.t[i] = hit.t;
-            test.share1[i] = hit.v;
-            test.share2[i] = hit.w;
+            test.weight1[i] = hit.v;
+            test.weight2[i] = hit.w;
         });
     }
     const Floats t = hn::Load(d, test.t);
@@ -118,8 +118,8 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
     outcome.inside = hn::AndNot(hn::And(which, tooFar), outcome.inside);
     outcome.t = hn::IfThenElse(which, t, outcome.t);
     if constexpr (kSearch.any && !kSearch.filtered) return;
-    outcome.v = hn::IfThenElse(which, hn::Load(d, test.share1), outcome.v);
-    outcome.w = hn::IfThenElse(which, hn::Load(d, test.share2), outcome.w);
+    outcome.v = hn::IfThenElse(which, hn::Load(d, test.weight1), outcome.v);
+    outcome.w = hn::IfThenElse(which, hn::Load(d, test.weight2), outcome.w);
     outcome.det = hn::IfThenElse(which, hn::Set(d, 1.0F), outcome.det);
 }
 

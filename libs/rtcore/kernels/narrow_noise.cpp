@@ -25,8 +25,8 @@ Point normalOf(const Corners& p) {
 }
 
 double spanOf(const Corners& p, int axis) {
-    const auto [least, most] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
-    return most - least;
+    const auto [min, max] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
+    return max - min;
 }
 
 /// How much the weighted distances err since rounding moves corners, times twice the area, in roundings. With
@@ -42,7 +42,7 @@ double positionsNoise(const Point& sizes, const Point& normal) {
 
 /// The same for the roundings of the edge functions' products, of places that span x + z and y + z, weighted
 /// by the corners' distances: at most this, of corners in a row and a ray at a third of it.
-double mostOfProducts(const Point& sizes) {
+double maxOfProducts(const Point& sizes) {
     const auto [x, y, z] = sizes;
     return 8.0 / 9 * std::max({(y + x) * (z + x) * x, (x + y) * (z + y) * y, (x + z) * (y + z) * z});
 }
@@ -72,7 +72,7 @@ double productsAt(const Corners& p, const Point& origin, int kz, double sx, doub
 /// each), and a tenth for what lies between.
 double productsNoise(const Corners& p) {
     constexpr int kSteps = 8;
-    double most = 0;
+    double max = 0;
     for (int i = 0; i <= kSteps; ++i) {
         for (int j = 0; i + j <= kSteps; ++j) {
             Point origin{};
@@ -82,12 +82,12 @@ double productsNoise(const Corners& p) {
             for (int kz = 0; kz < 3; ++kz) {
                 for (const double sx : {-1.0, 1.0}) {
                     for (const double sy : {-1.0, 1.0})
-                        most = std::max(most, productsAt(p, origin, kz, sx, sy));
+                        max = std::max(max, productsAt(p, origin, kz, sx, sy));
                 }
             }
         }
     }
-    return 1.1 * most;
+    return 1.1 * max;
 }
 
 /// surfaceClearance() but for the rounding of where rays start, times twice the area.
@@ -113,7 +113,7 @@ float narrowNoise(Vec3 a, Vec3 b, Vec3 c) {
     const Point sizes{spanOf(p, 0), spanOf(p, 1), spanOf(p, 2)};
     const double positions = positionsNoise(sizes, normal);
     const double clear = surelyClear(p, a, b, c, normal, twiceArea);
-    if ((positions + mostOfProducts(sizes)) * kRounding <= clear) return 0;
+    if ((positions + maxOfProducts(sizes)) * kRounding <= clear) return 0;
     const double noise = (positions + productsNoise(p)) * kRounding;
     if (noise <= clear) return 0;
     // Written so that NaN, of a triangle without area, is the narrowest.
@@ -122,12 +122,12 @@ float narrowNoise(Vec3 a, Vec3 b, Vec3 c) {
 }
 
 // With L the longest side of the box, M its largest coordinate and n the normal: positionsNoise() is at most
-// 3.5 L times the sum of n's numbers, of which the largest is no more than n's length; mostOfProducts() is at
+// 3.5 L times the sum of n's numbers, of which the largest is no more than n's length; maxOfProducts() is at
 // most 32 / 9 L^3; surelyClear() is at least 16 M times n's length, in roundings. What is left out of that is
 // more than single precision errs by where n is not much shorter than L^2.
 bool isSurelyCommon(Float4 a, Float4 b, Float4 c) {
-    constexpr float kLeast = 1e-9F, kMost = 1e9F; // so that no product vanishes or is infinite
-    constexpr float kLeastNormal = 0x1p-10F;
+    constexpr float kMin = 1e-9F, kMax = 1e9F; // so that no product vanishes or is infinite
+    constexpr float kMinNormal = 0x1p-10F;
     const auto size = [](Float4 v) { return max4(v, -v); };
     const auto next = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 0); };
     const auto largest = [&](Float4 v) { return max4(max4(v, next(v)), next(next(v)))[0]; };
@@ -136,8 +136,8 @@ bool isSurelyCommon(Float4 a, Float4 b, Float4 c) {
     const float extent = largest(max4(max4(size(a), size(b)), size(c)));
     const float normal = largest(size(ab * next(ac) - next(ab) * ac));
     // No branch before the last.
-    const bool usual = static_cast<int>(longest >= kLeast) & static_cast<int>(extent <= kMost) &
-                       static_cast<int>(normal >= kLeastNormal * longest * longest);
+    const bool usual = static_cast<int>(longest >= kMin) & static_cast<int>(extent <= kMax) &
+                       static_cast<int>(normal >= kMinNormal * longest * longest);
     return static_cast<int>(usual) &
            static_cast<int>(4 * longest * longest * longest <= normal * (15 * extent - 6.5F * longest));
 }

@@ -210,7 +210,7 @@ class PacketLeaves {
         const FloatTag d;
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         if (!beamsReady_) prepareBeams();
-        for (std::uint32_t first = 0; first < leaf.common; first += SeenTriangles::kMost) {
+        for (std::uint32_t first = 0; first < leaf.common; first += SeenTriangles::kMax) {
             const SeenTriangles triangles(scene_, leaf, first, leaf.common, point_);
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
                 std::uint32_t which = candidatesOf(triangles, at);
@@ -246,7 +246,7 @@ class PacketLeaves {
             return testVectors(test, t0, t1);
         }
         if (!beamsReady_) prepareBeams();
-        for (std::uint32_t first = leaf.common; first < leaf.count; first += SeenTriangles::kMost) {
+        for (std::uint32_t first = leaf.common; first < leaf.count; first += SeenTriangles::kMax) {
             const SeenTriangles triangles(scene_, leaf, first, leaf.count, point_);
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
                 const std::uint32_t which = candidatesOf(triangles, at);

@@ -24,7 +24,7 @@ struct Weights {
 /// The point of the three edges that is nearest to the ray, seen along it.
 Weights nearestOfEdges(const Vec3d (&p)[3]) {
     Weights nearest{};
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         const double x = p[j].x - p[i].x;
@@ -35,8 +35,8 @@ Weights nearestOfEdges(const Vec3d (&p)[3]) {
         const double apartX = p[i].x + fraction * x;
         const double apartY = p[i].y + fraction * y;
         const double apart = apartX * apartX + apartY * apartY;
-        if (!(apart < least)) continue;
-        least = apart;
+        if (!(apart < min)) continue;
+        min = apart;
         nearest = {{0, 0, 0}, 1};
         nearest.of[i] = 1 - fraction;
         nearest.of[j] = fraction;

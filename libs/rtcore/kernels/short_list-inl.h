@@ -20,11 +20,11 @@ class ShortList {
     static constexpr std::size_t kVectors = 2;
 
   public:
-    static constexpr std::size_t kMost = kVectors * kLanes; ///< rays
+    static constexpr std::size_t kMax = kVectors * kLanes; ///< rays
 
     ShortList(const KernelScene& scene, StreamScratch& scratch) : scratch_(scratch), walk_(scene, packet_) {}
 
-    /// Takes over the rays of a list of at most kMost.
+    /// Takes over the rays of a list of at most kMax.
     HWY_INLINE void take(const RayLists& lists, const RayLists::List& list, float slack) {
         const FloatTag d;
         const IntTag di;
@@ -47,7 +47,7 @@ class ShortList {
         }
         hn::StoreU(hn::Set(d, 1.0F), d, packet_.t0 + to);
         hn::StoreU(hn::Set(d, -1.0F), d, packet_.t1 + to);
-        for (std::size_t i = RayLists::wholeVectors(to); i < kMost; i += kLanes) {
+        for (std::size_t i = RayLists::wholeVectors(to); i < kMax; i += kLanes) {
             hn::Store(hn::Set(d, 1.0F), d, packet_.t0 + i);
             hn::Store(hn::Set(d, -1.0F), d, packet_.t1 + i);
         }
@@ -95,7 +95,7 @@ class ShortList {
     StreamScratch& scratch_;
     Packet<kVectors> packet_;
     PacketWalk<kVectors, Shared::Nothing, false, kSearch> walk_;
-    alignas(64) float slot_[kMost + kLanes]; ///< their bits
+    alignas(64) float slot_[kMax + kLanes]; ///< their bits
     std::size_t size_ = 0;
 };
 

@@ -49,7 +49,7 @@ class OctantWalk {
         }
         while (true) {
             bool more = false;
-            if (list_.active > ShortList<kSearch>::kMost) {
+            if (list_.active > ShortList<kSearch>::kMax) {
                 const KdNode node = scene_.nodes[list_.node];
                 if (node.isLeaf()) {
                     if (node.count() != 0) testLeaf({scene_, node}, list_);

@@ -162,9 +162,9 @@ class TriangleBlock {
         forEachLane(candidates, [&](std::size_t lane) {
             const auto triangle = static_cast<std::uint32_t>(triangle_[lane]);
             if (scene_.filter.hides(triangle)) return;
-            const auto share = [&](Floats area) { return laneOf(area, lane) / laneOf(outcome.det, lane); };
+            const auto weight = [&](Floats area) { return laneOf(area, lane) / laneOf(outcome.det, lane); };
             const bool isHole =
-                holes != nullptr && holes->isHole(triangle, share(outcome.v), share(outcome.w));
+                holes != nullptr && holes->isHole(triangle, weight(outcome.v), weight(outcome.w));
             kept[lane] = isHole ? 0 : 1;
         });
         return hn::RebindMask(FloatTag(), hn::Ne(hn::Load(di, kept), hn::Zero(di)));

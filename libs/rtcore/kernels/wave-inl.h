@@ -103,20 +103,20 @@ struct ClosestOutput {
             const Floats area = hn::Load(d, det + i);
             const Ints known = hn::Load(di, triangle + i);
             const Ints index = hn::IfThenElse(hn::Eq(known, hn::Set(di, kNone)), hn::Set(di, -1), known);
-            const Floats share1 = hn::Div(hn::Load(d, v + i), area);
-            const Floats share2 = hn::Div(hn::Load(d, w + i), area);
+            const Floats weight1 = hn::Div(hn::Load(d, v + i), area);
+            const Floats weight2 = hn::Div(hn::Load(d, w + i), area);
             const Floats t = hn::Load(d, best + i);
             const auto out = reinterpret_cast<std::int32_t*>(hits.triangle + first + i);
             if (i + kLanes <= count) {
                 hn::StoreU(t, d, hits.t + first + i);
-                hn::StoreU(share1, d, hits.u + first + i);
-                hn::StoreU(share2, d, hits.v + first + i);
+                hn::StoreU(weight1, d, hits.u + first + i);
+                hn::StoreU(weight2, d, hits.v + first + i);
                 hn::StoreU(index, di, out);
             } else {
                 const Mask some = hn::FirstN(d, count - i);
                 hn::BlendedStore(t, some, d, hits.t + first + i);
-                hn::BlendedStore(share1, some, d, hits.u + first + i);
-                hn::BlendedStore(share2, some, d, hits.v + first + i);
+                hn::BlendedStore(weight1, some, d, hits.u + first + i);
+                hn::BlendedStore(weight2, some, d, hits.v + first + i);
                 hn::BlendedStore(index, hn::RebindMask(di, some), di, out);
             }
         }

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 /// A point of the emissive triangles: where a ray would hit it.
 template <typename F>
-struct EmitterDraw {
+struct EmitterSample {
     UintOf<F> triangle; ///< of the mesh
     F u, v;             ///< towards its second and third corner, as in Hit
     Vec3Of<F> position;
@@ -45,8 +45,8 @@ HWY_INLINE F doubleArea(Vec3Of<F> normal) {
 /// Uniform by area within a triangle; there is an emitter. `bits`: 32 random ones. (Heitz 2019, "A
 /// Low-Distortion Map Between Triangle and Square")
 template <typename F>
-HWY_INLINE EmitterDraw<F> drawEmitter(const EmitterRows& rows, F u, F v, UintOf<F> bits) {
-    const UintOf<F> emitter = drawIndex<F>(rows.choice, bits);
+HWY_INLINE EmitterSample<F> sampleEmitter(const EmitterRows& rows, F u, F v, UintOf<F> bits) {
+    const UintOf<F> emitter = sampleIndex<F>(rows.choice, bits);
     const UintOf<F> triangle = gather(rows.triangles, toInt(emitter));
     const Corners<F> corners = cornersOf<F>(rows, triangle);
     const auto upper = v > u;

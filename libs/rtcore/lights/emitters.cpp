@@ -14,10 +14,10 @@ namespace {
 
 namespace plain = HWY_NAMESPACE;
 
-constexpr std::size_t kMostEmitters = std::size_t{1} << 24U;
+constexpr std::size_t kMaxEmitters = std::size_t{1} << 24U;
 constexpr std::uint32_t kNoEmitter = std::numeric_limits<std::uint32_t>::max();
 /// Squares of double areas between which all digits of the densities are there.
-constexpr float kLeastSquareOfArea = 1e-36F, kMostSquareOfArea = 1e36F;
+constexpr float kMinSquareOfArea = 1e-36F, kMaxSquareOfArea = 1e36F;
 
 double luminanceOf(Colour radiance, Colour texture) {
     const auto product = [](float a, float b, float c) {
@@ -32,10 +32,11 @@ std::vector<double> emissions(const Scene& scene, const EmitterChoice& choice) {
     std::vector<double> all;
     for (std::size_t i = 0; i < scene.materials.size() + (scene.ground ? 1 : 0); ++i) {
         const Material& m = scene.material(static_cast<std::uint32_t>(i));
-        const bool dark = isBlack(m.emission) || (i < choice.dark.size() && choice.dark[i] != 0);
-        const bool textured = !dark && choice.textures && m.emissionTexture != kNoTexture;
+        const bool black =
+            isBlack(m.emission) || (i < choice.emitsNoLight.size() && choice.emitsNoLight[i] != 0);
+        const bool textured = !black && choice.textures && m.emissionTexture != kNoTexture;
         const Colour mean = textured ? textureMean(scene.model, m.emissionTexture) : kWhite;
-        const double luminance = dark ? 0 : luminanceOf(m.emission, mean);
+        const double luminance = black ? 0 : luminanceOf(m.emission, mean);
         all.push_back(luminance > 0 && std::isfinite(luminance) ? luminance : 0);
     }
     return all;
@@ -43,7 +44,7 @@ std::vector<double> emissions(const Scene& scene, const EmitterChoice& choice) {
 
 double areaOf(Vec3 normal) {
     const float square = dot(normal, normal);
-    const bool exact = square > kLeastSquareOfArea && square < kMostSquareOfArea;
+    const bool exact = square > kMinSquareOfArea && square < kMaxSquareOfArea;
     return exact ? 0.5 * static_cast<double>(plain::doubleArea<float>(normal)) : 0;
 }
 
@@ -72,18 +73,18 @@ void Emitters::prepare(const Scene& scene, const EmitterChoice& choice) {
     std::vector<double> powers;
     addTriangles(scene, choice, powers);
     if (triangles_.empty()) return;
-    if (triangles_.size() > kMostEmitters) {
+    if (triangles_.size() > kMaxEmitters) {
         *this = {};
         return;
     }
     table_ = AliasTable(powers);
-    const double most = *std::max_element(powers.begin(), powers.end());
+    const double max = *std::max_element(powers.begin(), powers.end());
     WeightedPosition centre;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3 p = mesh_.position(triangles_[i], corner);
             bounds_.extend(p);
-            centre.add(p, powers[i] / most);
+            centre.add(p, powers[i] / max);
         }
         power_ += powers[i];
     }

@@ -24,7 +24,7 @@ struct EmitterRows {
 struct EmitterChoice {
     std::span<const std::uint8_t> hidden = {}; ///< by triangle of the model, not 0: it is (hiddenTriangles())
     /// By material, not 0: its emission is visible, but lights nothing.
-    std::span<const std::uint8_t> dark = {};
+    std::span<const std::uint8_t> emitsNoLight = {};
     bool textures = true; ///< as RenderSettings::textures
 };
 
@@ -45,11 +45,11 @@ class Emitters {
     bool empty() const { return triangles_.empty(); }
     std::size_t size() const { return triangles_.size(); }
 
-    /// The density by solid angle with which drawEmitter() finds the point of a triangle that is seen at
+    /// The density by solid angle with which sampleEmitter() finds the point of a triangle that is seen at
     /// `distance`, where the cosine between the ray and the triangle's normal is `cosine`, of either sign. 0
     /// of what is no emitter, and of cosines whose size is below 1e-6.
     float density(std::uint32_t triangle, float distance, float cosine) const;
-    /// By area, the same number as in EmitterDraw.
+    /// By area, the same number as in EmitterSample.
     float areaDensity(std::uint32_t triangle) const;
 
     /// Luminance of all that is given off, to both sides, W.

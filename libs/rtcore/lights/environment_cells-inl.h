@@ -1,6 +1,6 @@
 // Where in the cells of an environment's images a direction is, and back, over the number F: float or Float.
 // Included once for each instruction set, inside the loop of foreach_target.h, or alone.
-#include "rtcore/lights/environment_draw.h"
+#include "rtcore/lights/environment_sampler.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/math/float3-inl.h"
 #include "rtcore/simd/functions-inl.h"

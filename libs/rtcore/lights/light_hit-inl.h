@@ -96,7 +96,7 @@ HWY_INLINE F sampleDensity(const Light& light, Vec3Of<F> origin, Vec3Of<F> direc
         return selectOrZero(front > 0.0F, distance * distance / (areaOfFlat<kind>(light) * front));
     } else if constexpr (traitsOf(kind).disc) {
         if (!isDisc(light)) return F(0);
-        const F cosine = max(-dot(direction, broadcast<F>(light.direction)), F(kLeastDiscCosine));
+        const F cosine = max(-dot(direction, broadcast<F>(light.direction)), F(kMinDiscCosine));
         return cosine / (kPi * light.discSine * light.discSine);
     } else {
         return F(0);

@@ -104,7 +104,7 @@ HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, con
 
 /// Of the cosine between a direction and the middle of a disc, where more of it counts as that: a disc that
 /// fills half of the sky has no infinite weight at its rim.
-inline constexpr float kLeastDiscCosine = 1e-3F;
+inline constexpr float kMinDiscCosine = 1e-3F;
 
 /// A stratum of a directional light. Of one with a disc it is uniform in the disc's projection on a surface
 /// that faces its middle, which each sample gives the same irradiance; the middle gives what a light without
@@ -117,7 +117,7 @@ HWY_INLINE LightSample<F> sampleDirectional(const Light& light, const Stratum<F>
     const auto basis = basisAround(axis);
     const Disc<F> disc = onDisc<F>(stratum.u, stratum.v);
     const F x = disc.x * light.discSine, y = disc.y * light.discSine;
-    const F cosine = sqrt(max(1.0F - (x * x + y * y), F(kLeastDiscCosine * kLeastDiscCosine)));
+    const F cosine = sqrt(max(1.0F - (x * x + y * y), F(kMinDiscCosine * kMinDiscCosine)));
     const Vec3Of<F> toLight =
         broadcast<F>(axis) * cosine + broadcast<F>(basis.tangent) * x + broadcast<F>(basis.bitangent) * y;
     return {toLight, endless, broadcast<F>(light.intensity) * (stratum.weight / cosine),

@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 
 /// Below it, in steradian, a rectangle is sampled by area: nothing is gained any more, and angles of float
 /// lose their digits.
-inline constexpr float kLeastSolidAngle = 2e-3F;
+inline constexpr float kMinSolidAngle = 2e-3F;
 
 /// A rectangle light seen from a point, in the light's axes, with the foot of the point in its plane as
 /// origin.
@@ -97,7 +97,7 @@ template <typename F>
 HWY_INLINE F rectangleDensity(const Light& light, const SeenRectangle<F>& seen, F distance) {
     const F byArea =
         distance * distance / (areaOfFlat<LightKind::Rectangle>(light) * (seen.height / distance));
-    const F density = select(seen.solidAngle >= kLeastSolidAngle, 1.0F / seen.solidAngle, byArea);
+    const F density = select(seen.solidAngle >= kMinSolidAngle, 1.0F / seen.solidAngle, byArea);
     return selectOrZero(seen.height > 0.0F, density);
 }
 
@@ -110,7 +110,7 @@ HWY_INLINE F rectangleDensity(const Light& light, Vec3Of<F> origin, F distance) 
 
 /// One sample of a light, with its density.
 template <typename F>
-struct LightDraw {
+struct LightDirectionSample {
     Vec3Of<F> toLight; ///< unit
     F free;            ///< length of the shadow ray
     Vec3Of<F>
@@ -121,9 +121,10 @@ struct LightDraw {
 /// A point of a rectangle light, uniform by solid angle, or by area where that is small. `u`, `v`: 0..1,
 /// without 1. Behind the light irradiance and density are 0.
 template <typename F>
-HWY_INLINE LightDraw<F> sampleRectangleBySolidAngle(const Light& light, Vec3Of<F> position, F u, F v) {
+HWY_INLINE LightDirectionSample<F> sampleRectangleBySolidAngle(const Light& light, Vec3Of<F> position, F u,
+                                                               F v) {
     const SeenRectangle<F> seen = seenRectangle<F>(light, position);
-    const auto bySolidAngle = seen.solidAngle >= kLeastSolidAngle;
+    const auto bySolidAngle = seen.solidAngle >= kMinSolidAngle;
     const F column = solidAngleColumn<F>(seen, u);
     const F x = select(bySolidAngle, column, seen.left + u * light.width);
     const F y = select(bySolidAngle, solidAngleRow<F>(seen, column, v), seen.bottom + v * light.height);
@@ -146,15 +147,15 @@ HWY_INLINE F sampleLinear(F a, F b, F u) {
 /// cosine at the surface, which on open ground is nearly all that varies. (Hart et al. 2020, "Practical
 /// product sampling by fitting and composing warps")
 template <typename F>
-HWY_INLINE LightDraw<F> sampleRectangleForSurface(const Light& light, Vec3Of<F> position, Vec3Of<F> normal,
-                                                  F u, F v) {
-    constexpr float kLeast = 0.05F; // what lies below the horizon of one corner may lie above in the middle
+HWY_INLINE LightDirectionSample<F> sampleRectangleForSurface(const Light& light, Vec3Of<F> position,
+                                                             Vec3Of<F> normal, F u, F v) {
+    constexpr float kMin = 0.05F; // what lies below the horizon of one corner may lie above in the middle
     const Vec3Of<F> offset = broadcast<F>(light.position) - position;
     const Vec3Of<F> right = broadcast<F>(light.right * (0.5F * light.width)),
                     up = broadcast<F>(cross(light.direction, light.right) * (0.5F * light.height));
     const auto cosine = [&](Vec3Of<F> corner) HWY_ATTR {
         const F length = sqrt(dot(corner, corner));
-        return max(dot(corner, normal) / max(length, F(1e-18F)), F(kLeast));
+        return max(dot(corner, normal) / max(length, F(1e-18F)), F(kMin));
     };
     const F leftBottom = cosine(offset - right - up), rightBottom = cosine(offset + right - up),
             leftTop = cosine(offset - right + up), rightTop = cosine(offset + right + up);
@@ -164,10 +165,10 @@ HWY_INLINE LightDraw<F> sampleRectangleForSurface(const Light& light, Vec3Of<F> 
     const F column = sampleLinear<F>(left, high, u);
     const F density =
         4.0F * (left + column * (high - left)) / (leftBottom + rightBottom + leftTop + rightTop);
-    LightDraw<F> draw = sampleRectangleBySolidAngle<F>(light, position, column, row);
-    draw.irradiance = draw.irradiance / density;
-    draw.density = draw.density * density;
-    return draw;
+    LightDirectionSample<F> sample = sampleRectangleBySolidAngle<F>(light, position, column, row);
+    sample.irradiance = sample.irradiance / density;
+    sample.density = sample.density * density;
+    return sample;
 }
 
 } // namespace HWY_NAMESPACE

@@ -35,9 +35,9 @@ void LightChange::add(const Light& light) {
 }
 
 bool LightChange::reaches(Vec3 position, float radiance) const {
-    constexpr float kLeast = 1e-3F;
+    constexpr float kMin = 1e-3F;
     return everywhere_ || std::ranges::any_of(changed_, [&](const Light& light) {
-               return irradianceOf(light, position) > kLeast * radiance;
+               return irradianceOf(light, position) > kMin * radiance;
            });
 }
 

@@ -31,15 +31,15 @@ void forEachChosen(std::size_t count, int threads, Work&& work) {
 
 /// Where the surface of `seen` is in the middle of the pixel.
 Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int y) {
-    constexpr float kMostChange = 0.05F;
+    constexpr float kMaxChange = 0.05F;
     const Vec3 towards = towardsMiddle(plane, x, y), offset = seen.position - plane.eye;
     const float depth = dot(seen.normal, offset) / dot(seen.normal, towards),
                 before = dot(plane.axis, offset);
-    const bool near = std::fabs(depth - before) < kMostChange * before; // not of NaN
+    const bool near = std::fabs(depth - before) < kMaxChange * before; // not of NaN
     return near ? plane.eye + towards * depth : seen.position;
 }
 
-bool mirrors(const SeenPoint& seen) { return seen.mirroredLength != 0; }
+bool mirrors(const SeenPoint& seen) { return seen.specularDistance != 0; }
 
 /// What is lit so through that tint; of channels that it lets nothing through, nothing is known.
 Colour over(Colour light, Colour tint) {
@@ -47,28 +47,30 @@ Colour over(Colour light, Colour tint) {
     return {channel(light.r, tint.r), channel(light.g, tint.g), channel(light.b, tint.b)};
 }
 
-/// A pixel's new samples. `own.position` is where its ray goes, `own.light` all that comes from there.
-void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSample own) {
-    own.background = !seen.any;
-    own.mirrors = mirrors(seen);
-    LiveSample mirrored = own;
-    own.light = own.light * seen.ownPart;
-    layers.own.set(i, own);
+/// A pixel's new samples. `surface.position` is where its ray goes, `surface.light` all that comes from
+/// there.
+void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSample surface) {
+    surface.background = !seen.any;
+    surface.mirrors = mirrors(seen);
+    LiveSample specular = surface;
+    surface.light = surface.light * seen.surfaceFraction;
+    layers.surface.set(i, surface);
     if (!layers.mirrors) return;
-    if (!own.mirrors) {
-        layers.mirrored.forget(i);
+    if (!surface.mirrors) {
+        layers.specular.forget(i);
         return;
     }
-    const ImagePlane& plane = layers.own.plane();
-    const Vec3 way = own.position - plane.eye;
-    mirrored.light = over(mirrored.light * (kWhite - seen.ownPart), seen.tint);
+    const ImagePlane& plane = layers.surface.plane();
+    const Vec3 towards = surface.position - plane.eye;
+    specular.light = over(specular.light * (kWhite - seen.surfaceFraction), seen.tint);
     layers.tints[i] = packLight(seen.tint);
-    mirrored.wanders = seen.mirroredLength < 0;
-    mirrored.mirrors = false;
-    mirrored.background = std::isinf(seen.mirroredLength);
-    mirrored.position =
-        mirrored.background ? way : plane.eye + way * (std::fabs(seen.mirroredLength) / length(way));
-    layers.mirrored.set(i, mirrored);
+    specular.unreliable = seen.specularDistance < 0;
+    specular.mirrors = false;
+    specular.background = std::isinf(seen.specularDistance);
+    specular.position = specular.background
+                            ? towards
+                            : plane.eye + towards * (std::fabs(seen.specularDistance) / length(towards));
+    layers.specular.set(i, specular);
 }
 
 template <typename Use>
@@ -80,9 +82,9 @@ void forEachPixel(const PixelArea& area, Use&& use) {
 
 /// The samples of an area of a whole frame.
 void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, LiveLayers& layers) {
-    const ImagePlane& plane = layers.own.plane();
+    const ImagePlane& plane = layers.surface.plane();
     forEachPixel(area, [&](int x, int y) {
-        const std::size_t i = layers.own.index(x, y);
+        const std::size_t i = layers.surface.index(x, y);
         const SeenPoint& seen = frame.seen[i];
         setSamples(layers, i, seen,
                    {.position = seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
@@ -94,9 +96,9 @@ void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, L
 
 } // namespace
 
-bool LiveRenderer::draws(const View& view) {
+bool LiveRenderer::supports(const View& view) {
     const RenderSettings& settings = view.settings;
-    const bool fits = static_cast<double>(settings.width) * settings.height < Reprojection::kMostPixels;
+    const bool fits = static_cast<double>(settings.width) * settings.height < Reprojection::kMaxPixels;
     return fits && view.camera.kind == CameraKind::Perspective && settings.antialiasing == 1 &&
            settings.sampling == SamplingPattern::Grid && !settings.depthOfField.on;
 }
@@ -112,52 +114,53 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     present_.resize(planeOf(view));
     frame.radiance.width = view.settings.width;
     frame.radiance.height = view.settings.height;
-    frame.radiance.pixels.resize(present_.own.size());
-    frame.covered.resize(present_.own.size());
+    frame.radiance.pixels.resize(present_.surface.size());
+    frame.covered.resize(present_.surface.size());
     frame.statistics = {};
     frame.aovs.clear();
     frame.seen.clear();
-    choice_.begin(present_.own.plane());
-    reprojection_.carry(past_, present_, threads,
-                        [&](int first, int last) { choice_.look(present_, first, last); });
-    choice_.choose(present_, reprojection_.staleness(), newSamples, number_, threads);
+    selector_.begin(present_.surface.plane());
+    reprojection_.reproject(past_, present_, threads,
+                            [&](int first, int last) { selector_.look(present_, first, last); });
+    selector_.choose(present_, reprojection_.staleness(), newSamples, number_, threads);
     const auto begun = std::chrono::steady_clock::now();
     if (!lightSamples(view, control, frame)) return false;
     sampleSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    picture_.show(present_, threads, frame);
+    reconstruction_.show(present_, threads, frame);
     meter(threads, frame);
     std::swap(past_, present_);
     ++number_;
     return true;
 }
 
-void LiveRenderer::keep(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age) {
+void LiveRenderer::seed(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age) {
     forgetChecks();
-    past_.own.resize(plane);
+    past_.surface.resize(plane);
     const auto forEachPart = [&](auto&& work) {
         forEachRows(plane.height, kRowsOfPart, threadsFor(threads), work);
     };
     std::atomic<bool> anyMirrors = false;
     forEachPart([&](int first, int last) {
         const std::span part =
-            std::span(frame.seen).subspan(past_.own.index(0, first), past_.own.index(0, last - first));
+            std::span(frame.seen)
+                .subspan(past_.surface.index(0, first), past_.surface.index(0, last - first));
         if (!anyMirrors && std::ranges::any_of(part, mirrors)) anyMirrors = true;
     });
     past_.mirrors = anyMirrors;
-    if (past_.mirrors) past_.resizeMirrored(plane);
+    if (past_.mirrors) past_.resizeSpecular(plane);
     forEachPart([&](int first, int last) {
         setSamplesOf(frame, {0, first, plane.width, last - first}, age, past_);
     });
 }
 
-void LiveRenderer::keepParts(const View& view, const Frame& frame, std::span<const PixelArea> parts,
+void LiveRenderer::seedParts(const View& view, const Frame& frame, std::span<const PixelArea> parts,
                              int threads) {
     present_.mirrors = past_.mirrors;
     present_.resize(planeOf(view));
-    reprojection_.carry(past_, present_, threadsFor(threads), [](int, int) {});
+    reprojection_.reproject(past_, present_, threadsFor(threads), [](int, int) {});
     const auto mirrorsIn = [&](const PixelArea& part) {
         bool any = false;
-        forEachPixel(part, [&](int x, int y) { any |= mirrors(frame.seen[present_.own.index(x, y)]); });
+        forEachPixel(part, [&](int x, int y) { any |= mirrors(frame.seen[present_.surface.index(x, y)]); });
         return any;
     };
     if (!present_.mirrors && std::ranges::any_of(parts, mirrorsIn)) beginMirroring();
@@ -166,60 +169,61 @@ void LiveRenderer::keepParts(const View& view, const Frame& frame, std::span<con
     std::swap(past_, present_);
 }
 
-double LiveRenderer::relight(const LightChange& change, int threads) {
-    LiveSamples& own = past_.own;
+double LiveRenderer::invalidate(const LightChange& change, int threads) {
+    LiveSamples& surface = past_.surface;
     const auto unknownOf = [&](std::size_t i) {
-        if (past_.mirrors) past_.mirrored.forget(i);
-        if (!own.known(i)) return true;
-        const bool mirrors = own.mirrors(i),
-                   reached =
-                       !own.background(i) && change.reaches(own.points[i].position, luminance(own.light(i)));
-        if (reached) own.forget(i);
+        if (past_.mirrors) past_.specular.forget(i);
+        if (!surface.known(i)) return true;
+        const bool mirrors = surface.mirrors(i),
+                   reached = !surface.background(i) &&
+                             change.reaches(surface.points[i].position, luminance(surface.light(i)));
+        if (reached) surface.forget(i);
         return reached || mirrors;
     };
     std::atomic<std::size_t> unknown = 0;
-    forEachRows(own.plane().height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
+    forEachRows(surface.plane().height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
         std::size_t here = 0;
-        for (std::size_t i = own.index(0, first); i < own.index(0, last); ++i) here += unknownOf(i) ? 1U : 0U;
+        for (std::size_t i = surface.index(0, first); i < surface.index(0, last); ++i)
+            here += unknownOf(i) ? 1U : 0U;
         unknown += here;
     });
-    return own.size() > 0 ? static_cast<double>(unknown) / static_cast<double>(own.size()) : 1;
+    return surface.size() > 0 ? static_cast<double>(unknown) / static_cast<double>(surface.size()) : 1;
 }
 
 /// From here on what is mirrored is kept, of which nothing is known yet.
 void LiveRenderer::beginMirroring() {
-    const ImagePlane& plane = present_.own.plane();
+    const ImagePlane& plane = present_.surface.plane();
     present_.mirrors = true;
-    present_.resizeMirrored(plane);
-    present_.mirrored.clear(plane);
+    present_.resizeSpecular(plane);
+    present_.specular.clear(plane);
 }
 
-bool LiveRenderer::follows(Vec3 eye, const RayTracer& tracer) {
+bool LiveRenderer::canReuse(Vec3 eye, const RayTracer& tracer) {
     return empty() || (!isFar(eye) && !crossesSurface(eye, tracer));
 }
 
 bool LiveRenderer::isFar(Vec3 eye) const {
-    constexpr float kMost = 0.25F; // of how far away things are
+    constexpr float kMax = 0.25F; // of how far away things are
     constexpr std::size_t kEvery = 97;
-    const LiveSamples& own = past_.own;
-    const Vec3 before = own.plane().eye;
+    const LiveSamples& surface = past_.surface;
+    const Vec3 before = surface.plane().eye;
     double sum = 0;
     int count = 0;
-    for (std::size_t i = 0; i < own.size(); i += kEvery) {
-        if (!own.known(i) || own.background(i)) continue;
-        sum += std::log(static_cast<double>(length(own.points[i].position - before)) + 1e-30);
+    for (std::size_t i = 0; i < surface.size(); i += kEvery) {
+        if (!surface.known(i) || surface.background(i)) continue;
+        sum += std::log(static_cast<double>(length(surface.points[i].position - before)) + 1e-30);
         ++count;
     }
     if (count == 0) return false; // all that was seen is endlessly far away
-    return !(length(eye - before) < kMost * static_cast<float>(std::exp(sum / count)));
+    return !(length(eye - before) < kMax * static_cast<float>(std::exp(sum / count)));
 }
 
 bool LiveRenderer::crossesSurface(Vec3 eye, const RayTracer& tracer) {
-    const Vec3 before = past_.own.plane().eye;
+    const Vec3 before = past_.surface.plane().eye;
     if (eye == before) return false;
-    way_.clear();
-    way_.push({before, 0, eye - before, 1});
-    tracer.occluded(RayKind::Shadow, way_, crossed_);
+    eyePath_.clear();
+    eyePath_.push({before, 0, eye - before, 1});
+    tracer.occluded(RayKind::Shadow, eyePath_, crossed_);
     return crossed_[0] != 0;
 }
 
@@ -227,45 +231,45 @@ bool LiveRenderer::crossesSurface(Vec3 eye, const RayTracer& tracer) {
 /// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
 LightVisibility LiveRenderer::surelyKnown(int x, int y) const {
     constexpr std::uint32_t kDoubted = 64; // in every such frame
-    const LiveSamples& own = present_.own;
-    const std::size_t at = own.index(x, y);
-    if (!own.known(at) || (turnOf(x, y) + number_) % kDoubted == 0) return {};
-    const ImagePlane& plane = own.plane();
+    const LiveSamples& surface = present_.surface;
+    const std::size_t at = surface.index(x, y);
+    if (!surface.known(at) || (turnOf(x, y) + number_) % kDoubted == 0) return {};
+    const ImagePlane& plane = surface.plane();
     unsigned clear = 0, dark = 0;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, plane.height - 1); ++v) {
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, plane.width - 1); ++u) {
-            if (!own.known(own.index(u, v))) return {};
-            const LightVisibility there = own.lights[own.index(u, v)].lights;
+            if (!surface.known(surface.index(u, v))) return {};
+            const LightVisibility there = surface.lights[surface.index(u, v)].lights;
             clear |= there.clear;
             dark |= there.dark;
         }
     }
     const unsigned sure = ~(clear & dark);
-    const LightVisibility here = own.lights[at].lights;
+    const LightVisibility here = surface.lights[at].lights;
     return {here.clear & sure, here.dark & sure};
 }
 
 bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame& frame) {
-    const std::vector<SampleId>& chosen = choice_.chosen();
+    const std::vector<SampleId>& chosen = selector_.chosen();
     light_.resize(chosen.size());
     visibility_.resize(chosen.size());
     seen_.resize(chosen.size());
     const int threads = threadsFor(control.threads);
     forEachChosen(chosen.size(), threads,
                   [&](std::size_t i) { visibility_[i] = surelyKnown(chosen[i].x, chosen[i].y); });
-    newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.own.size());
+    newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.surface.size());
     if (!renderer_.renderPixels(view, chosen, control, {light_, visibility_, seen_}, frame.statistics))
         return false;
-    const ImagePlane& plane = present_.own.plane();
+    const ImagePlane& plane = present_.surface.plane();
     if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) beginMirroring();
     check();
     forEachChosen(chosen.size(), threads, [&](std::size_t i) {
         const int x = chosen[i].x, y = chosen[i].y;
-        setSamples(present_, present_.own.index(x, y), seen_[i],
+        setSamples(present_, present_.surface.index(x, y), seen_[i],
                    {.position = seen_[i].any ? seen_[i].position : towardsMiddle(plane, x, y),
                     .light = light_[i],
                     .lights = visibility_[i]});
-        choice_.traced(plane, x, y, luminance(light_[i]));
+        selector_.traced(plane, x, y, luminance(light_[i]));
     });
     return true;
 }
@@ -277,17 +281,17 @@ void LiveRenderer::forgetChecks() {
 /// Stale light may be brighter or darker than the truth, and the exposure must not follow it. Before the new
 /// samples take the place of the old ones.
 void LiveRenderer::check() {
-    const ImagePlane& plane = present_.own.plane();
+    const ImagePlane& plane = present_.surface.plane();
     std::vector<CheckedPixel>& checked = checked_[number_ % kCheckedFrames];
     checked.clear();
-    for (const PixelChoice::Check& check : choice_.checked()) {
-        const SampleId pixel = choice_.chosen()[check.chosen];
+    for (const PixelSelector::Check& check : selector_.checked()) {
+        const SampleId pixel = selector_.chosen()[check.chosen];
         const float traced = luminance(light_[check.chosen]),
-                    kept = choice_.luminances(plane, pixel.y)[pixel.x];
+                    kept = selector_.luminances(plane, pixel.y)[pixel.x];
         const auto covered = [](bool is) -> std::uint8_t { return is ? 255 : 0; };
         const std::uint8_t tracedCovered = covered(seen_[check.chosen].any);
         if (check.blind && kept >= 0) {
-            const bool background = present_.own.background(present_.own.index(pixel.x, pixel.y));
+            const bool background = present_.surface.background(present_.surface.index(pixel.x, pixel.y));
             checked.push_back({kept, traced, covered(!background), tracedCovered});
         } else {
             checked.push_back({traced, traced, tracedCovered, tracedCovered});
@@ -298,21 +302,21 @@ void LiveRenderer::check() {
 /// The exposure is that of samples, not of the image that is weighed from them: that has fewer black pixels,
 /// so its log-average differs. Pixels without a sample count as those before them.
 void LiveRenderer::meter(int threads, Frame& frame) const {
-    const LiveSamples& own = present_.own;
-    frame.metered.resize(own.size());
-    forEachRows(own.plane().height, kRowsOfPart, threads, [&](int first, int last) {
-        const std::size_t from = own.index(0, first), to = own.index(0, last);
+    const LiveSamples& surface = present_.surface;
+    frame.metered.resize(surface.size());
+    forEachRows(surface.plane().height, kRowsOfPart, threads, [&](int first, int last) {
+        const std::size_t from = surface.index(0, first), to = surface.index(0, last);
         std::size_t known = from;
         while (known < to && !present_.known(known)) ++known;
         float there = -1;
-        std::uint8_t covered = known < to && own.background(known) ? 0 : 255;
+        std::uint8_t covered = known < to && surface.background(known) ? 0 : 255;
         for (int y = first; y < last; ++y) {
-            const std::span<const float> luminances = choice_.luminances(own.plane(), y);
-            const std::size_t row = own.index(0, y);
+            const std::span<const float> luminances = selector_.luminances(surface.plane(), y);
+            const std::size_t row = surface.index(0, y);
             for (std::size_t x = 0; x < luminances.size(); ++x) {
                 if (luminances[x] >= 0) {
                     there = luminances[x];
-                    covered = own.background(row + x) ? 0 : 255;
+                    covered = surface.background(row + x) ? 0 : 255;
                 }
                 frame.metered[row + x] = there;
                 frame.covered[row + x] = covered;

@@ -4,9 +4,9 @@
 
 #include "rtcore/live/light_change.h"
 #include "rtcore/live/live_samples.h"
-#include "rtcore/live/pixel_choice.h"
+#include "rtcore/live/pixel_selector.h"
+#include "rtcore/live/reconstruction.h"
 #include "rtcore/live/reprojection.h"
-#include "rtcore/live/sample_picture.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/pixel_area.h"
@@ -26,11 +26,11 @@ class LiveRenderer {
   public:
     /// What it keeps for each pixel, beside the frame: where nothing mirrors and few pixels are traced; and
     /// at most, where something mirrors and all are traced. Some megabytes for each thread are not counted.
-    static constexpr std::size_t kBytesPerPixel = 103, kMostBytesPerPixel = 369;
+    static constexpr std::size_t kBytesPerPixel = 103, kMaxBytesPerPixel = 369;
 
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
-    /// than Reprojection::kMostPixels.
-    static bool draws(const View& view);
+    /// than Reprojection::kMaxPixels.
+    static bool supports(const View& view);
     static ImagePlane planeOf(const View& view);
 
     /// Draws the next frame, with about `newSamples` (0..1) of its pixels traced. The image depends on these
@@ -41,15 +41,15 @@ class LiveRenderer {
     /// Keeps the light of a whole frame, which has Frame::seen, of a view on that plane. It may have any
     /// number of samples per pixel. Light that was traced roughly counts as so many frames old: it is soon
     /// replaced.
-    void keep(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age = 0);
+    void seed(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age = 0);
 
     /// Keeps the light of those parts of a whole frame of that view, which was left before it was finished,
     /// in place of what is known there.
-    void keepParts(const View& view, const Frame& frame, std::span<const PixelArea> parts, int threads);
+    void seedParts(const View& view, const Frame& frame, std::span<const PixelArea> parts, int threads);
 
     /// Lights have changed: forgets the light of surfaces that this reaches, and all that is mirrored, since
     /// that is not known to be where it seems to be. Returns the part of the pixels of which none is known.
-    double relight(const LightChange& change, int threads);
+    double invalidate(const LightChange& change, int threads);
 
     /// What is kept does not hold any more: lights, materials or settings changed. The frames from here on
     /// are those of a new LiveRenderer.
@@ -61,14 +61,14 @@ class LiveRenderer {
     /// Whether the light that is kept shows what is seen from there: it is not much nearer to, or further
     /// from, what was seen before, else things would be seen through gaps in others that are new; and on the
     /// way there is no surface, behind which all is different.
-    bool follows(Vec3 eye, const RayTracer& tracer);
-    bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
+    bool canReuse(Vec3 eye, const RayTracer& tracer);
+    bool empty() const { return past_.surface.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took.
     double sampleSeconds() const { return sampleSeconds_; }
     /// Of the last frame: pixels that were traced, and those of which nothing was known, of all.
     double newSamples() const { return newSamples_; }
-    double unknown() const { return choice_.unknown(); }
+    double unknown() const { return selector_.unknown(); }
 
   private:
     bool isFar(Vec3 eye) const;
@@ -82,8 +82,8 @@ class LiveRenderer {
 
     FrameRenderer renderer_;
     Reprojection reprojection_;
-    PixelChoice choice_;
-    SamplePicture picture_;
+    PixelSelector selector_;
+    Reconstruction reconstruction_;
     std::vector<Colour> light_;               ///< of the chosen pixels
     std::vector<LightVisibility> visibility_; ///< the same
     std::vector<SeenPoint> seen_;             ///< the same
@@ -92,7 +92,7 @@ class LiveRenderer {
     std::array<std::vector<CheckedPixel>, kCheckedFrames> checked_; ///< of the last frames
     std::uint32_t number_ = 0;                                      ///< of the frame
     double newSamples_ = 0, sampleSeconds_ = 0;
-    RayWave way_; ///< of the eye, from frame to frame
+    RayWave eyePath_; ///< of the eye, from frame to frame
     std::vector<std::uint8_t> crossed_;
 };
 

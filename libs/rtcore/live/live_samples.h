@@ -20,9 +20,9 @@ struct LiveSample {
     Colour light = {};  ///< radiance towards the eye that it was traced from
     LightVisibility lights = {};
     bool background = false;
-    bool mirrors = false; ///< mirrors or lets through other light, which is not in `light`
-    bool wanders = false; ///< its place is a guess: it moves in ways that are not followed
-    std::uint8_t age = 0; ///< frames since it was traced
+    bool mirrors = false;    ///< mirrors or lets through other light, which is not in `light`
+    bool unreliable = false; ///< its place is a guess: it moves in ways that are not followed
+    std::uint8_t age = 0;    ///< frames since it was traced
 };
 
 /// A value for each pixel, with room for whole vectors behind the last. Large arrays begin at a page, and so
@@ -62,7 +62,7 @@ class LiveSamples {
 
     // Of a state.
     static constexpr std::uint32_t kAge = 0xFF; ///< frames since it was traced, at most 255
-    static constexpr std::uint32_t kKnown = 0x100, kBackground = 0x200, kMirrors = 0x400, kWanders = 0x800;
+    static constexpr std::uint32_t kKnown = 0x100, kBackground = 0x200, kMirrors = 0x400, kUnreliable = 0x800;
 
     LiveSamples() { clear({}); }
     /// Forgets all samples; keeps its memory.
@@ -79,7 +79,7 @@ class LiveSamples {
     }
     void set(std::size_t i, const LiveSample& sample) {
         const std::uint32_t state = kKnown | sample.age | (sample.background ? kBackground : 0U) |
-                                    (sample.mirrors ? kMirrors : 0U) | (sample.wanders ? kWanders : 0U);
+                                    (sample.mirrors ? kMirrors : 0U) | (sample.unreliable ? kUnreliable : 0U);
         points[i] = {sample.position, state};
         lights[i] = {packLight(sample.light), sample.lights};
     }
@@ -111,29 +111,29 @@ class LiveSamples {
 /// were behind that, where it seems to be. So it has samples of its own, wherever those of the surfaces
 /// mirror.
 struct LiveLayers {
-    LiveSamples own; ///< what surfaces emit and scatter themselves, and the background
+    LiveSamples surface; ///< what surfaces emit and scatter themselves, and the background
     /// What they mirror and let through, as it is before they tint it; undefined where they do not.
-    LiveSamples mirrored;
-    /// By sample of `own`: packLight() of SeenPoint::tint; undefined where `mirrored` is.
+    LiveSamples specular;
+    /// By sample of `surface`: packLight() of SeenPoint::tint; undefined where `specular` is.
     PixelArray<std::uint32_t> tints{10};
     bool mirrors = false; ///< false: no surface does, and neither of the last two is kept
 
     /// `mirrors` is to be set before.
     void resize(const ImagePlane& plane) {
-        own.resize(plane);
-        if (mirrors) resizeMirrored(plane);
+        surface.resize(plane);
+        if (mirrors) resizeSpecular(plane);
     }
-    void resizeMirrored(const ImagePlane& plane) {
-        mirrored.resize(plane);
-        tints.resize(mirrored.size());
+    void resizeSpecular(const ImagePlane& plane) {
+        specular.resize(plane);
+        tints.resize(specular.size());
     }
     void clear() {
-        own.clear({});
-        mirrored.clear({});
+        surface.clear({});
+        specular.clear({});
         mirrors = false;
     }
     /// Whether all of a pixel's light is known.
-    bool known(std::size_t i) const { return own.known(i) && (!own.mirrors(i) || mirrored.known(i)); }
+    bool known(std::size_t i) const { return surface.known(i) && (!surface.mirrors(i) || specular.known(i)); }
 };
 
 /// 0..kTurns-1: the turn of a pixel among its neighbours, which are far apart in time. (Bayer 1973)

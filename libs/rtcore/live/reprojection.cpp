@@ -25,13 +25,13 @@ inline constexpr std::uint32_t kStalenessOfKey = 0xFFFF;
 /// Pixels are counted as if there were one more at the end of each row, and a row more above the image and
 /// below: these never show a sample.
 struct PixelRange {
-    std::int32_t least, most; ///< none: 2^31 - 1 and -1
+    std::int32_t min, max; ///< none: 2^31 - 1 and -1
 };
 
 /// To the pixel that is next to a sample after its own, in the upper bits of a pixel's index.
-inline constexpr int kWayShift = 28;
-inline constexpr std::int32_t kLeft = 0 << kWayShift, kRight = 1 << kWayShift, kUp = 2 << kWayShift,
-                              kDown = 3 << kWayShift;
+inline constexpr int kDirectionShift = 28;
+inline constexpr std::int32_t kLeft = 0 << kDirectionShift, kRight = 1 << kDirectionShift,
+                              kUp = 2 << kDirectionShift, kDown = 3 << kDirectionShift;
 
 // Entries of pixels: from the upper bits on whether the sample belongs beside, its key, its index. The least
 // is shown.
@@ -55,10 +55,10 @@ namespace {
 /// Of a sample of that state, (dx, dy) from the middle of the pixel that shows it. `depth` > 0.
 HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
     // Each frame counts as so many square pixels.
-    constexpr float kAged = 0.003F, kAgedAsItWanders = 0.25F;
+    constexpr float kAged = 0.003F, kAgedUnreliable = 0.25F;
     const Float age = toFloat(toInt(state & LiveSamples::kAge));
-    const Mask wanders = (state & LiveSamples::kWanders) != 0U;
-    const Float stale = dx * dx + dy * dy + age * select(wanders, Float(kAgedAsItWanders), Float(kAged));
+    const Mask unreliable = (state & LiveSamples::kUnreliable) != 0U;
+    const Float stale = dx * dx + dy * dy + age * select(unreliable, Float(kAgedUnreliable), Float(kAged));
     const Int steps = truncate(min(stale * kKeySteps, static_cast<float>(kStalenessOfKey)));
     return (bitsOf(depth) & ~kStalenessOfKey) | toUint(steps);
 }
@@ -67,8 +67,8 @@ HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
 /// next to it, or -1, and its key. Returns the first and the last of these pixels.
 PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std::size_t first,
                           std::size_t count, std::int32_t* pixels, std::uint32_t* keys) {
-    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
-    Int least = kMost, most = -1;
+    constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
+    Int min = kMax, max = -1;
     const auto width = static_cast<float>(plane.width), height = static_cast<float>(plane.height);
     for (std::size_t i = 0; i < count; i += lanes()) {
         const LivePoints points(past.points[first + i]);
@@ -85,33 +85,34 @@ PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std:
         // From pixels at the edge of the image into it.
         const Mask right = (column == 0) | ((dx > 0.0F) & (insideX + 1.0F < width));
         const Mask down = (row == 0) | ((dy > 0.0F) & (insideY + 1.0F < height));
-        const Int way = select(abs(dy) > abs(dx), select(down, Int(kDown), Int(kUp)),
-                               select(right, Int(kRight), Int(kLeft)));
+        const Int direction = select(abs(dy) > abs(dx), select(down, Int(kDown), Int(kUp)),
+                                     select(right, Int(kRight), Int(kLeft)));
         const Int pixel = (row + 1) * (plane.width + 1) + column;
-        const Int low = select(seen, pixel, Int(kMost)), high = select(seen, pixel, Int(-1));
-        least = select(low < least, low, least);
-        most = select(high > most, high, most);
-        store(select(seen, pixel | way, Int(-1)), &pixels[i]);
+        const Int low = select(seen, pixel, Int(kMax)), high = select(seen, pixel, Int(-1));
+        min = select(low < min, low, min);
+        max = select(high > max, high, max);
+        store(select(seen, pixel | direction, Int(-1)), &pixels[i]);
         const Mask background = points.has(LiveSamples::kBackground);
         store(keyOf(select(background, std::numeric_limits<float>::max(), depth), dx, dy, points.state),
               &keys[i]);
     }
     std::int32_t lows[kLanes], highs[kLanes];
-    store(least, lows);
-    store(most, highs);
+    store(min, lows);
+    store(max, highs);
     return {*std::min_element(lows, lows + lanes()), *std::max_element(highs, highs + lanes())};
 }
 
 /// Of `count` samples those that are shown in one of `pixels` pixels from `first` on: writes their numbers to
 /// `shown`, with room for a vector more, and returns how many they are.
-std::size_t samplesIn(const std::int32_t* pixelsAndWays, std::size_t count, std::size_t first,
+std::size_t samplesIn(const std::int32_t* pixelsAndDirections, std::size_t count, std::size_t first,
                       std::size_t pixels, std::uint32_t* shown) {
     const Int from = static_cast<std::int32_t>(first), behind = static_cast<std::int32_t>(pixels),
               end = static_cast<std::int32_t>(count);
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; i += lanes()) {
         const Uint number = iota(i);
-        const Int at = (load(&pixelsAndWays[i]) & ~kDown) - from; // of a sample that is not seen below 0
+        const Int at =
+            (load(&pixelsAndDirections[i]) & ~kDown) - from; // of a sample that is not seen below 0
         const Compressor some((at > -1) & (at < behind) & (toInt(number) < end));
         some.store(number, shown + found);
         found += some.count();
@@ -130,14 +131,14 @@ void borrowBeside(const std::uint64_t* const rows[5], bool gaps, std::size_t wid
                             kStaler = std::uint64_t{kBorrowedSteps} << kKeyShift;
     const auto load = [](const std::uint64_t* from)
                           HWY_ATTR -> Entry { return hn::LoadU(Entry::Tag(), from); };
-    const auto least = [](Entry a, Entry b) HWY_ATTR -> Entry { return hn::Min(a.raw, b.raw); };
+    const auto minOf = [](Entry a, Entry b) HWY_ATTR -> Entry { return hn::Min(a.raw, b.raw); };
     for (std::size_t x = 0; x < width; x += hn::Lanes(Entry::Tag())) {
         Entry entry = load(rows[2] + x);
         const Entry::Mask empty = entry == kNoSample;
         const std::uint64_t* const around[] = {rows[2] + x - 1, rows[2] + x + 1, rows[1] + x, rows[3] + x};
         const Entry near = gaps ? (entry & ~kBeside) - kNearer : Entry(std::uint64_t{0});
         const auto isNearer = [&](const std::uint64_t* one, const std::uint64_t* other) HWY_ATTR {
-            return least(load(one) & ~kBeside, load(other) & ~kBeside) < near;
+            return minOf(load(one) & ~kBeside, load(other) & ~kBeside) < near;
         };
         const Entry::Mask covered = isNearer(rows[2] + x - 1, rows[2] + x - 2) &
                                     isNearer(rows[2] + x + 1, rows[2] + x + 2) &
@@ -148,9 +149,9 @@ void borrowBeside(const std::uint64_t* const rows[5], bool gaps, std::size_t wid
                 const Entry there = load(beside);
                 const Entry::Mask some = there != kNoSample;
                 known += selectOrZero(some, Entry(std::uint64_t{1}));
-                best = least(best, select(some, there & ~kBeside, Entry(kNoSample)));
+                best = minOf(best, select(some, there & ~kBeside, Entry(kNoSample)));
             }
-            const Entry stale = least((best & kStaleness) + kStaler, kStaleness);
+            const Entry stale = minOf((best & kStaleness) + kStaler, kStaleness);
             const Entry::Mask borrows = (empty | covered) & ((known & ~std::uint64_t{1}) != std::uint64_t{0});
             entry = select(borrows, (best & ~kStaleness) | stale, entry);
         }
@@ -175,13 +176,13 @@ namespace {
 
 /// Samples that follow each other, projected together.
 constexpr std::size_t kProjected = 2048;
-constexpr std::size_t kMostLanes = 64;  ///< no vector has more
+constexpr std::size_t kMaxLanes = 64;   ///< no vector has more
 constexpr std::uint32_t kSameDepth = 2; ///< of the depths in keys: what is further away is hidden
 
 /// Mirrored light, by frame: its tint and its place change with the direction that it is seen from.
-constexpr float kStalerAsMirrored = 0.2F;
+constexpr float kStalerSpecular = 0.2F;
 
-constexpr std::uint64_t kIndex = (std::uint64_t{1} << kWayShift) - 1;
+constexpr std::uint64_t kIndex = (std::uint64_t{1} << kDirectionShift) - 1;
 
 std::size_t indexOf(std::uint64_t entry) { return entry & kIndex; }
 std::uint32_t depthOf(std::uint64_t entry) { return static_cast<std::uint32_t>(entry >> 48) & 0x7FFFU; }
@@ -203,10 +204,12 @@ std::uint32_t staler(std::uint32_t key, std::uint32_t steps) {
     return (key & ~kStalenessOfKey) | stale;
 }
 
-std::size_t pixelOf(std::int32_t pixelAndWay) { return static_cast<std::size_t>(pixelAndWay & ~kDown); }
+std::size_t pixelOf(std::int32_t pixelAndDirection) {
+    return static_cast<std::size_t>(pixelAndDirection & ~kDown);
+}
 
 /// Samples are asked for in an order that processors do not foresee.
-constexpr std::size_t kAhead = 16; ///< at most kMostLanes
+constexpr std::size_t kAhead = 16; ///< at most kMaxLanes
 void fetch(const LiveSamples& samples, std::uint64_t entry) {
     const std::size_t from = entry == kNoSample ? 0 : indexOf(entry);
     __builtin_prefetch(&samples.points[from]);
@@ -230,8 +233,8 @@ void Reprojection::project(const LiveSamples& past, const ImagePlane& plane, int
         part.last = std::min(part.first + kProjected, past.size());
         const PixelRange seen = HWY_DYNAMIC_DISPATCH(projectSamples)(
             past, plane, part.first, part.last - part.first, &pixels_[part.first], &keys_[part.first]);
-        part.least = seen.most < 0 ? 1 : static_cast<std::size_t>(seen.least);
-        part.most = seen.most < 0 ? 0 : static_cast<std::size_t>(seen.most);
+        part.min = seen.max < 0 ? 1 : static_cast<std::size_t>(seen.min);
+        part.max = seen.max < 0 ? 0 : static_cast<std::size_t>(seen.max);
     });
 }
 
@@ -239,7 +242,7 @@ void Reprojection::project(const LiveSamples& past, const ImagePlane& plane, int
 template <typename Work>
 void Reprojection::forEachPartIn(std::size_t first, std::size_t last, Work&& work) const {
     for (const Part& part : parts_) {
-        if (part.least < last && part.most >= first && part.least <= part.most) work(part);
+        if (part.min < last && part.max >= first && part.min <= part.max) work(part);
     }
 }
 
@@ -252,7 +255,7 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
     band.atEdge.clear();
     band.inside.reserve(count);
     band.atEdge.reserve(2 * width);
-    std::array<std::uint32_t, kProjected + kMostLanes> shown;
+    std::array<std::uint32_t, kProjected + kMaxLanes> shown;
     std::array<std::uint32_t, kProjected + 1> lostHere;
     std::uint64_t* const nearest = &nearest_[first];
     std::fill_n(nearest, count, kNoSample);
@@ -283,12 +286,13 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
 /// none into that beside it. One of the two goes there.
 void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers) {
     const auto row = static_cast<std::ptrdiff_t>(rowLength(plane));
-    const std::ptrdiff_t ways[] = {-1, 1, -row, row};
+    const std::ptrdiff_t neighbours[] = {-1, 1, -row, row};
     for (const std::uint32_t i : losers) {
         const std::size_t pixel = pixelOf(pixels_[i]);
         if ((keys_[i] >> 16) > depthOf(nearest_[pixel]) + kSameDepth) continue; // hidden
-        const auto way = static_cast<std::size_t>(static_cast<std::uint32_t>(pixels_[i]) >> kWayShift);
-        std::uint64_t& beside = nearest_[pixel + static_cast<std::size_t>(ways[way])];
+        const auto direction =
+            static_cast<std::size_t>(static_cast<std::uint32_t>(pixels_[i]) >> kDirectionShift);
+        std::uint64_t& beside = nearest_[pixel + static_cast<std::size_t>(neighbours[direction])];
         if (beside >= kBeside)
             beside = std::min(beside, kBeside | entryOf(staler(keys_[i], kBesideSteps), i));
     }
@@ -298,7 +302,7 @@ void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32
 /// theirs to the viewer.
 const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
     std::vector<std::uint64_t>& row = rows_[static_cast<std::size_t>(threadNumber())];
-    row.resize(rowLength(plane) + kMostLanes);
+    row.resize(rowLength(plane) + kMaxLanes);
     const auto rowAt = [&](int at) { return &nearest_[firstPixel(plane, std::clamp(at, -1, plane.height))]; };
     const std::uint64_t* const rows[] = {rowAt(y - 2), rowAt(y - 1), rowAt(y), rowAt(y + 1), rowAt(y + 2)};
     HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, eyeMoves_, static_cast<std::size_t>(plane.width), row.data());
@@ -308,57 +312,57 @@ const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
 /// The pixels from `first` on, by the entries of their row.
 void Reprojection::take(const LiveLayers& past, const std::uint64_t* nearest, LiveLayers& present,
                         std::size_t first, std::size_t last) {
-    LiveSamples::Point* const points = &present.own.points[first];
-    LiveSamples::Light* const lights = &present.own.lights[first];
+    LiveSamples::Point* const points = &present.surface.points[first];
+    LiveSamples::Light* const lights = &present.surface.lights[first];
     std::uint32_t* const tints = present.mirrors ? &present.tints[first] : nullptr;
     float* const staleness = &staleness_[first];
     for (std::size_t i = 0; i < last - first; ++i) {
-        fetch(past.own, nearest[i + kAhead]);
+        fetch(past.surface, nearest[i + kAhead]);
         // Behind the last sample there is one that is not known.
-        const std::size_t from = nearest[i] == kNoSample ? past.own.size() : indexOf(nearest[i]);
-        points[i] = aged(past.own.points[from]);
-        lights[i] = past.own.lights[from];
+        const std::size_t from = nearest[i] == kNoSample ? past.surface.size() : indexOf(nearest[i]);
+        points[i] = aged(past.surface.points[from]);
+        lights[i] = past.surface.lights[from];
         staleness[i] = stalenessOf(nearest[i]);
         if (tints != nullptr && LiveSamples::mirrors(points[i])) tints[i] = past.tints[from];
     }
 }
 
-void Reprojection::takeMirrored(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
+void Reprojection::takeSpecular(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
                                 std::size_t first, std::size_t last) {
-    const LiveSamples& own = layers.own;
-    LiveSamples& present = layers.mirrored;
+    const LiveSamples& surface = layers.surface;
+    LiveSamples& present = layers.specular;
     for (std::size_t i = first; i < last; ++i) {
         const std::uint64_t nearest = entries[i - first];
         fetch(past, entries[i - first + kAhead]);
         // Without a branch: of the sample behind the last nothing is known.
-        const bool known = (own.mirrors(i) | !own.known(i)) & (nearest != kNoSample);
+        const bool known = (surface.mirrors(i) | !surface.known(i)) & (nearest != kNoSample);
         const std::size_t from = known ? indexOf(nearest) : past.size();
         present.points[i] = aged(past.points[from]);
         present.lights[i] = past.lights[from];
-        const float stale = stalenessOf(nearest) + kStalerAsMirrored * static_cast<float>(present.age(i));
+        const float stale = stalenessOf(nearest) + kStalerSpecular * static_cast<float>(present.age(i));
         staleness_[i] = std::max(staleness_[i], known ? stale : 0);
     }
 }
 
-void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done) {
-    const LiveSamples& own = present.own;
-    eyeMoves_ = past.own.plane().eye != own.plane().eye;
-    staleness_.resize(own.size());
+void Reprojection::reproject(const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done) {
+    const LiveSamples& surface = present.surface;
+    eyeMoves_ = past.surface.plane().eye != surface.plane().eye;
+    staleness_.resize(surface.size());
     const auto forEachRow = [&](auto&& work, bool last) {
-        forEachRows(own.plane().height, kRowsOfBand, threads, [&](int from, int to) {
-            for (int y = from; y < to; ++y) work(y, own.index(0, y), own.index(0, y + 1));
+        forEachRows(surface.plane().height, kRowsOfBand, threads, [&](int from, int to) {
+            for (int y = from; y < to; ++y) work(y, surface.index(0, y), surface.index(0, y + 1));
             if (last) done(from, to);
         });
     };
-    show(past.own, own.plane(), threads);
+    show(past.surface, surface.plane(), threads);
     forEachRow([&](int y, std::size_t row,
-                   std::size_t next) { take(past, shownIn(own.plane(), y), present, row, next); },
+                   std::size_t next) { take(past, shownIn(surface.plane(), y), present, row, next); },
                !present.mirrors);
     if (!present.mirrors) return;
-    show(past.mirrored, own.plane(), threads);
+    show(past.specular, surface.plane(), threads);
     forEachRow(
         [&](int y, std::size_t row, std::size_t next) {
-            takeMirrored(past.mirrored, shownIn(own.plane(), y), present, row, next);
+            takeSpecular(past.specular, shownIn(surface.plane(), y), present, row, next);
         },
         true);
 }

@@ -14,7 +14,7 @@ namespace rtcore {
 /// Keeps its memory from frame to frame.
 class Reprojection {
   public:
-    static constexpr double kMostPixels = 1 << 27; ///< of an image
+    static constexpr double kMaxPixels = 1 << 27; ///< of an image
 
     /// Gives each pixel of `present`, whose plane says of which view, that sample of the past that is seen
     /// there, in each layer: of several the nearest to the viewer, and of those about as near the least
@@ -27,7 +27,7 @@ class Reprojection {
     /// `done` is called by them with each part of the rows that is done, from the first row to before the
     /// last: all layers of these pixels are there then.
     using RowsDone = std::function<void(int first, int last)>;
-    void carry(
+    void reproject(
         const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done = [](int, int) {});
     static constexpr int kRowsOfBand = 32; ///< in all parts but the last
 
@@ -40,7 +40,7 @@ class Reprojection {
     /// Samples of the past that follow each other, and the first and the last pixel that shows one of them.
     struct Part {
         std::size_t first = 0, last = 0;
-        std::size_t least = 1, most = 0;
+        std::size_t min = 1, max = 0;
     };
     void show(const LiveSamples& past, const ImagePlane& plane, int threads);
     void project(const LiveSamples& past, const ImagePlane& plane, int threads);
@@ -56,7 +56,7 @@ class Reprojection {
     const std::uint64_t* shownIn(const ImagePlane& plane, int y);
     void take(const LiveLayers& past, const std::uint64_t* nearest, LiveLayers& present, std::size_t first,
               std::size_t last);
-    void takeMirrored(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
+    void takeSpecular(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
                       std::size_t first, std::size_t last);
 
     bool eyeMoves_ = false;

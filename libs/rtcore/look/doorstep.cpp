@@ -18,7 +18,7 @@ constexpr float kSills[] = {0.3F, 1.0F, 1.6F}; ///< heights at which an open doo
 constexpr float kStep = 0.15F;                 ///< between looks along a side
 constexpr float kDeep = 0.8F;                  ///< that one can go into a door at least
 constexpr float kNearest = 3, kFarthestStand = 15;
-constexpr int kMostLooks = 400;
+constexpr int kMaxLooks = 400;
 
 /// One of the four sides of the box.
 struct Side {
@@ -49,12 +49,13 @@ class Approach {
 
     /// Standing `away` before `target`, a point of that side; facing it.
     Camera standBefore(const Side& side, Vec3 target, float away) const {
-        const Vec3 place = target + side.outwards * away;
+        const Vec3 position = target + side.outwards * away;
         Camera camera;
         camera.up = axes_.up;
         camera.horizontalFov = 75;
         camera.forward = -side.outwards;
-        camera.eye = place + axes_.up * (floorAt(place) + kEyeHeight * axes_.metre - dot(place, axes_.up));
+        camera.eye =
+            position + axes_.up * (floorAt(position) + kEyeHeight * axes_.metre - dot(position, axes_.up));
         return camera;
     }
 
@@ -62,7 +63,7 @@ class Approach {
 
     /// The middle of the widest open door of the side.
     std::optional<Vec3> doorOf(const Side& side) const {
-        const int looks = std::min(static_cast<int>(2 * side.half / (kStep * axes_.metre)), kMostLooks);
+        const int looks = std::min(static_cast<int>(2 * side.half / (kStep * axes_.metre)), kMaxLooks);
         if (looks < 4) return std::nullopt;
         const float step = 2 * side.half / static_cast<float>(looks);
         int begun = -1;
@@ -86,13 +87,13 @@ class Approach {
     }
 
   private:
-    std::optional<float> foundFloor(Vec3 place) const {
-        const float above = rangeAlong(box_, axes_.up).high - dot(place, axes_.up) + axes_.metre;
-        const auto floor = closestHit(tree_, mesh_, place + axes_.up * above, -axes_.up);
+    std::optional<float> foundFloor(Vec3 position) const {
+        const float above = rangeAlong(box_, axes_.up).high - dot(position, axes_.up) + axes_.metre;
+        const auto floor = closestHit(tree_, mesh_, position + axes_.up * above, -axes_.up);
         if (!floor) return std::nullopt;
-        return dot(place, axes_.up) + above - floor->t;
+        return dot(position, axes_.up) + above - floor->t;
     }
-    float floorAt(Vec3 place) const { return foundFloor(place).value_or(lowest_); }
+    float floorAt(Vec3 position) const { return foundFloor(position).value_or(lowest_); }
 
     /// Whether one could walk in there, below a lintel.
     bool isOpen(const Side& side, Vec3 at) const {
@@ -113,9 +114,9 @@ class Approach {
 
     /// In metres: the lowest height above a door at which there is a wall.
     float lintelHeight(const Side& side, Vec3 outside, float ground) const {
-        constexpr float kMost = 3.5F, kBetween = 0.2F;
+        constexpr float kMax = 3.5F, kBetween = 0.2F;
         float best = kDoorHeight, nearest = Box3::kHuge;
-        for (float height = kDoorHeight; height <= kMost; height += kBetween) {
+        for (float height = kDoorHeight; height <= kMax; height += kBetween) {
             const auto hit = closestHit(tree_, mesh_, outside + axes_.up * (ground + height * axes_.metre),
                                         -side.outwards);
             if (!hit || hit->t >= nearest - 0.1F * axes_.metre) continue;
@@ -139,15 +140,15 @@ bool isLand(const Box3& box, const Axes& axes) {
     return width > kWide * axes.metre && extentAlong(box, axes.up) < kFlatLand * width;
 }
 
-/// On the floor below `place`, looking into the direction of `from`, level.
-Camera standBelow(const KdTree& tree, const Mesh& mesh, const Axes& axes, const Camera& from, Vec3 place) {
-    const auto floor = closestHit(tree, mesh, place, -axes.up);
+/// On the floor below `position`, looking into the direction of `from`, level.
+Camera standBelow(const KdTree& tree, const Mesh& mesh, const Axes& axes, const Camera& from, Vec3 position) {
+    const auto floor = closestHit(tree, mesh, position, -axes.up);
     Camera camera = from;
     camera.kind = CameraKind::Perspective;
     camera.up = axes.up;
     const Vec3 forward = normalize(from.forward), level = forward - axes.up * dot(forward, axes.up);
     camera.forward = length(level) > 1e-3F ? normalize(level) : axes.front;
-    camera.eye = place + axes.up * (kEyeHeight * axes.metre - (floor ? floor->t : 0));
+    camera.eye = position + axes.up * (kEyeHeight * axes.metre - (floor ? floor->t : 0));
     return camera;
 }
 
@@ -155,9 +156,9 @@ Camera standBelow(const KdTree& tree, const Mesh& mesh, const Axes& axes, const 
 Camera standOnLand(const KdTree& tree, const Mesh& mesh, const Survey& survey, const Camera& from) {
     const Vec3 forward = normalize(from.forward);
     const auto seen = closestHit(tree, mesh, from.eye, forward);
-    const Vec3 place = seen ? from.eye + forward * seen->t : survey.subject.bounds.centre();
+    const Vec3 position = seen ? from.eye + forward * seen->t : survey.subject.bounds.centre();
     return standBelow(tree, mesh, survey.axes, from,
-                      place + survey.axes.up * survey.subject.bounds.diagonal());
+                      position + survey.axes.up * survey.subject.bounds.diagonal());
 }
 
 } // namespace

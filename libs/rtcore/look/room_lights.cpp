@@ -15,10 +15,10 @@ namespace {
 constexpr float kBelowCeiling = 0.25F; ///< of the room's height
 constexpr float kSize = 0.06F;         ///< radius, of the room's height
 constexpr float kLittle = 0.04F;       ///< of what all places want: what one more light must bring
-constexpr float kMostScale = 2;
+constexpr float kMaxScale = 2;
 
 /// Above a place to stand on.
-struct LightPlace {
+struct LightCandidate {
     Vec3 position;
     float height = 0; ///< over the floor
     float room = 0;   ///< height of the room
@@ -30,53 +30,53 @@ class RoomLighting {
         : tree_(tree), mesh_(mesh) {
         for (const Stand& stand : rooms) {
             eyes_.push_back(stand.eye);
-            if (const auto found = above(stand.eye, up)) places_.push_back(*found);
+            if (const auto found = above(stand.eye, up)) candidates_.push_back(*found);
         }
         light_.assign(eyes_.size(), 0);
     }
 
     std::vector<Light> choose() {
-        std::vector<LightPlace> chosen;
+        std::vector<LightCandidate> chosen;
         const auto wanted = static_cast<float>(eyes_.size());
-        while (std::cmp_less(chosen.size(), kMostRoomLights)) {
-            const LightPlace* const best = bestPlace();
+        while (std::cmp_less(chosen.size(), kMaxRoomLights)) {
+            const LightCandidate* const best = bestCandidate();
             if (best == nullptr) break;
             const std::vector<float> with = lightWith(*best);
             if (satisfied(with) - satisfied(light_) < kLittle * wanted) break;
             light_ = with;
             chosen.push_back(*best);
         }
-        const float scale = std::min(wanted / std::max(satisfied(light_), 1e-6F), kMostScale);
+        const float scale = std::min(wanted / std::max(satisfied(light_), 1e-6F), kMaxScale);
         std::vector<Light> lights;
-        for (const LightPlace& place : chosen) lights.push_back(lightOf(place, scale));
+        for (const LightCandidate& candidate : chosen) lights.push_back(lightOf(candidate, scale));
         return lights;
     }
 
   private:
-    static Light lightOf(const LightPlace& place, float scale) {
+    static Light lightOf(const LightCandidate& candidate, float scale) {
         Light light;
         light.kind = LightKind::Sphere;
-        light.position = place.position;
-        light.radius = kSize * place.room;
-        light.intensity = kWhite * (scale * place.height * place.height);
+        light.position = candidate.position;
+        light.radius = kSize * candidate.room;
+        light.intensity = kWhite * (scale * candidate.height * candidate.height);
         return light;
     }
 
-    std::optional<LightPlace> above(Vec3 eye, Vec3 up) const {
+    std::optional<LightCandidate> above(Vec3 eye, Vec3 up) const {
         const auto ceiling = closestHit(tree_, mesh_, eye, up), floor = closestHit(tree_, mesh_, eye, -up);
         if (!ceiling || !floor) return std::nullopt;
         const float room = ceiling->t + floor->t;
         const float above = std::max(ceiling->t - kBelowCeiling * room, 0.5F * ceiling->t);
-        return LightPlace{eye + up * above, above + floor->t, room};
+        return LightCandidate{eye + up * above, above + floor->t, room};
     }
 
     /// At each eye, with one more light there; 1 as on the floor below a light.
-    std::vector<float> lightWith(const LightPlace& place) const {
+    std::vector<float> lightWith(const LightCandidate& candidate) const {
         std::vector<float> light = light_;
         for (std::size_t i = 0; i < eyes_.size(); ++i) {
-            const Vec3 way = place.position - eyes_[i];
-            if (!occluded(tree_, mesh_, {eyes_[i], 0, way, 1}))
-                light[i] += std::min(place.height * place.height / dot(way, way), 1.0F);
+            const Vec3 toLight = candidate.position - eyes_[i];
+            if (!occluded(tree_, mesh_, {eyes_[i], 0, toLight, 1}))
+                light[i] += std::min(candidate.height * candidate.height / dot(toLight, toLight), 1.0F);
         }
         return light;
     }
@@ -86,14 +86,14 @@ class RoomLighting {
                                [](float sum, float each) { return sum + std::min(each, 1.0F); });
     }
 
-    const LightPlace* bestPlace() const {
-        const LightPlace* best = nullptr;
-        float most = 0;
-        for (const LightPlace& place : places_) {
-            const float sum = satisfied(lightWith(place));
-            if (sum <= most) continue;
-            most = sum;
-            best = &place;
+    const LightCandidate* bestCandidate() const {
+        const LightCandidate* best = nullptr;
+        float max = 0;
+        for (const LightCandidate& candidate : candidates_) {
+            const float sum = satisfied(lightWith(candidate));
+            if (sum <= max) continue;
+            max = sum;
+            best = &candidate;
         }
         return best;
     }
@@ -101,7 +101,7 @@ class RoomLighting {
     const KdTree& tree_;
     const Mesh& mesh_;
     std::vector<Vec3> eyes_;
-    std::vector<LightPlace> places_;
+    std::vector<LightCandidate> candidates_;
     std::vector<float> light_; ///< of the lights that were chosen, at each eye
 };
 

@@ -10,7 +10,7 @@
 
 namespace rtcore {
 
-inline constexpr int kMostRoomLights = 4;
+inline constexpr int kMaxRoomLights = 4;
 
 /// Spheres under the ceiling, above places from which the others are seen best, until one more would bring
 /// little; none where there are no walls around, or no ceiling. On the floor below, and in the mean over the

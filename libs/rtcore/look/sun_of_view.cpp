@@ -1,7 +1,7 @@
 #include "rtcore/look/sun_of_view.h"
 
 #include "rtcore/kernels/single_ray.h"
-#include "rtcore/look/seen_places.h"
+#include "rtcore/look/visible_points.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/simd/portable_math.h"
 
@@ -31,21 +31,21 @@ Vec3 sunOfView(const KdTree& tree, const Mesh& mesh, const Survey& survey, const
     const Axes& axes = survey.axes;
     Vec3 best = behindTheViewer(axes, camera.forward);
     if (!survey.inside()) return best;
-    const std::vector<SeenPlace> places = seenPlaces(tree, mesh, camera);
-    float most = 0;
+    const std::vector<VisiblePoint> points = visiblePoints(tree, mesh, camera);
+    float max = 0;
     for (const float height : {40 * kDegree, 25 * kDegree, 60 * kDegree}) {
         for (int i = 0; i < kSides; ++i) {
             const Vec3 sun = axes.horizontal(2 * kPi * static_cast<float>(i) / kSides) * portableCos(height) +
                              axes.up * portableSin(height);
             float light = 0;
-            for (const SeenPlace& place : places) {
-                const float facing = dot(place.normal, sun);
+            for (const VisiblePoint& point : points) {
+                const float facing = dot(point.normal, sun);
                 if (facing <= 0) continue;
-                if (!occluded(tree, mesh, {place.position, 0, sun, std::numeric_limits<float>::max()}))
+                if (!occluded(tree, mesh, {point.position, 0, sun, std::numeric_limits<float>::max()}))
                     light += facing;
             }
-            if (light <= most) continue;
-            most = light;
+            if (light <= max) continue;
+            max = light;
             best = sun;
         }
     }

@@ -21,7 +21,7 @@ constexpr Cubic kHotY{3.0817580, -5.87338670, 3.75112997, -0.37001483};
 
 Chromaticity blackbodyChromaticity(double kelvin) {
     constexpr double kWarm = 2222, kHot = 4000, kThousand = 1000;
-    const double t = std::clamp(kelvin, kLeastTemperature, kMostTemperature);
+    const double t = std::clamp(kelvin, kMinTemperature, kMaxTemperature);
     const double x = (t < kHot ? kCoolX : kHotX)(kThousand / t);
     return {x, (t < kWarm ? kCoolY : t < kHot ? kWarmY : kHotY)(x)};
 }

@@ -7,7 +7,7 @@ namespace rtcore {
 
 /// Kelvin: what blackbodyColour() is made for. A candle has 1900, a bulb 2700, the sun 5800, an overcast sky
 /// 6500.
-inline constexpr double kLeastTemperature = 1667, kMostTemperature = 25000;
+inline constexpr double kMinTemperature = 1667, kMaxTemperature = 25000;
 
 /// CIE 1931 chromaticity.
 struct Chromaticity {

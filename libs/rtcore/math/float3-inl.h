@@ -106,7 +106,7 @@ HWY_NOINLINE inline void normalizeEach(const float* x, const float* y, const flo
 /// The unit vectors in those of the lanes that are used.
 HWY_INLINE Float3 normalize(Float3 a, Mask used) {
     const Float square = dot(a, a);
-    const Mask ordinary = (square > kLeastSquare) & (square < kMostSquare);
+    const Mask ordinary = (square > kMinSquare) & (square < kMaxSquare);
     const Float3 unit = a / sqrt(square);
     if (HWY_LIKELY(none(without(used, ordinary)))) return unit;
     HWY_ALIGN float x[kLanes], y[kLanes], z[kLanes], out[3 * kLanes];

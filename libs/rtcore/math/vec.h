@@ -32,13 +32,13 @@ bool isFinite(Vec3T<T> a) {
 }
 
 /// Between them the square of a vector's length has all its digits.
-inline constexpr float kLeastSquare = 1e-28F, kMostSquare = 1e28F;
+inline constexpr float kMinSquare = 1e-28F, kMaxSquare = 1e28F;
 
 /// The unit vector along `a`, also where the square of its length would over- or underflow; (0,0,0) for a
 /// vector that is zero or not finite.
 inline Vec3 normalize(Vec3 a) {
     const float square = dot(a, a);
-    if (square > kLeastSquare && square < kMostSquare) return a / std::sqrt(square);
+    if (square > kMinSquare && square < kMaxSquare) return a / std::sqrt(square);
     const float largest = std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z)));
     if (!(largest > 0) || !isFinite(a)) return {};
     if (largest < 1e-15F || largest > 1e15F) {

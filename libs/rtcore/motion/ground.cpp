@@ -54,19 +54,19 @@ bool isWedged(const Body& body, Vec3d feet) {
 
 std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double step, Vec3d without,
                              MotionTrail* trail) {
-    constexpr double kLeast = 0.02;
+    constexpr double kMin = 0.02;
     const double wanted = length(move);
     if (!(wanted > 0)) return std::nullopt;
     const Vec3d ahead = move * (1 / wanted);
     // Beyond what stopped it; else the step would not show.
-    const double distance = std::max(wanted, dot(without - feet, ahead) + kLeast);
+    const double distance = std::max(wanted, dot(without - feet, ahead) + kMin);
     const double raised = body.sweep(feet, kUp, step).travel;
     const Vec3d above = feet + kUp * raised;
     MotionTrail parts{above};
     const Slide over = slideOnGround(body, above, ahead * distance, {}, &parts);
-    const double most = over.feet.z - feet.z;
-    if (!(most > 0)) return std::nullopt;
-    const Sweep down = body.sweep(over.feet, -kUp, most);
+    const double max = over.feet.z - feet.z;
+    if (!(max > 0)) return std::nullopt;
+    const Sweep down = body.sweep(over.feet, -kUp, max);
     if (!down.hit || down.point.z - feet.z > step + kRounding) return std::nullopt;
     const StepUp result{over.feet - kUp * down.travel, std::max(0.0, dot(over.feet - feet, ahead) - wanted)};
     if (!isFloor(body, result.feet, down.normal, down.point)) return std::nullopt;

@@ -13,8 +13,8 @@ constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kLongest = kSecond / 4;
 
 double flyingSpeedIn(const Box3& bounds, double metresPerUnit) {
-    constexpr double kShare = 0.1;
-    const double speed = kShare * double{bounds.diagonal()} * metresPerUnit;
+    constexpr double kFraction = 0.1;
+    const double speed = kFraction * double{bounds.diagonal()} * metresPerUnit;
     return speed > 0 && std::isfinite(speed) ? speed : 1;
 }
 

@@ -42,7 +42,7 @@ class Approach {
     bool nears() const { return speed_ > kParallel; }
     /// Before it the gap is larger than `wanted`.
     double earliest(double wanted) const { return at_ + (gap_ - wanted) / speed_; }
-    double leastGapAt(double at) const { return gap_ - speed_ * (at - at_); }
+    double minGapAt(double at) const { return gap_ - speed_ * (at - at_); }
 
   private:
     const SolidTriangle& triangle_;
@@ -82,7 +82,7 @@ bool reachesSkin(Approach& approach, double skin, double distance) {
 /// Whether the capsule itself would touch, however far; not if at `distance` it still has the skin.
 bool wouldTouch(Approach approach, double skin, double distance) {
     const double enough = std::max(skin - kSlack, 0.0);
-    if (approach.leastGapAt(distance) >= enough) return false;
+    if (approach.minGapAt(distance) >= enough) return false;
     bool beyond = false;
     for (int i = 0; i < kSteps; ++i) {
         if (!approach.nears()) return false;

@@ -112,12 +112,12 @@ Vec3d WalkStep::wish(const WalkInput& input) const {
 
 void WalkStep::accelerate(Vec3d wanted) {
     const Vec3d change = wanted - horizontal(state_.velocity);
-    const double most = (state_.grounded ? shape_.groundForce : shape_.airForce) * kTickSeconds;
+    const double max = (state_.grounded ? shape_.groundForce : shape_.airForce) * kTickSeconds;
     const double whole = length(change);
-    if (whole <= most) {
+    if (whole <= max) {
         state_.velocity = {wanted.x, wanted.y, state_.velocity.z};
     } else {
-        state_.velocity += change * (most / whole);
+        state_.velocity += change * (max / whole);
     }
 }
 

@@ -4,9 +4,9 @@
 #define HWY_TARGET_INCLUDE "rtcore/pathtracing/light_hits.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/lights/environment_draw-inl.h"
-#include "rtcore/lights/light_draw-inl.h"
-#include "rtcore/pathtracing/light_shares-inl.h"
+#include "rtcore/lights/environment_sampler-inl.h"
+#include "rtcore/lights/light_direction-inl.h"
+#include "rtcore/pathtracing/light_selection-inl.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 
@@ -30,7 +30,7 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 /// What rays meet of one light. `from`, `to`: of the ray's line, which part of it is free.
-HWY_INLINE Float3 lightMet(const LightRows& rows, LightFinding finding, std::uint32_t k,
+HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std::uint32_t k,
                            const ScatterState& s, std::size_t i, Float3 direction, Float from, Float to) {
     const Light& light = rows.light[k];
     return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
@@ -45,11 +45,11 @@ HWY_INLINE Float3 lightMet(const LightRows& rows, LightFinding finding, std::uin
                 (density > 0.0F) & (distance >= from) & (distance * 0.9999F <= to) & isFinite(distance);
             if (none(met)) return Float3{};
             const Float sampled =
-                drawDensity<kind, Float>(light, point, direction, select(met, distance, Float(1)));
+                lightDirectionDensity<kind, Float>(light, point, direction, select(met, distance, Float(1)));
             const Float probability =
                 probabilityOfLight<Float>(rows, k, point, loadAt(s.normal, i), load(s.total + i));
-            const Float weight = weightOfScatteredRay<Float>(finding, select(met, density, Float(1)),
-                                                             select(met, sampled * probability, Float(0)));
+            const Float weight = misWeightOfScatteredRay<Float>(strategy, select(met, density, Float(1)),
+                                                                select(met, sampled * probability, Float(0)));
             return selectOrZero(met, broadcast(radianceOf<kind>(light)) * weight);
         }
     });
@@ -60,7 +60,7 @@ HWY_INLINE Float loadRest(const float* values, std::size_t i, std::size_t count)
     return i + lanes() <= count ? load(values + i) : loadSome(values + i, count - i);
 }
 
-void meetLights(const LightRows& rows, LightFinding finding, const ScatterState& s, const HitRays& hits,
+void meetLights(const LightRows& rows, SamplingStrategy strategy, const ScatterState& s, const HitRays& hits,
                 const ArraysOf3& added) {
     const RayWave& rays = hits.rays;
     const std::size_t count = rays.size();
@@ -79,7 +79,7 @@ void meetLights(const LightRows& rows, LightFinding finding, const ScatterState&
                                     Float(std::numeric_limits<float>::max()));
             for (std::uint32_t k = 0; k < rows.lights; ++k) {
                 if (isAreaLight(rows.light[k].kind))
-                    sum += lightMet(rows, finding, k, s, i, direction, from, to);
+                    sum += lightMet(rows, strategy, k, s, i, direction, from, to);
             }
             sum = selectOrZero(used, sum * loadAt(hits.weight, i));
         }
@@ -110,10 +110,10 @@ namespace plain = HWY_NAMESPACE;
 HWY_EXPORT(meetLights);
 HWY_EXPORT(densitiesOf);
 
-void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave) {
+void addLightHits(const LightRows& lights, SamplingStrategy strategy, PathBatch& batch, Wave& wave) {
     PathQueue& queue = batch.queue;
     const HitRays hits{*wave.rays, wave.hits.t.data(), wave.surfaces.traits, queue.weights()};
-    HWY_DYNAMIC_DISPATCH(meetLights)(lights, finding, batch.scattered(), hits, wave.surfaces.contribution);
+    HWY_DYNAMIC_DISPATCH(meetLights)(lights, strategy, batch.scattered(), hits, wave.surfaces.contribution);
 }
 
 void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities) {
@@ -129,7 +129,7 @@ float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t
     const ScatterState& s = batch.scattered();
     const Vec3 point = s.point.at(i), direction = batch.queue.rays.ray(i).direction;
     const float sampled =
-        plain::drawDensity<LightKind::Directional, float>(lights.light[k], point, direction, 0);
+        plain::lightDirectionDensity<LightKind::Directional, float>(lights.light[k], point, direction, 0);
     return sampled * plain::probabilityOfLight<float>(lights, k, point, s.normal.at(i), s.total[i]);
 }
 

@@ -3,16 +3,16 @@
 /// (lights/mirrored_light.h); discs are.
 #pragma once
 
-#include "rtcore/pathtracing/light_finding.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/path_batch.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/shading/wave.h"
 
 namespace rtcore {
 
 /// Sets surfaces.contribution to what each ray of the wave meets of area lights that have a place before its
 /// surface, weighted by the power heuristic against next event. The wave is that of the batch.
-void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave);
+void addLightHits(const LightRows& lights, SamplingStrategy strategy, PathBatch& batch, Wave& wave);
 
 /// environmentDensity() of the directions of those rays of the wave that meet no surface, into
 /// `densities`: room for a block more. The others become undefined.

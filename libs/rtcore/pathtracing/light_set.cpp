@@ -23,7 +23,7 @@ std::vector<Box3> boxesOfEmission(const Scene& scene) {
 }
 
 /// By material, 1 where a light stands for its emission.
-std::vector<std::uint8_t> stoodFor(const Scene& scene) {
+std::vector<std::uint8_t> hasProxyLight(const Scene& scene) {
     constexpr float kAround = 0.05F; // of the box's largest side
     std::vector<std::uint8_t> result(scene.materials.size());
     const std::vector<Box3> boxes = boxesOfEmission(scene);
@@ -65,20 +65,21 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
         anyArea_ = anyArea_ || isAreaLight(light.kind);
         lights_.push_back(light);
     }
-    dark_.assign(scene.materials.size(), use == EmitterLight::Off ? 1 : 0);
-    if (use == EmitterLight::Automatic) dark_ = stoodFor(scene);
+    emitsNoLight_.assign(scene.materials.size(), use == EmitterLight::Off ? 1 : 0);
+    if (use == EmitterLight::Automatic) emitsNoLight_ = hasProxyLight(scene);
     emitters_ = {};
     if (use != EmitterLight::Off)
-        emitters_.prepare(scene, {.hidden = hidden, .dark = dark_, .textures = settings.textures});
+        emitters_.prepare(scene,
+                          {.hidden = hidden, .emitsNoLight = emitsNoLight_, .textures = settings.textures});
     background_ = backgroundLight(scene, settings.environmentFilter, scene.ambient);
     surroundings_ = {};
     surroundings_.prepare(background_);
-    shares_ = {};
-    if (lights_.size() > kMostWeighed) shareByPower(0.5F * length(bounds.size()));
+    selection_ = {};
+    if (lights_.size() > kMaxWeighed) selectByPower(0.5F * length(bounds.size()));
 }
 
 /// Each has a tenth of its share by number.
-void LightSet::shareByPower(float reach) {
+void LightSet::selectByPower(float reach) {
     const LightRows all = rows();
     std::vector<double> powers;
     for (const Light& light : lights_) powers.push_back(powerWithin(light, reach));
@@ -91,7 +92,7 @@ void LightSet::shareByPower(float reach) {
     }
     if (!(sum > 0)) sum = 1;
     for (double& power : powers) power = power / sum + 0.1 / static_cast<double>(powers.size());
-    shares_ = AliasTable(powers);
+    selection_ = AliasTable(powers);
 }
 
 LightRows LightSet::rows() const {
@@ -100,8 +101,8 @@ LightRows LightSet::rows() const {
     rows.lights = static_cast<std::uint32_t>(lights_.size());
     rows.emitters = !emitters_.empty();
     rows.surroundings = !surroundings_.empty();
-    rows.fixed = !shares_.empty();
-    rows.shares = shares_.rows();
+    rows.fixed = !selection_.empty();
+    rows.selection = selection_.rows();
     if (rows.emitters) {
         const Vec3 size = emitters_.bounds().size();
         rows.emittersCentre = emitters_.centre();

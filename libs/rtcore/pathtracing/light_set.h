@@ -4,7 +4,7 @@
 
 #include "rtcore/lights/background_light.h"
 #include "rtcore/lights/emitters.h"
-#include "rtcore/lights/environment_draw.h"
+#include "rtcore/lights/environment_sampler.h"
 #include "rtcore/sampling/alias_table.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/scene.h"
@@ -18,14 +18,14 @@
 
 namespace rtcore {
 
-/// What vector code reads (light_shares-inl.h). Of `count` groups the first `lights` are lights, then come
+/// What vector code reads (light_selection-inl.h). Of `count` groups the first `lights` are lights, then come
 /// the emitters and the surroundings.
 struct LightRows {
     const Light* light = nullptr;
     std::uint32_t lights = 0;
     bool emitters = false, surroundings = false;
-    bool fixed = false; ///< shares are the same everywhere: those of `shares`
-    AliasRows shares;
+    bool fixed = false; ///< shares are the same everywhere: those of `selection`
+    AliasRows selection;
     Vec3 emittersCentre; ///< seen from far away, the emitters are a point light there
     float emittersIntensity = 0,
           emittersSquare = 0;   ///< its luminance, W/sr; distances^2 below this count as it
@@ -40,7 +40,7 @@ struct LightRows {
 class LightSet {
   public:
     /// More lights than these are sampled by their power; so many by what each would throw on the point.
-    static constexpr std::size_t kMostWeighed = 32;
+    static constexpr std::size_t kMaxWeighed = 32;
 
     /// Takes what is on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model, not 0 where
     /// it is; may be empty.
@@ -59,22 +59,22 @@ class LightSet {
     LightRows rows() const;
     std::span<const Light> lights() const { return lights_; }
     const Emitters& emitters() const { return emitters_; }
-    const EnvironmentDraw& surroundings() const { return surroundings_; }
+    const EnvironmentSampler& surroundings() const { return surroundings_; }
     /// What scattered rays find where they leave the scene.
     const BackgroundLight& background() const { return background_; }
     /// By material: not 0 where its emission is seen, but lights nothing.
-    std::span<const std::uint8_t> dark() const { return dark_; }
+    std::span<const std::uint8_t> emitsNoLight() const { return emitsNoLight_; }
 
   private:
-    void shareByPower(float reach);
+    void selectByPower(float reach);
 
     std::vector<Light> lights_;
     std::vector<std::uint32_t> discs_, mirrored_;
     Emitters emitters_;
-    EnvironmentDraw surroundings_;
+    EnvironmentSampler surroundings_;
     BackgroundLight background_;
-    std::vector<std::uint8_t> dark_;
-    AliasTable shares_;
+    std::vector<std::uint8_t> emitsNoLight_;
+    AliasTable selection_;
     bool anyArea_ = false;
 };
 

@@ -1,7 +1,7 @@
 #include "rtcore/pathtracing/next_event.h"
 
-#include "rtcore/pathtracing/light_finding.h"
 #include "rtcore/pathtracing/path_batch.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/shading/surface/surface.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -9,9 +9,9 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/lights/emitters-inl.h"
-#include "rtcore/lights/environment_draw-inl.h"
-#include "rtcore/lights/light_draw-inl.h"
-#include "rtcore/pathtracing/light_shares-inl.h"
+#include "rtcore/lights/environment_sampler-inl.h"
+#include "rtcore/lights/light_direction-inl.h"
+#include "rtcore/pathtracing/light_selection-inl.h"
 #include "rtcore/pathtracing/path_lobes-inl.h"
 #include "rtcore/pathtracing/path_numbers-inl.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
@@ -28,7 +28,7 @@ struct NextEventRows {
     PathNames names;
     const std::uint32_t *sample, *bounces; ///< of PathQueue; null: of primary rays
     const std::uint32_t* scatters;         ///< null: none yet
-    std::uint32_t mostScatters;
+    std::uint32_t maxScatters;
 };
 
 /// Where shadow rays go: arrays with room for every point and a block more.
@@ -60,28 +60,28 @@ struct GroupSample {
 
 HWY_INLINE GroupSample sampleOfLight(const Light& light, Float3 position, Float u, Float v) {
     return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
-        const LightDraw<Float> draw = drawLight<kind, Float>(light, position, u, v);
-        return GroupSample{draw.toLight, draw.irradiance, draw.free, draw.density};
+        const LightDirectionSample<Float> sample = sampleLightDirection<kind, Float>(light, position, u, v);
+        return GroupSample{sample.toLight, sample.irradiance, sample.free, sample.density};
     });
 }
 
-HWY_INLINE GroupSample sampleOfEmitters(const EmitterRows& rows, Float3 position, const PathNumbers& place,
+HWY_INLINE GroupSample sampleOfEmitters(const EmitterRows& rows, Float3 position, const PathNumbers& numbers,
                                         Uint bits, const EmitterHits& hits, std::size_t i, Mask chosen) {
-    const EmitterDraw<Float> draw = drawEmitter<Float>(rows, place.u, place.v, bits);
-    const Float3 offset = draw.position - position;
+    const EmitterSample<Float> sample = sampleEmitter<Float>(rows, numbers.u, numbers.v, bits);
+    const Float3 offset = sample.position - position;
     const Float distance = sqrt(dot(offset, offset));
     const Mask apart = chosen & (distance > 0.0F);
     const Float3 toLight = normalize(select(apart, offset, broadcast(Vec3{0, 1, 0})), apart);
-    const Float density = bySolidAngle<Float>(draw.density, distance, dot(toLight, draw.normal));
-    store(select(chosen, draw.triangle, load(hits.triangle + i)), hits.triangle + i);
-    store(draw.u, hits.u + i);
-    store(draw.v, hits.v + i);
+    const Float density = bySolidAngle<Float>(sample.density, distance, dot(toLight, sample.normal));
+    store(select(chosen, sample.triangle, load(hits.triangle + i)), hits.triangle + i);
+    store(sample.u, hits.u + i);
+    store(sample.v, hits.v + i);
     return {toLight, Float3{}, distance * 0.9999F, selectOrZero(apart & isFinite(density), density)};
 }
 
-HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const PathNumbers& place) {
-    const DirectionDraw<Float> draw = drawEnvironment<Float>(rows, place.bitsOfU, place.bitsOfV);
-    return {draw.direction, Float3{}, std::numeric_limits<float>::max(), draw.density};
+HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const PathNumbers& numbers) {
+    const EnvironmentSample<Float> sample = sampleEnvironment<Float>(rows, numbers.bitsOfU, numbers.bitsOfV);
+    return {sample.direction, Float3{}, std::numeric_limits<float>::max(), sample.density};
 }
 
 HWY_INLINE void take(GroupSample& all, Mask where, const GroupSample& some) {
@@ -98,7 +98,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
         Visit<Uint> visit{0U, 0U};
         if (rows.scatters != nullptr) {
             const Uint scatters = load(rows.scatters + i) & Uint(path_state::kScatters);
-            used = used & (toInt(scatters) < static_cast<std::int32_t>(rows.mostScatters + 1));
+            used = used & (toInt(scatters) < static_cast<std::int32_t>(rows.maxScatters + 1));
             visit = visitOf(scatters, load(rows.bounces + i));
         }
         if (none(used)) {
@@ -109,7 +109,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
         const Float3 start = position + loadAt(s.geometricNormal, i) * load(s.clearance + i);
         const PathName name = pathName(rows.names, rows.sample, i, used);
         const PathNumbers choice = numbersFor(name, SampleDimension::Light, visit);
-        const PathNumbers place = numbersFor(name, SampleDimension::AreaLight, visit);
+        const PathNumbers numbers = numbersFor(name, SampleDimension::AreaLight, visit);
         const ChosenLight chosen =
             chooseLight(rows.lights, start, loadAt(s.shadingNormal, i), choice.bitsOfU);
         GroupSample sample;
@@ -122,12 +122,12 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
             if (group < rows.lights.lights) {
                 const Light& light = rows.lights.light[group];
                 take(sample, these,
-                     sampleOfLight(light, isAreaLight(light) ? start : position, place.u, place.v));
+                     sampleOfLight(light, isAreaLight(light) ? start : position, numbers.u, numbers.v));
             } else if (group == rows.lights.emitterGroup()) {
                 take(sample, these,
-                     sampleOfEmitters(rows.emitters, start, place, choice.bitsOfV, hits, i, these));
+                     sampleOfEmitters(rows.emitters, start, numbers, choice.bitsOfV, hits, i, these));
             } else {
-                take(sample, these, sampleOfSurroundings(rows.surroundings, place));
+                take(sample, these, sampleOfSurroundings(rows.surroundings, numbers));
             }
             rest = without(rest, these);
         }
@@ -142,8 +142,8 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
 }
 
 /// Returns the number of shadow rays.
-std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightFinding finding, bool apart,
-                       const SurfaceWave& s, const NextEventRays& shadows) {
+std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, SamplingStrategy strategy,
+                       bool apart, const SurfaceWave& s, const NextEventRays& shadows) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Mask used = hasTrait(load(s.traits + i), traits::kPoint) &
@@ -160,7 +160,8 @@ std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightF
         const Float density = load(from.density + i);
         const Mask byBoth = used & (density > 0.0F) & (scattered.density > 0.0F);
         const Float weight = select(
-            byBoth, weightOfNextEvent<Float>(finding, select(byBoth, density, Float(1)), scattered.density),
+            byBoth,
+            misWeightOfNextEvent<Float>(strategy, select(byBoth, density, Float(1)), scattered.density),
             Float(1));
         store(weight, from.weight + i);
         Float3 added = loadAt(s.weight, i) * scattered.value * loadAt(from.irradiance, i);
@@ -240,7 +241,7 @@ void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, 
     rays.resize(room);
     if (shadows.point.size() < room) shadows.point.resize(room);
     const NextEventRays arrays{rays.origins(), rays.directions(), rays.tMax.data(), shadows.point.data()};
-    rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.finding, task.apart,
+    rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.strategy, task.apart,
                                                  surfaces, arrays));
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "rtcore/kernels/wave_memory.h"
-#include "rtcore/pathtracing/light_finding.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/path_names.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/shading/light/light_wave.h"
 #include "rtcore/shading/wave.h"
 
@@ -36,7 +36,7 @@ struct NextEventTask {
     PathNames names;
     const std::uint32_t* scatters; ///< of each path of the wave (path_state); null: none yet
     std::uint32_t bounces;         ///< paths with more scatters sample nothing
-    LightFinding finding;
+    SamplingStrategy strategy;
     bool
         apart; ///< the samples' weights are not multiplied in: glass may leave scattered rays no part in them
 };

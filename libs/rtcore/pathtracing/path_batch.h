@@ -28,11 +28,11 @@ struct ScatterState {
                               ///< the camera, or was mirrored or refracted since
     std::uint32_t* state = nullptr; ///< path_state
 
-    void set(std::size_t i, Vec3 at, Vec3 facing, float all, float drawn, std::uint32_t what) const {
+    void set(std::size_t i, Vec3 at, Vec3 facing, float all, float sampled, std::uint32_t what) const {
         point.set(i, at);
         normal.set(i, facing);
         total[i] = all;
-        density[i] = drawn;
+        density[i] = sampled;
         state[i] = what;
     }
 };

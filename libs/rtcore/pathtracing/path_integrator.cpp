@@ -26,7 +26,7 @@ void PathIntegrator::begin(const PathFrame& frame) {
     lights_ = &frame.lights;
     rows_ = frame.lights.rows();
     limits_ = frame.settings.path;
-    finding_ = frame.finding;
+    strategy_ = frame.strategy;
     statistics_ = {};
     clock_.start(false);
     fog_.begin(fogMedium(frame.scene, settings_));
@@ -116,7 +116,7 @@ void PathIntegrator::setWeights() {
 /// What the rays find by themselves: lights that they meet, surroundings, emission.
 void PathIntegrator::addFound() {
     if (paths_ != nullptr && lights_->anyArea()) {
-        addLightHits(rows_, finding_, *paths_, wave_);
+        addLightHits(rows_, strategy_, *paths_, wave_);
         for (std::size_t i = 0; i < wave_.size(); ++i) {
             const Colour met = wave_.surfaces.contribution.colourAt(i);
             if (!isBlack(met)) addTo(i, met);
@@ -146,7 +146,7 @@ float PathIntegrator::weightOfHit(std::size_t ray, float sampled) const {
     if ((state & path_state::kDropped) != 0) return 0;
     const float density = scattered.density[ray];
     if ((state & path_state::kWhole) != 0 || density == 0) return 1;
-    return HWY_NAMESPACE::weightOfScatteredRay<float>(finding_, density, sampled);
+    return HWY_NAMESPACE::misWeightOfScatteredRay<float>(strategy_, density, sampled);
 }
 
 void PathIntegrator::addSurroundings() {
@@ -168,8 +168,8 @@ void PathIntegrator::addSurroundings() {
         // Cameras do not see the ambient light.
         Colour radiance = scattered || environment != nullptr ? background.radiance(direction) : seen;
         if (scattered) {
-            const float share = probabilityOfSurroundings(rows_, *paths_, i);
-            radiance = radiance * weightOfHit(i, share * densities_[i]);
+            const float probability = probabilityOfSurroundings(rows_, *paths_, i);
+            radiance = radiance * weightOfHit(i, probability * densities_[i]);
         }
         if (transmittance != nullptr) radiance = radiance * transmittance[i];
         if (!isBlack(radiance)) addTo(i, wave_.paths.path(i).weight * radiance);
@@ -238,8 +238,8 @@ float PathIntegrator::weightOfEmission(std::size_t i) const {
     const ScatterState& scattered = paths_->scattered();
     if ((scattered.state[i] & path_state::kScatters) != 0) {
         const std::uint32_t material = wave_.surfaces.material[i];
-        const std::span<const std::uint8_t> dark = lights_->dark();
-        if (material < dark.size() && dark[material] != 0) return 0;
+        const std::span<const std::uint8_t> emitsNoLight = lights_->emitsNoLight();
+        if (material < emitsNoLight.size() && emitsNoLight[material] != 0) return 0;
     }
     if (scattered.density[i] == 0) return weightOfHit(i, 0);
     const Vec3 offset = wave_.surfaces.position.at(i) - scattered.point.at(i);
@@ -258,7 +258,7 @@ void PathIntegrator::sampleLights() {
                              {pixelNames_.data(), subs_.data()},
                              paths_ != nullptr ? paths_->scattered().state : nullptr,
                              static_cast<std::uint32_t>(limits_.bounces),
-                             finding_,
+                             strategy_,
                              frame_.settings->shadows && shadows_.tinted()};
     events_.sample(task, wave_);
     events_.add(task, *frame_.materials, wave_.surfaces, shadowRays_);

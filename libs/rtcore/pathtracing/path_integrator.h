@@ -6,11 +6,11 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/pathtracing/light_finding.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/next_event.h"
 #include "rtcore/pathtracing/path_batch.h"
 #include "rtcore/pathtracing/path_points.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
@@ -38,7 +38,7 @@ struct PathFrame {
         settings; ///< of them `path`, textures, shadows, reflections, refractions, maxDepth, fog
     const MaterialTable& materials; ///< prepared for the scene without ambient light
     const LightSet& lights;
-    LightFinding finding = LightFinding::Both;
+    SamplingStrategy strategy = SamplingStrategy::Both;
 };
 
 /// One for each thread; reuses its memory. The result for a sample depends on nothing but the sample: not on
@@ -89,7 +89,7 @@ class PathIntegrator {
     const LightSet* lights_ = nullptr;
     LightRows rows_;
     PathSettings limits_;
-    LightFinding finding_ = LightFinding::Both;
+    SamplingStrategy strategy_ = SamplingStrategy::Both;
     RayStatistics statistics_;
     StageClock clock_;
 

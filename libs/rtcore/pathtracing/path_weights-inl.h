@@ -1,6 +1,6 @@
 // The power heuristic (Veach 1995). Included once for each instruction set, inside the loop of
 // foreach_target.h, or alone.
-#include "rtcore/pathtracing/light_finding.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/simd/wide-inl.h"
 
 #if defined(RTCORE_PATHTRACING_PATH_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -24,15 +24,15 @@ HWY_INLINE F powerHeuristic(F p, F q) {
 
 /// Of what next event finds with the density p, and scattered rays with q > 0.
 template <typename F>
-HWY_INLINE F weightOfNextEvent(LightFinding finding, F p, F q) {
-    if (finding == LightFinding::Both) return powerHeuristic<F>(p, q);
-    return F(finding == LightFinding::NextEvent ? 1 : 0);
+HWY_INLINE F misWeightOfNextEvent(SamplingStrategy strategy, F p, F q) {
+    if (strategy == SamplingStrategy::Both) return powerHeuristic<F>(p, q);
+    return F(strategy == SamplingStrategy::NextEvent ? 1 : 0);
 }
 /// Of what scattered rays find with the density p > 0, and next event with q.
 template <typename F>
-HWY_INLINE F weightOfScatteredRay(LightFinding finding, F p, F q) {
-    if (finding == LightFinding::Both) return powerHeuristic<F>(p, q);
-    return select(q > 0.0F, F(finding == LightFinding::NextEvent ? 0 : 1), F(1));
+HWY_INLINE F misWeightOfScatteredRay(SamplingStrategy strategy, F p, F q) {
+    if (strategy == SamplingStrategy::Both) return powerHeuristic<F>(p, q);
+    return select(q > 0.0F, F(strategy == SamplingStrategy::NextEvent ? 0 : 1), F(1));
 }
 
 } // namespace HWY_NAMESPACE

@@ -61,7 +61,7 @@ HWY_INLINE Float loadDistances(const float* values, std::size_t count) {
 std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const BatchArrays* paths,
                        const BatchArrays& next) {
     std::size_t count = 0;
-    const auto mostScatters = static_cast<std::int32_t>(rows.limits.bounces) + (rows.anyToHit ? 1 : 0);
+    const auto maxScatters = static_cast<std::int32_t>(rows.limits.bounces) + (rows.anyToHit ? 1 : 0);
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Mask points = hasTrait(load(s.traits + i), traits::kPoint);
         if (none(points)) continue;
@@ -69,9 +69,9 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         const Uint scatters = past.state & Uint(path_state::kScatters);
         // A path that has scattered once more than it may only looks for lights: in mirrors, too, where what
         // they show counts.
-        const auto most = static_cast<std::int32_t>(rows.limits.bounces + 1);
-        const Mask within = toInt(scatters) < most;
-        const Mask looking = without(toInt(scatters) < most + (rows.anyToHit ? 1 : 0), within);
+        const auto max = static_cast<std::int32_t>(rows.limits.bounces + 1);
+        const Mask within = toInt(scatters) < max;
+        const Mask looking = without(toInt(scatters) < max + (rows.anyToHit ? 1 : 0), within);
         const Mask matte = (past.state & Uint(path_state::kMatte)) != Uint(0U);
         const Mask shown = rows.limits.caustics ? looking : without(looking, matte);
         const Mask open = points & (within | shown);
@@ -83,13 +83,13 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         const PathName name = pathName(rows.names, paths == nullptr ? nullptr : paths->sample, i, open);
         const Visit<Uint> visit = visitOf(scatters, past.bounces);
         const PathNumbers lobe = numbersFor(name, SampleDimension::Lobe, visit);
-        const PathNumbers place = numbersFor(name, SampleDimension::Direction, visit);
-        const BsdfSample sample = sampleBsdf(lobes, mirror, lobe.u, {place.u, place.v});
+        const PathNumbers numbers = numbersFor(name, SampleDimension::Direction, visit);
+        const BsdfSample sample = sampleBsdf(lobes, mirror, lobe.u, {numbers.u, numbers.v});
 
         // Mirrored: the weight of mirrored light over the chance of it.
         const Mask mirrored = sample.mirrored & (toInt(past.bounces & Uint(0xFFFFU)) <
                                                  static_cast<std::int32_t>(rows.maxDepth));
-        const Mask scattered = without(mirror.possible & (toInt(scatters) < mostScatters), sample.mirrored);
+        const Mask scattered = without(mirror.possible & (toInt(scatters) < maxScatters), sample.mirrored);
         const Scattered light = scatteredFrom(lobes, mirror, sample.direction);
         const Mask kept = scattered & (light.density > 0.0F);
         const Float3 lobeWeight = loadAt(s.weight, i) * light.value / select(kept, light.density, Float(1));

@@ -1,10 +1,10 @@
 /// How paths go on from the points of a wave: mirrored, scattered by a lobe, or not at all.
 #pragma once
 
-#include "rtcore/pathtracing/light_finding.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/path_batch.h"
 #include "rtcore/pathtracing/path_names.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/wave.h"
 

@@ -5,7 +5,7 @@
 
 namespace rtcore {
 
-inline constexpr int kMostBackups = 99; ///< of one file, beside it
+inline constexpr int kMaxBackups = 99; ///< of one file, beside it
 
 /// Gives the file a second name, with ~ behind it, or with ~2, ~3 and so on where that is taken, and returns
 /// it. Whatever has such a name stays, and no link there is followed. The name keeps the content, with all

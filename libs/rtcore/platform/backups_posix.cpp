@@ -48,12 +48,12 @@ bool keepAs(const fs::path& path, const fs::path& backup) {
 } // namespace
 
 fs::path keepBackup(const fs::path& path) {
-    for (int number = 1; number <= kMostBackups; ++number) {
+    for (int number = 1; number <= kMaxBackups; ++number) {
         const fs::path backup = path.string() + '~' + (number == 1 ? "" : std::to_string(number));
         if (keepAs(path, backup)) return backup;
     }
     throw FileError(FailureKind::CannotWrite, path.string(),
-                    std::to_string(kMostBackups) + " old versions of it are kept, " +
+                    std::to_string(kMaxBackups) + " old versions of it are kept, " +
                         path.filename().string() + "~ and so on; remove those that you do not need");
 }
 

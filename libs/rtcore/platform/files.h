@@ -36,9 +36,9 @@ class InputFile {
     InputFile(InputFile&& other) noexcept;
     InputFile& operator=(InputFile&& other) noexcept;
 
-    /// The first bytes, `most` at most, fewer where the file ends. Valid until the next call. Of a pipe or a
+    /// The first bytes, `max` at most, fewer where the file ends. Valid until the next call. Of a pipe or a
     /// device all of it is read. Throws as openFileBytes() does.
-    std::span<const std::byte> head(std::size_t most);
+    std::span<const std::byte> head(std::size_t max);
     /// All of it; call it once, and nothing after it.
     FileBytes read();
 

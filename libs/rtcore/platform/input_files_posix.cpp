@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Larger files are mapped.
-constexpr std::size_t kMostRead = std::size_t{1} << 30;
+constexpr std::size_t kMaxRead = std::size_t{1} << 30;
 /// What a pipe or a device may deliver before it counts as endless.
 constexpr std::size_t kStreamLimit = std::size_t{1} << 30;
 /// What room is made for the first bytes of a pipe or a device.
@@ -164,7 +164,7 @@ std::shared_ptr<const void> mapFile(const Opened& opened) {
 }
 
 FileBytes readAll(const fs::path& path, const Opened& opened) {
-    if (opened.size > kMostRead) {
+    if (opened.size > kMaxRead) {
         if (auto mapping = mapFile(opened)) {
             const auto* first = static_cast<const std::byte*>(mapping.get());
             return {{first, opened.size}, std::move(mapping)};
@@ -194,14 +194,14 @@ InputFile::~InputFile() = default;
 InputFile::InputFile(InputFile&& other) noexcept = default;
 InputFile& InputFile::operator=(InputFile&& other) noexcept = default;
 
-std::span<const std::byte> InputFile::head(std::size_t most) {
+std::span<const std::byte> InputFile::head(std::size_t max) {
     Parts& parts = *parts_;
     if (!parts.opened.regular) {
         if (!parts.streamed) parts.stream = readAll(parts.path, parts.opened);
         parts.streamed = true;
-        return parts.stream.bytes.first(std::min(most, parts.stream.bytes.size()));
+        return parts.stream.bytes.first(std::min(max, parts.stream.bytes.size()));
     }
-    parts.first.resize(std::min(most, parts.opened.size));
+    parts.first.resize(std::min(max, parts.opened.size));
     return {parts.first.data(), readAt(0, {parts.first.data(), parts.first.size()})};
 }
 
@@ -259,12 +259,12 @@ std::optional<std::string> LineReader::next() {
 }
 
 std::uint64_t storedBytes(const fs::path& path) {
-    constexpr int kMostParts = 10'000; // of a file that is full of holes
+    constexpr int kMaxParts = 10'000; // of a file that is full of holes
     const Descriptor file(openRetrying(path, O_RDONLY | O_NONBLOCK));
     struct stat status {};
     if (!file.valid() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
     off_t stored = 0, end = 0;
-    for (int part = 0; part < kMostParts; ++part) {
+    for (int part = 0; part < kMaxParts; ++part) {
         const off_t begin = ::lseek(file.get(), end, SEEK_DATA);
         if (begin < 0) return static_cast<std::uint64_t>(errno == ENXIO ? stored : status.st_size);
         end = ::lseek(file.get(), begin, SEEK_HOLE);

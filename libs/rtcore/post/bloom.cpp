@@ -5,14 +5,14 @@
 namespace rtcore {
 
 namespace {
-constexpr float kLeastSigma = 0.25F; ///< pixels; less is not seen
+constexpr float kMinSigma = 0.25F; ///< pixels; less is not seen
 }
 
 float bloomSigma(const RenderSettings& settings, int width) {
     if (!(settings.bloom.share > 0) || settings.width < 1) return 0;
     const float sigma = static_cast<float>(settings.bloom.radius) * static_cast<float>(width) /
                         static_cast<float>(settings.width);
-    return sigma >= kLeastSigma ? sigma : 0;
+    return sigma >= kMinSigma ? sigma : 0;
 }
 
 void Bloom::mix(const HdrImage& picture, float fraction, const EffectRun& run, HdrImage& result) {

@@ -230,14 +230,14 @@ CosineTransform::CosineTransform(std::size_t length) : length_(length) {
 }
 
 void CosineTransform::prepare(TransformScratch& scratch) const {
-    const std::size_t count = length_ * kTransformLines, most = plan_.length * kTransformLines;
+    const std::size_t count = length_ * kTransformLines, max = plan_.length * kTransformLines;
     scratch.re.resize(count);
     scratch.im.resize(count);
-    scratch.otherRe.resize(most);
-    scratch.otherIm.resize(most);
+    scratch.otherRe.resize(max);
+    scratch.otherIm.resize(max);
     if (chirp_.empty()) return;
-    scratch.longRe.resize(most);
-    scratch.longIm.resize(most);
+    scratch.longRe.resize(max);
+    scratch.longIm.resize(max);
 }
 
 void CosineTransform::transform(const Plan& plan, std::vector<float>& re, std::vector<float>& im,

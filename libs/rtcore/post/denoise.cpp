@@ -12,7 +12,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kLeastAlbedo = 0.01F;
+constexpr float kMinAlbedo = 0.01F;
 constexpr float kPlane = 0.01F;  ///< fraction of the distance within which points lie in one plane
 constexpr float kDeviations = 6; ///< standard deviations of the noise within which light is alike
 constexpr int kNoiseBlock = 8;   ///< pixels a side, for the noise
@@ -46,9 +46,9 @@ void Denoiser::fillGuides(const Aovs& aovs, bool all, [[maybe_unused]] int threa
             }
             nearness_[i] = there ? 1 / pixel.depth : 0;
             const float background = all && there ? 1 - pixel.covered : 0;
-            albedo_[0][i] = std::max(pixel.albedo.r + background, kLeastAlbedo);
-            albedo_[1][i] = std::max(pixel.albedo.g + background, kLeastAlbedo);
-            albedo_[2][i] = std::max(pixel.albedo.b + background, kLeastAlbedo);
+            albedo_[0][i] = std::max(pixel.albedo.r + background, kMinAlbedo);
+            albedo_[1][i] = std::max(pixel.albedo.g + background, kMinAlbedo);
+            albedo_[2][i] = std::max(pixel.albedo.b + background, kMinAlbedo);
         }
     }
 }

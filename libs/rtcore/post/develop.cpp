@@ -13,8 +13,8 @@ namespace {
 constexpr float kDarkness = 1;
 /// What a fixed exposure may be (settings_table.cpp), so that any automatic one can be written down and
 /// replayed.
-constexpr float kLeast = 1e-30F;
-constexpr float kMost = 1e30F;
+constexpr float kMin = 1e-30F;
+constexpr float kMax = 1e30F;
 /// Of what is shown as white by the light that falls on it, and the key by which it is.
 constexpr float kWhiteAlbedo = 0.9F, kUsualKey = 0.18F;
 
@@ -38,7 +38,7 @@ float adapted(float usual, const RenderSettings& settings) {
     if (thesis || settings.exposure.mode == ExposureMode::Fixed) return usual;
     const float key = settings.exposure.key;
     const float found = exposureShowing(developmentOf(settings, 1), usual * key, key / (1 + key));
-    return std::clamp(found, kLeast, kMost);
+    return std::clamp(found, kMin, kMax);
 }
 
 } // namespace
@@ -78,7 +78,7 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
     auto found = average(frame, false, threads);
     // Only background is visible: adapt to it.
     if (!found) found = average(frame, true, threads);
-    return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
+    return std::clamp(found.value_or(kDarkness) / settings.key, kMin, kMax);
 }
 
 float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& settings,
@@ -86,7 +86,7 @@ float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& setti
     if (settings.exposure.mode != ExposureMode::Incident || !white)
         return adapted(exposure(frame, settings.exposure, threads), settings);
     const float usual = exposureOfWhite(developmentOf(settings, 1), kWhiteAlbedo * *white);
-    return std::clamp(usual * (kUsualKey / settings.exposure.key), kLeast, kMost);
+    return std::clamp(usual * (kUsualKey / settings.exposure.key), kMin, kMax);
 }
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,

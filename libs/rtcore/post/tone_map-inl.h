@@ -49,11 +49,11 @@ HWY_INLINE Vec3Of<F> toneMapLuminance(Vec3Of<F> x, F c) {
     return selectOrZero(shown, select(ordinary, mapped, grey));
 }
 
-/// Within [0, `most`]; NaN counts as 0.
+/// Within [0, `max`]; NaN counts as 0.
 template <typename F>
-HWY_INLINE Vec3Of<F> boundedChannels(Vec3Of<F> x, float most) {
-    const auto bounded = [most](F channel)
-                             HWY_ATTR { return selectOrZero(channel > 0.0F, min(channel, F(most))); };
+HWY_INLINE Vec3Of<F> boundedChannels(Vec3Of<F> x, float max) {
+    const auto bounded = [max](F channel)
+                             HWY_ATTR { return selectOrZero(channel > 0.0F, min(channel, F(max))); };
     return {bounded(x.x), bounded(x.y), bounded(x.z)};
 }
 
@@ -63,8 +63,8 @@ template <typename F>
 HWY_INLINE Vec3Of<F> toneMapNeutral(Vec3Of<F> light) {
     constexpr float kStart = 0.8F - 0.04F, kRoom = 1 - kStart, kDesaturation = 0.15F;
     const Vec3Of<F> x = boundedChannels<F>(light, 1e15F);
-    const F least = min(min(x.x, x.y), x.z);
-    const F offset = select(least < 0.08F, least - 6.25F * least * least, F(0.04F));
+    const F smallest = min(min(x.x, x.y), x.z);
+    const F offset = select(smallest < 0.08F, smallest - 6.25F * smallest * smallest, F(0.04F));
     const Vec3Of<F> base{x.x - offset, x.y - offset, x.z - offset};
     const F peak = maxComponent(base);
     const auto bright = peak >= kStart;
@@ -78,10 +78,10 @@ HWY_INLINE Vec3Of<F> toneMapNeutral(Vec3Of<F> light) {
 
 /// The logarithm of light, and the curve of its density: an approximation by a polynomial.
 HWY_INLINE Float agxCurve(Float light) {
-    constexpr float kLeast = -12.47393F, kMost = 4.026069F, kLog2E = 1.44269504F;
+    constexpr float kMin = -12.47393F, kMax = 4.026069F, kLog2E = 1.44269504F;
     static constexpr float kSeries[] = {-0.00232F, 0.1191F, 0.4298F, -6.868F, 31.96F, -40.14F, 15.5F};
     const Float exposed = fastLog(max(light, 1e-10F)) * kLog2E;
-    return polynomial(kSeries, (clamp(exposed, kLeast, kMost) - kLeast) * (1 / (kMost - kLeast)));
+    return polynomial(kSeries, (clamp(exposed, kMin, kMax) - kMin) * (1 / (kMax - kMin)));
 }
 /// x^y of 0 <= x <= 1.
 HWY_INLINE Float unitPower(Float x, float y) {

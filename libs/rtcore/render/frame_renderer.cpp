@@ -74,12 +74,12 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
                                  const RenderedPixels& to, RayStatistics& statistics) {
     // Samples of a part: enough that secondary rays share work, and few enough that all threads have some.
     // Not of the number of threads, since parts decide how sums are rounded.
-    constexpr std::size_t kLeast = 512, kMost = 8192, kParts = 16;
+    constexpr std::size_t kMin = 512, kMax = 8192, kParts = 16;
     aimSamples(view, focus_, samples_);
     prepare(view);
     const auto ofPixel = static_cast<std::size_t>(view.settings.antialiasing) *
                          static_cast<std::size_t>(view.settings.antialiasing);
-    const std::size_t samples = std::clamp(pixels.size() * ofPixel / kParts, kLeast, kMost);
+    const std::size_t samples = std::clamp(pixels.size() * ofPixel / kParts, kMin, kMax);
     const std::size_t size = std::max<std::size_t>(1, samples / ofPixel);
     const auto parts = static_cast<int>((pixels.size() + size - 1) / size);
     control.tilesDone = 0;

@@ -15,8 +15,8 @@ namespace rtcore {
 namespace {
 
 constexpr int kBitsOfMean = 25;
-constexpr std::int64_t kMostUnits = (std::int64_t{1} << (kBitsOfMean + 18)) - 1;
-static_assert(kMostUnits <= INT64_MAX / ImageSums::kMostSamples);
+constexpr std::int64_t kMaxUnits = (std::int64_t{1} << (kBitsOfMean + 18)) - 1;
+static_assert(kMaxUnits <= INT64_MAX / ImageSums::kMaxSamples);
 
 /// The least e with 2^e >= value.
 int ceilLog2(float value) {
@@ -27,7 +27,7 @@ int ceilLog2(float value) {
 
 /// Rounds to the nearest unit, halves away from 0. Exact: a double holds halves up to 2^52.
 std::int64_t toUnits(double units) {
-    constexpr auto kLimit = static_cast<double>(kMostUnits);
+    constexpr auto kLimit = static_cast<double>(kMaxUnits);
     return static_cast<std::int64_t>(std::clamp(units, -kLimit, kLimit) + (units < 0 ? -0.5 : 0.5));
 }
 
@@ -48,7 +48,7 @@ ImageSums::ImageSums(int width, int height, float meanLuminance)
     resizeLarge(samples_, pixels);
 }
 
-double ImageSums::largest() const { return static_cast<double>(kMostUnits) * unit_; }
+double ImageSums::largest() const { return static_cast<double>(kMaxUnits) * unit_; }
 
 void ImageSums::addRow(int x, int y, std::span<const Colour> samples) {
     assert(x >= 0 && y >= 0 && y < height_ && samples.size() <= static_cast<std::size_t>(width_ - x));
@@ -60,13 +60,13 @@ void ImageSums::addRow(int x, int y, std::span<const Colour> samples) {
             ++dropped;
             continue;
         }
-        assert(samples_[pixel] < kMostSamples);
+        assert(samples_[pixel] < kMaxSamples);
         const std::array<double, 3> units{sample.r * unitsPerOne_, sample.g * unitsPerOne_,
                                           sample.b * unitsPerOne_};
         bool beyond = false;
         for (std::size_t channel = 0; channel < 3; ++channel) {
             sums_[3 * pixel + channel] += toUnits(units[channel]);
-            beyond |= std::fabs(units[channel]) > static_cast<double>(kMostUnits);
+            beyond |= std::fabs(units[channel]) > static_cast<double>(kMaxUnits);
         }
         ++samples_[pixel];
         clipped += beyond ? 1 : 0;
@@ -87,9 +87,9 @@ void ImageSums::checkMerge(const ImageSums& other) const {
                         unitExponent_, other.unitExponent_));
     }
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-        if (other.samples_[i] > kMostSamples - samples_[i]) {
+        if (other.samples_[i] > kMaxSamples - samples_[i]) {
             throw std::invalid_argument(
-                fmt::format("the parts have more than {} samples of a pixel", kMostSamples));
+                fmt::format("the parts have more than {} samples of a pixel", kMaxSamples));
         }
     }
 }

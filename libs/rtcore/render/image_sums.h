@@ -20,7 +20,7 @@ namespace rtcore {
 /// Different pixels may be added to by different threads at once; nothing else may happen meanwhile.
 class ImageSums {
   public:
-    static constexpr std::uint32_t kMostSamples = std::uint32_t{1} << 20; ///< of a pixel
+    static constexpr std::uint32_t kMaxSamples = std::uint32_t{1} << 20; ///< of a pixel
 
     /// What one pixel holds.
     struct Pixel {
@@ -39,14 +39,14 @@ class ImageSums {
     int height() const { return height_; }
     double largest() const; ///< that a channel of a sample is clipped to
 
-    /// Adds a sample of the pixel (x, y), which has fewer than kMostSamples. A sample that is not finite is
+    /// Adds a sample of the pixel (x, y), which has fewer than kMaxSamples. A sample that is not finite is
     /// only counted, in dropped(). Values may be negative.
     void add(int x, int y, Colour sample) { addRow(x, y, {&sample, 1}); }
     /// Adds one sample to each of the pixels from (x, y) to the right.
     void addRow(int x, int y, std::span<const Colour> samples);
 
     /// Adds the samples of `other`, which may be this. Throws std::invalid_argument and leaves this as it was
-    /// when size or unit differ, or a pixel would get more than kMostSamples.
+    /// when size or unit differ, or a pixel would get more than kMaxSamples.
     void merge(const ImageSums& other);
 
     /// Of each pixel's samples, black where there are none: an image such as Frame::radiance, whose memory is

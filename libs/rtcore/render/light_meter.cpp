@@ -9,12 +9,12 @@ namespace rtcore {
 namespace {
 
 constexpr int kWidth = 48, kRoughWidth = 32;
-constexpr int kAntialiasing = 3;             ///< each way
-constexpr int kPathsOfPixel = 64;            ///< of a pixel
-constexpr float kLeastMatte = 0.005F;        ///< less says nothing of the light
-constexpr float kLeastMatteOfShining = 0.1F; ///< less is a light
-constexpr float kBrighter = 0.1F;            ///< of the pixels that count
-constexpr float kLeastPixels = 0.01F;        ///< of all
+constexpr int kAntialiasing = 3;           ///< each way
+constexpr int kPathsOfPixel = 64;          ///< of a pixel
+constexpr float kMinMatte = 0.005F;        ///< less says nothing of the light
+constexpr float kMinMatteOfShining = 0.1F; ///< less is a light
+constexpr float kBrighter = 0.1F;          ///< of the pixels that count
+constexpr float kMinPixels = 0.01F;        ///< of all
 
 RenderSettings smallSettings(const RenderSettings& whole, int width) {
     RenderSettings small = whole;
@@ -70,16 +70,16 @@ std::optional<float> LightMeter::whiteOf(const View& small, RenderControl& contr
 
 std::optional<float> LightMeter::whiteOn(Metered what) {
     const bool shining = what == Metered::Shining;
-    const float least = shining ? kLeastMatteOfShining : kLeastMatte;
+    const float min = shining ? kMinMatteOfShining : kMinMatte;
     const std::vector<AovPixel>& surfaces = surfaces_.aovs.pixels();
     whites_.clear();
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        if ((surfaces[i].shining > 0) != shining || !(surfaces[i].matte > least)) continue;
+        if ((surfaces[i].shining > 0) != shining || !(surfaces[i].matte > min)) continue;
         const float white = luminance(frame_.radiance.pixels[i]) / surfaces[i].matte;
         if (std::isfinite(white)) whites_.push_back(white);
     }
     const auto count = static_cast<float>(whites_.size());
-    if (count < kLeastPixels * static_cast<float>(surfaces.size())) return std::nullopt;
+    if (count < kMinPixels * static_cast<float>(surfaces.size())) return std::nullopt;
     const auto at = whites_.begin() + static_cast<std::ptrdiff_t>((1 - kBrighter) * (count - 1));
     std::nth_element(whites_.begin(), at, whites_.end());
     if (!(*at > 0)) return std::nullopt;

@@ -55,8 +55,8 @@ std::vector<ImageRemark> PathImages::remarks() const {
         {fmt::format("paths are lit by {} lights, {} emissive triangles{}", lights.lights().size(),
                      lights.emitters().size(), lights.surroundings().empty() ? "" : ", and the surroundings"),
          true, true});
-    for (std::size_t i = 0; i < lights.dark().size(); ++i) {
-        if (lights.dark()[i] == 0) continue;
+    for (std::size_t i = 0; i < lights.emitsNoLight().size(); ++i) {
+        if (lights.emitsNoLight()[i] == 0) continue;
         remarks.push_back(
             {fmt::format("material {} is seen to emit light, but lights nothing", i), true, true});
     }

@@ -35,11 +35,11 @@ struct Cut {
 /// Squares whose samples fill one wave, but enough of them for all threads. Many samples of few pixels are
 /// better than few of many: what is near takes the same way.
 Cut cutOf(int width, int height, std::uint32_t samples, int threads) {
-    constexpr int kMostSide = 256, kLeastSide = 16, kTasksOfThread = 8;
-    const std::uint32_t most = std::clamp(samples, 1U, 256U);
-    Cut cut{width, height, kMostSide, 1};
+    constexpr int kMaxSide = 256, kMinSide = 16, kTasksOfThread = 8;
+    const std::uint32_t max = std::clamp(samples, 1U, 256U);
+    Cut cut{width, height, kMaxSide, 1};
     const auto pathsOf = [&] { return static_cast<std::uint32_t>(cut.side * cut.side); };
-    while (cut.side > kLeastSide && (pathsOf() * most > kPaths || cut.count() < kTasksOfThread * threads))
+    while (cut.side > kMinSide && (pathsOf() * max > kPaths || cut.count() < kTasksOfThread * threads))
         cut.side /= 2;
     cut.samples = kPaths / pathsOf();
     return cut;
@@ -52,14 +52,14 @@ std::uint64_t pixelsOf(const RenderSettings& settings) {
 /// The mean, in which none counts more than 4096 times what a quarter of the lit ones stay below: numbers
 /// that are far too large must not make the unit so large that nothing is left of the rest.
 double usualMean(std::vector<double>& values) {
-    constexpr double kMostTimes = 4096;
+    constexpr double kMaxTimes = 4096;
     const auto count = static_cast<double>(values.size());
     std::erase_if(values, [](double value) { return !(value > 0); });
     if (values.empty()) return 0;
     std::ranges::sort(values);
-    const double most = kMostTimes * values[values.size() / 4];
+    const double max = kMaxTimes * values[values.size() / 4];
     double sum = 0;
-    for (const double value : values) sum += std::min(value, most);
+    for (const double value : values) sum += std::min(value, max);
     return sum / count;
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 constexpr int kCoarsest = 8;
 /// Of the time of the image itself, for the passes before it.
-constexpr double kShare = 0.095;
+constexpr double kFraction = 0.095;
 
 /// About the time for each pixel, in that of an image with one sample per pixel. Rays that are further apart
 /// share less of their way, and each image is shown; measured on the inside of a church.
@@ -34,7 +34,7 @@ RefinementPass finer(const RefinementPass& pass) {
 
 std::vector<RefinementPass> planRefinement(const RenderSettings& settings) {
     const RefinementPass picture{1, settings.antialiasing};
-    double left = kShare * cost(picture);
+    double left = kFraction * cost(picture);
     std::vector<RefinementPass> plan;
     for (RefinementPass pass{kCoarsest, 1}; plan.empty() || cost(pass) <= left; pass = finer(pass)) {
         left -= cost(pass);

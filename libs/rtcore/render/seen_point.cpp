@@ -5,9 +5,9 @@ namespace rtcore {
 namespace {
 
 /// Mirrored light does not count below this fraction of all.
-constexpr float kLeastMirrored = 0.02F;
+constexpr float kMinMirrored = 0.02F;
 
-float partOf(float own, float all) { return own < all ? own / all : 1; }
+float partOf(float surface, float all) { return surface < all ? surface / all : 1; }
 
 } // namespace
 
@@ -16,10 +16,11 @@ SeenPoint::SeenPoint(const PrimaryHit& hit, Colour radiance) {
     any = true;
     position = hit.position;
     normal = hit.normal;
-    if (hit.mirrored < kLeastMirrored) return;
-    mirroredLength = hit.mirroredLength;
+    if (hit.mirrored < kMinMirrored) return;
+    specularDistance = hit.specularDistance;
     tint = hit.tint;
-    ownPart = {partOf(hit.own.r, radiance.r), partOf(hit.own.g, radiance.g), partOf(hit.own.b, radiance.b)};
+    surfaceFraction = {partOf(hit.surfaceLight.r, radiance.r), partOf(hit.surfaceLight.g, radiance.g),
+                       partOf(hit.surfaceLight.b, radiance.b)};
 }
 
 } // namespace rtcore

@@ -10,11 +10,11 @@ namespace rtcore {
 /// Of one of its samples, near its middle.
 struct SeenPoint {
     Vec3 position;
-    Vec3 normal;              ///< PrimaryHit::normal
-    Colour ownPart = kWhite;  ///< 0..1: the fraction of the radiance that is PrimaryHit::own
-    Colour tint;              ///< PrimaryHit::tint, where something is mirrored
-    float mirroredLength = 0; ///< PrimaryHit::mirroredLength; 0 also where next to nothing is mirrored
-    bool any = false;         ///< false: the sample saw the background
+    Vec3 normal;                     ///< PrimaryHit::normal
+    Colour surfaceFraction = kWhite; ///< 0..1: the fraction of the radiance that is PrimaryHit::surfaceLight
+    Colour tint;                     ///< PrimaryHit::tint, where something is mirrored
+    float specularDistance = 0; ///< PrimaryHit::specularDistance; 0 also where next to nothing is mirrored
+    bool any = false;           ///< false: the sample saw the background
 
     SeenPoint() = default;
     /// `radiance` of the sample.

@@ -12,7 +12,7 @@ namespace {
 
 /// Samples in a row of a tile.
 constexpr int kSamples = 64;
-constexpr int kMostSamples = 2 * kSamples; ///< where they are not all taken at once
+constexpr int kMaxSamples = 2 * kSamples; ///< where they are not all taken at once
 
 /// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
 /// height, and the number of its first ray.
@@ -47,8 +47,8 @@ void copyPart(const float* block, int width, int height, float* to) {
 
 /// The pixel of each column of samples, or row, and its part in their number.
 struct SampleAxis {
-    std::array<std::uint16_t, kMostSamples> pixel;
-    std::array<std::uint32_t, kMostSamples> sub;
+    std::array<std::uint16_t, kMaxSamples> pixel;
+    std::array<std::uint32_t, kMaxSamples> sub;
 
     void fill(int first, int pixels, int n, int step) {
         std::size_t at = 0;
@@ -81,7 +81,7 @@ TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
     // all threads.
     constexpr std::int64_t kManyPixels = 1 << 18;
     const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
-    const int samples = samplesAdaptively(settings) ? kMostSamples : kSamples;
+    const int samples = samplesAdaptively(settings) ? kMaxSamples : kSamples;
     side_ = settings.antialiasing == 1 ? (large ? kSamples : kSamples / 2)
                                        : std::max(4, samples / settings.antialiasing);
     columns_ = (width_ + side_ - 1) / side_;

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 /// An index whose weight is above 0, of a table that is not empty. `bits`: 32 random ones; a float has too
 /// few for large tables.
 template <typename F>
-HWY_INLINE UintOf<F> drawIndex(const AliasRows& rows, UintOf<F> bits) {
+HWY_INLINE UintOf<F> sampleIndex(const AliasRows& rows, UintOf<F> bits) {
     const UintOf<F> row = bits >> rows.shift;
     const UintOf<F> rest = bits & UintOf<F>((1U << rows.shift) - 1);
     const UintOf<F> threshold = gather(rows.threshold, toInt(row));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kAllBits = std::uint64_t{1} << 32U;
 
-bool drawable(std::span<const double> weights) {
+bool canBeSampled(std::span<const double> weights) {
     const auto fits = [](double w) { return std::isfinite(w) && w >= 0; };
     return std::all_of(weights.begin(), weights.end(), fits) &&
            std::any_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
@@ -20,11 +20,11 @@ bool drawable(std::span<const double> weights) {
 /// How many of all 2^32 numbers are to draw each of `rows` indices: 1 for each weight above 0, the rest in
 /// proportion. They add up to 2^32.
 std::vector<std::uint64_t> countsOf(std::span<const double> weights, std::size_t rows) {
-    const double most = *std::max_element(weights.begin(), weights.end()); // against overflow of the sum
+    const double max = *std::max_element(weights.begin(), weights.end()); // against overflow of the sum
     double total = 0;
     std::uint64_t positive = 0;
     for (const double w : weights) {
-        total += w / most;
+        total += w / max;
         positive += w > 0 ? 1 : 0;
     }
     const auto toDivide = static_cast<double>(kAllBits - positive);
@@ -32,7 +32,7 @@ std::vector<std::uint64_t> countsOf(std::span<const double> weights, std::size_t
     double sum = 0;
     std::uint64_t divided = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        sum += weights[i] / most;
+        sum += weights[i] / max;
         const auto now = static_cast<std::uint64_t>(sum / total * toDivide);
         if (weights[i] > 0) counts[i] = now - divided + 1;
         divided = now;
@@ -44,7 +44,7 @@ std::vector<std::uint64_t> countsOf(std::span<const double> weights, std::size_t
 
 AliasTable::AliasTable(std::span<const double> weights) {
     assert(weights.size() <= std::size_t{1} << 24U);
-    if (!drawable(weights)) return;
+    if (!canBeSampled(weights)) return;
     const std::size_t rows = std::bit_ceil(std::max<std::size_t>(weights.size(), 2));
     shift_ = 32 - std::countr_zero(rows);
     std::vector<std::uint64_t> counts = countsOf(weights, rows);

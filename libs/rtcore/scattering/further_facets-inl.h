@@ -23,7 +23,7 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 /// Factors that stand for what a lobe lacks divide by no less.
-inline constexpr float kLeastAlbedo = 1e-3F;
+inline constexpr float kMinAlbedo = 1e-3F;
 
 /// What facets of Schlick's reflectance F0 send on after the first one, to one viewer.
 template <typename F>
@@ -81,7 +81,7 @@ HWY_INLINE FurtherFacets<F> furtherFacets(const GgxAlbedo<F>& albedo, F roughnes
     const F wide4 = 1.0F - straight - straightByBase - (grazing + grazingByBase) * albedo.grazing -
                     (wide1 + wide2 + wide3);
     const F lost = max(1.0F - albedo.straight - albedo.grazing, F(0));
-    const F ofStraight = lost / max(albedo.straight, F(kLeastAlbedo));
+    const F ofStraight = lost / max(albedo.straight, F(kMinAlbedo));
     return {ofStraight * straight,
             ofStraight * straightByBase,
             lost * grazing,

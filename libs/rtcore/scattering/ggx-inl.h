@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
 /// `roughness`: 0..1.
 template <typename F>
 HWY_INLINE F ggxAlpha(F roughness) {
-    return max(roughness * roughness, F(kLeastAlpha));
+    return max(roughness * roughness, F(kMinAlpha));
 }
 
 /// Alpha of a lobe no narrower than the stratum of the light that is looked at, as widenLobe() has it for
@@ -31,14 +31,14 @@ HWY_INLINE F widenedAlpha(F alpha, F spread) {
     return min(sqrt(alpha * alpha + 0.5F * spread), F(1));
 }
 
-/// The viewer's direction, brought to kLeastViewerCosine where it is below: what the functions here are to be
+/// The viewer's direction, brought to kMinViewerCosine where it is below: what the functions here are to be
 /// given.
 template <typename F>
 HWY_INLINE Vec3Of<F> liftedViewer(Vec3Of<F> toViewer, Vec3Of<F> normal) {
     const F cosine = dot(toViewer, normal);
-    const auto low = cosine < kLeastViewerCosine;
+    const auto low = cosine < kMinViewerCosine;
     if (none(low)) return toViewer;
-    const Vec3Of<F> lifted = toViewer + normal * (kLeastViewerCosine - cosine);
+    const Vec3Of<F> lifted = toViewer + normal * (kMinViewerCosine - cosine);
     return select(low, lifted / sqrt(dot(lifted, lifted)), toViewer);
 }
 
@@ -64,7 +64,7 @@ HWY_INLINE F smithRoot(F cosine, F alpha) {
 template <typename F>
 struct GgxScattering {
     F lobe;          ///< f_r of a perfect mirror's facets: D G2 / 4 cos i cos o
-    F density;       ///< by solid angle, of drawGgx(): D G1 / 4 cos o
+    F density;       ///< by solid angle, of sampleGgx(): D G1 / 4 cos o
     F fresnelCosine; ///< of light and viewer with the facets that mirror one to the other
 };
 
@@ -85,7 +85,7 @@ HWY_INLINE GgxScattering<F> scatterGgx(Vec3Of<F> normal, Vec3Of<F> toViewer, Vec
 /// The normal of a microfacet that the viewer sees (Heitz 2018, "Sampling the GGX Distribution of Visible
 /// Normals").
 template <typename F>
-HWY_INLINE Vec3Of<F> drawFacet(Vec3Of<F> normal, Vec3Of<F> toViewer, F alpha, SquarePointOf<F> point) {
+HWY_INLINE Vec3Of<F> sampleFacet(Vec3Of<F> normal, Vec3Of<F> toViewer, F alpha, SquarePointOf<F> point) {
     // The facets of a hemisphere: the surface stretched to alpha = 1.
     const auto basis = basisAround(normal);
     Vec3Of<F> viewer{alpha * dot(toViewer, basis.tangent), alpha * dot(toViewer, basis.bitangent),
@@ -114,8 +114,8 @@ HWY_INLINE Vec3Of<F> drawFacet(Vec3Of<F> normal, Vec3Of<F> toViewer, F alpha, Sq
 /// A direction of light that the lobe sends to the viewer, of unit length; with rough surfaces it may be
 /// below them, where nothing is scattered.
 template <typename F>
-HWY_INLINE Vec3Of<F> drawGgx(Vec3Of<F> normal, Vec3Of<F> toViewer, F alpha, SquarePointOf<F> point) {
-    const Vec3Of<F> facet = drawFacet<F>(normal, toViewer, alpha, point);
+HWY_INLINE Vec3Of<F> sampleGgx(Vec3Of<F> normal, Vec3Of<F> toViewer, F alpha, SquarePointOf<F> point) {
+    const Vec3Of<F> facet = sampleFacet<F>(normal, toViewer, alpha, point);
     return facet * (2.0F * dot(toViewer, facet)) - toViewer;
 }
 

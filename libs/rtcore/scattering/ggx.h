@@ -5,9 +5,9 @@
 namespace rtcore {
 
 /// Of alpha, the square of the roughness: below, a surface is a mirror, and single precision ends.
-inline constexpr float kLeastAlpha = 1e-3F;
+inline constexpr float kMinAlpha = 1e-3F;
 
 /// Of the viewer with the normal; lower ones, which smooth normals bring about, are lifted.
-inline constexpr float kLeastViewerCosine = 1e-3F;
+inline constexpr float kMinViewerCosine = 1e-3F;
 
 } // namespace rtcore

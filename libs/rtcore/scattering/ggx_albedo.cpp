@@ -41,7 +41,7 @@ struct Albedo {
     double straight = 0, grazing = 0;
 };
 
-/// The mean of G2 / G1 over the facets that the viewer sees, those of drawFacet() in ggx-inl.h.
+/// The mean of G2 / G1 over the facets that the viewer sees, those of sampleFacet() in ggx-inl.h.
 Albedo albedoOf(double cosine, double alpha, const std::array<DiscPoint, kDiscPoints>& points) {
     const double square = alpha * alpha;
     const auto root = [&](double c) { return std::sqrt(square + (1 - square) * c * c); };
@@ -95,7 +95,7 @@ GgxAlbedoTable madeTable() {
     GgxAlbedoTable table;
     for (int row = 0; row < kGgxAlbedoSide; ++row) {
         const double roughness = static_cast<double>(row) / (kGgxAlbedoSide - 1);
-        const double alpha = std::max(roughness * roughness, static_cast<double>(kLeastAlpha));
+        const double alpha = std::max(roughness * roughness, static_cast<double>(kMinAlpha));
         for (int column = 0; column < kGgxAlbedoSide; ++column) {
             const double root = static_cast<double>(column) / (kGgxAlbedoSide - 1);
             const Albedo albedo = albedoOf(root * root, alpha, points);

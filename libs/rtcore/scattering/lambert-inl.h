@@ -26,7 +26,7 @@ struct Scattering {
 /// f_r of an albedo of 1.
 inline constexpr float kLambertLobe = 1 / kPi;
 
-/// Density of drawLambert() by solid angle. `cosine`: that of the direction with the normal.
+/// Density of sampleLambert() by solid angle. `cosine`: that of the direction with the normal.
 template <typename F>
 HWY_INLINE F lambertDensity(F cosine) {
     return max(cosine, F(0)) * kLambertLobe;
@@ -34,10 +34,10 @@ HWY_INLINE F lambertDensity(F cosine) {
 
 /// A direction of unit length, above the surface, by Malley's method.
 template <typename F>
-HWY_INLINE Vec3Of<F> drawLambert(Vec3Of<F> normal, SquarePointOf<F> point) {
+HWY_INLINE Vec3Of<F> sampleLambert(Vec3Of<F> normal, SquarePointOf<F> point) {
     const auto disc = onDisc<F>(point.u, point.v);
-    constexpr float kLeastSquaredCosine = 1e-12F;
-    const F height = sqrt(max(1.0F - disc.x * disc.x - disc.y * disc.y, F(kLeastSquaredCosine)));
+    constexpr float kMinSquaredCosine = 1e-12F;
+    const F height = sqrt(max(1.0F - disc.x * disc.x - disc.y * disc.y, F(kMinSquaredCosine)));
     const auto basis = basisAround(normal);
     return basis.tangent * disc.x + basis.bitangent * disc.y + normal * height;
 }

@@ -44,7 +44,7 @@ HWY_INLINE F factorOfFurtherFacets(const GgxAlbedo<F>& albedo, F reflectance) {
     const F rest = 1.0F - albedo.straight - albedo.grazing;
     const F further = reflectance + (1.0F - reflectance) * (1.0F / 21.0F);
     const F leaving = further * further * albedo.mean / (1.0F - further * (1.0F - albedo.mean));
-    return 1.0F + rest * leaving / max(once, F(kLeastAlbedo));
+    return 1.0F + rest * leaving / max(once, F(kMinAlbedo));
 }
 template <typename F>
 HWY_INLINE Vec3Of<F> factorOfFurtherFacets(const GgxAlbedo<F>& albedo, Vec3Of<F> reflectance) {
@@ -97,7 +97,7 @@ HWY_INLINE Vec3Of<F> glossFactor(Vec3Of<F> straight, Vec3Of<F> grazing, F cosine
     return straight + (grazing - straight) * (x * x * x * x * x);
 }
 
-/// The probability that drawMetallic() follows the GGX lobe: its part of all that is scattered.
+/// The probability that sampleMetallic() follows the GGX lobe: its part of all that is scattered.
 template <typename F>
 HWY_INLINE F glossProbability(const MetallicLobes<F>& lobes) {
     const F gloss = luminance<F>(lobes.glossAlbedo);
@@ -109,7 +109,7 @@ HWY_INLINE F glossProbability(const MetallicLobes<F>& lobes) {
 template <typename F>
 struct MetallicTerms {
     Vec3Of<F> gloss; ///< f_r of the GGX lobe
-    F glossDensity;  ///< of drawGgx()
+    F glossDensity;  ///< of sampleGgx()
     F wide;          ///< furtherFactor()
 };
 /// `toViewer` as liftedViewer() gives it, that of the lobes; `glossLeft`: a factor on the GGX lobe.
@@ -134,7 +134,7 @@ HWY_INLINE Vec3Of<F> metallicReflectance(const MetallicLobes<F>& lobes, const Me
                                          Vec3Of<F> diffuse) {
     return diffuse + (terms.gloss + lobes.further * (terms.wide * kLambertLobe));
 }
-/// The density of drawMetallic() by solid angle. `cosine`: of the light with the normal.
+/// The density of sampleMetallic() by solid angle. `cosine`: of the light with the normal.
 template <typename F>
 HWY_INLINE F metallicDensity(const MetallicLobes<F>& lobes, const MetallicTerms<F>& terms, F cosine) {
     const F probability = glossProbability<F>(lobes);
@@ -154,13 +154,13 @@ HWY_INLINE Scattering<F> scatterMetallic(const MetallicLobes<F>& lobes, Vec3Of<F
 
 /// A direction of unit length with the density of scatterMetallic(). `lobe`: a random number in 0..1.
 template <typename F>
-HWY_INLINE Vec3Of<F> drawMetallic(const MetallicLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer, F lobe,
-                                  SquarePointOf<F> point) {
+HWY_INLINE Vec3Of<F> sampleMetallic(const MetallicLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
+                                    F lobe, SquarePointOf<F> point) {
     const auto glossy = lobe < glossProbability<F>(lobes);
-    if (none(glossy)) return drawLambert<F>(normal, point);
-    const Vec3Of<F> reflected = drawGgx<F>(normal, toViewer, lobes.alpha, point);
+    if (none(glossy)) return sampleLambert<F>(normal, point);
+    const Vec3Of<F> reflected = sampleGgx<F>(normal, toViewer, lobes.alpha, point);
     if (all(glossy)) return reflected;
-    return select(glossy, reflected, drawLambert<F>(normal, point));
+    return select(glossy, reflected, sampleLambert<F>(normal, point));
 }
 
 } // namespace HWY_NAMESPACE

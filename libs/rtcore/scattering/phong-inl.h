@@ -24,7 +24,7 @@ HWY_INLINE F phongLobe(F cosine, F shininess, F scale) {
     return scale * pow(cosine, shininess);
 }
 
-/// What times cos^n is the density of drawPhong() by solid angle. The cosine is that of phongLobe(), > 0.
+/// What times cos^n is the density of samplePhong() by solid angle. The cosine is that of phongLobe(), > 0.
 template <typename F>
 HWY_INLINE F phongDensityScale(F shininess) {
     return (shininess + 1.0F) * (0.5F / kPi);
@@ -32,7 +32,7 @@ HWY_INLINE F phongDensityScale(F shininess) {
 
 /// A direction about `mirrored`, both of unit length, with the density (n + 1) / 2 pi cos^n.
 template <typename F>
-HWY_INLINE Vec3Of<F> drawPhong(Vec3Of<F> mirrored, F shininess, SquarePointOf<F> point) {
+HWY_INLINE Vec3Of<F> samplePhong(Vec3Of<F> mirrored, F shininess, SquarePointOf<F> point) {
     const F cosine = min(pow(1.0F - point.u, 1.0F / (shininess + 1.0F)), F(1));
     const F sine = sqrt(1.0F - cosine * cosine);
     return mirrored * cosine + aroundAxis<F>(mirrored, unitCircle<F>(point.v)) * sine;
@@ -52,7 +52,7 @@ HWY_INLINE void widenLobe(F spread, F& shininess, F& scale) {
 /// and viewer with the normal.
 template <typename F>
 HWY_INLINE F roughLobe(F toLight, F toViewer, F scale) {
-    return scale / max(toLight + max(toViewer, F(0)), F(kLeastCosines));
+    return scale / max(toLight + max(toViewer, F(0)), F(kMinCosines));
 }
 
 /// Smooth normals show a hard edge where the triangles turn away from the light. This factor on the

@@ -7,9 +7,9 @@ namespace rtcore {
 
 /// Below this exponent cos^n ends in a step, at right angles to the mirrored light: a fraction 1 - n of the
 /// glossy light is then scattered by the rough lobe, the rest by the lobe of this exponent.
-inline constexpr float kLeastShininess = 1;
+inline constexpr float kMinShininess = 1;
 
 /// Keeps the rough lobe finite where light and viewer graze the surface.
-inline constexpr float kLeastCosines = 1e-18F;
+inline constexpr float kMinCosines = 1e-18F;
 
 } // namespace rtcore

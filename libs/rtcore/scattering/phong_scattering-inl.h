@@ -19,13 +19,13 @@ template <typename F>
 struct PhongLobes {
     Vec3Of<F> diffuseBrdf; ///< albedo / pi
     Vec3Of<F> specular;
-    F shininess;  ///< at least kLeastShininess
+    F shininess;  ///< at least kMinShininess
     F lobeScale;  ///< (n + 2) / 2 pi times the Phong lobe's fraction of `specular`
     F roughScale; ///< 1 / 2 pi times the rough lobe's
 };
 
-/// The probability that drawPhongScattering() follows the Phong lobe: near its part of all that is scattered
-/// to a viewer with this cosine. The rough lobe is drawn as the diffuse one is.
+/// The probability that samplePhongScattering() follows the Phong lobe: near its part of all that is
+/// scattered to a viewer with this cosine. The rough lobe is drawn as the diffuse one is.
 template <typename F>
 HWY_INLINE F phongProbability(const PhongLobes<F>& lobes, F cosine) {
     const F c = clamp(cosine, 0.0F, 1.0F), rest = 1.0F - c;
@@ -37,7 +37,7 @@ HWY_INLINE F phongProbability(const PhongLobes<F>& lobes, F cosine) {
     return selectOrZero(all > 0.0F, gloss / all);
 }
 
-/// The sum of the lobes' formulas for a point light, and the density of drawPhongScattering().
+/// The sum of the lobes' formulas for a point light, and the density of samplePhongScattering().
 template <typename F>
 HWY_INLINE Scattering<F> scatterPhong(const PhongLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
                                       Vec3Of<F> toLight) {
@@ -63,15 +63,15 @@ HWY_INLINE Scattering<F> scatterPhong(const PhongLobes<F>& lobes, Vec3Of<F> norm
 /// A direction of unit length with the density of scatterPhong(); it may be below the surface, where nothing
 /// is scattered. `lobe`: a random number in 0..1.
 template <typename F>
-HWY_INLINE Vec3Of<F> drawPhongScattering(const PhongLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
-                                         F lobe, SquarePointOf<F> point) {
+HWY_INLINE Vec3Of<F> samplePhongScattering(const PhongLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
+                                           F lobe, SquarePointOf<F> point) {
     const F cosine = dot(normal, toViewer);
     const auto glossy = lobe < phongProbability<F>(lobes, cosine);
-    if (none(glossy)) return drawLambert<F>(normal, point);
+    if (none(glossy)) return sampleLambert<F>(normal, point);
     const Vec3Of<F> mirrored = normal * (2.0F * cosine) - toViewer;
-    const Vec3Of<F> reflected = drawPhong<F>(mirrored, lobes.shininess, point);
+    const Vec3Of<F> reflected = samplePhong<F>(mirrored, lobes.shininess, point);
     if (all(glossy)) return reflected;
-    return select(glossy, reflected, drawLambert<F>(normal, point));
+    return select(glossy, reflected, sampleLambert<F>(normal, point));
 }
 
 } // namespace HWY_NAMESPACE

@@ -158,8 +158,7 @@ Colour sample(const HdrImage& padded, float u, float v, TexelFilter filter) {
 struct Cells {
     int texels, count;
 
-    Cells(int size, int least)
-        : texels(size), count(size >= least ? least : size * ((least + size - 1) / size)) {}
+    Cells(int size, int min) : texels(size), count(size >= min ? min : size * ((min + size - 1) / size)) {}
     bool finer() const { return count > texels; }
     /// The first texel of a cell that is not finer.
     int first(int i) const { return static_cast<int>(std::int64_t{i} * texels / count); }

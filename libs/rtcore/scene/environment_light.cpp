@@ -17,10 +17,10 @@ constexpr std::size_t kTexels = std::size_t{kSide} * kSide;
 constexpr int kSteps = 32;
 constexpr int kStride = kSteps + 1;
 /// Times the mean luminance: brighter texels are spread.
-constexpr double kMost = 4;
+constexpr double kMax = 4;
 /// Half-angles of the cones, in degrees, one after another while there are such texels.
 constexpr double kCones[] = {5, 10, 20, 40, 80};
-constexpr float kMostCorrection = 2;
+constexpr float kMaxCorrection = 2;
 
 /// Light from a part of all directions, in double so that nothing depends on how it is added up.
 struct Energy {
@@ -109,13 +109,13 @@ std::vector<Texel> gather(std::span<const EnvironmentCell> cells, const std::vec
     return texels;
 }
 
-/// Spreads what exceeds `most` (luminance) in each texel over the cone around it.
+/// Spreads what exceeds `max` (luminance) in each texel over the cone around it.
 void spread(std::vector<Energy>& energies, const std::vector<double>& angles,
-            const std::vector<Vec3d>& directions, double most, double cosine) {
+            const std::vector<Vec3d>& directions, double max, double cosine) {
     std::vector<Energy> added(kTexels);
     std::vector<double> weights(kTexels);
     for (std::size_t i = 0; i < kTexels; ++i) {
-        const double luminance = energies[i].luminance(), allowed = most * angles[i];
+        const double luminance = energies[i].luminance(), allowed = max * angles[i];
         if (!(luminance > allowed)) continue;
         double sum = 0;
         for (std::size_t k = 0; k < kTexels; ++k) {
@@ -139,10 +139,10 @@ std::vector<Energy> spreadBrightSpots(const std::vector<Texel>& texels, const st
         energies.push_back(texel.energy);
         sum += texel.energy.luminance();
     }
-    const double most = kMost * sum / (4 * static_cast<double>(kPi));
+    const double max = kMax * sum / (4 * static_cast<double>(kPi));
     for (const double cone : kCones) {
         const float radians = static_cast<float>(cone) * kPi / 180;
-        spread(energies, angles, directions, most, static_cast<double>(portableCos(radians)));
+        spread(energies, angles, directions, max, static_cast<double>(portableCos(radians)));
     }
     return energies;
 }
@@ -165,7 +165,7 @@ std::vector<Colour> openOf(const std::vector<Energy>& energies, const std::vecto
     return open;
 }
 
-float ratio(float a, float b) { return b > 0 ? std::min(a / b, kMostCorrection) : 0; }
+float ratio(float a, float b) { return b > 0 ? std::min(a / b, kMaxCorrection) : 0; }
 
 } // namespace
 

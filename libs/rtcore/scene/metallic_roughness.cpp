@@ -8,7 +8,7 @@ namespace rtcore {
 namespace {
 
 constexpr Colour kDielectric{kDielectricReflectance, kDielectricReflectance, kDielectricReflectance};
-constexpr float kLeastRoughness = 0.01F;
+constexpr float kMinRoughness = 0.01F;
 
 } // namespace
 
@@ -29,7 +29,7 @@ void setPhong(Material& m, const TextureMeans& means) {
     const bool textured = m.metallicRoughnessTexture != kNoTexture;
     const float roughness = m.roughness * (textured ? means.roughness : 1);
     const float metallic = m.metallic * (textured ? means.metallic : 1);
-    const float alpha = std::max(roughness, kLeastRoughness) * std::max(roughness, kLeastRoughness);
+    const float alpha = std::max(roughness, kMinRoughness) * std::max(roughness, kMinRoughness);
     m.specular = m.specular * (1 - metallic) + m.diffuse * means.diffuse * metallic;
     m.diffuse = m.diffuse * (1 - metallic);
     m.shininess = std::clamp((2 / (alpha * alpha) - 2) / 4, 0.0F, 100000.0F);

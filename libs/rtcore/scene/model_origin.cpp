@@ -11,12 +11,12 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kMostWords = 1500;
+constexpr std::size_t kMaxWords = 1500;
 
 std::string oneLine(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
-    return text.substr(0, kMostWords);
+    return text.substr(0, kMaxWords);
 }
 
 std::optional<double> positive(std::string_view text) {

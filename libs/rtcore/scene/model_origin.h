@@ -18,9 +18,9 @@ struct ModelOrigin {
     friend bool operator==(const ModelOrigin&, const ModelOrigin&) = default;
 };
 
-inline constexpr std::size_t kMostOriginBytes = 4096;
+inline constexpr std::size_t kMaxOriginBytes = 4096;
 
-/// Lines "name value", each ended by a line feed, at most kMostOriginBytes; what is not printable becomes
+/// Lines "name value", each ended by a line feed, at most kMaxOriginBytes; what is not printable becomes
 /// '?'.
 std::string writeOrigin(const ModelOrigin& origin);
 /// Takes one such line; false, and nothing changed, when it is none.

@@ -9,7 +9,7 @@ namespace rtcore {
 
 namespace {
 
-int leastFree(const std::set<int>& taken, int from) {
+int lowestFree(const std::set<int>& taken, int from) {
     int id = from;
     while (taken.contains(id)) ++id;
     return id;
@@ -39,7 +39,7 @@ void numberLights(Scene& scene) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         int& id = scene.lights[i].notes.id;
         if (id > 0) continue;
-        id = leastFree(taken, static_cast<int>(i) + 1);
+        id = lowestFree(taken, static_cast<int>(i) + 1);
         taken.insert(id);
     }
 }
@@ -58,7 +58,7 @@ void eraseLight(Scene& scene, std::size_t light) {
 int nextLightId(const Scene& scene) {
     const std::set<int> taken = idsOf(scene);
     const int last = std::max(taken.empty() ? 0 : *taken.rbegin(), scene.removedLightId);
-    return last < kMostLightId ? last + 1 : leastFree(taken, 1);
+    return last < kMaxLightId ? last + 1 : lowestFree(taken, 1);
 }
 
 } // namespace rtcore

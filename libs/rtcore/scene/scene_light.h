@@ -15,11 +15,11 @@ namespace rtcore {
 
 struct Scene;
 
-inline constexpr int kMostLightId = 1'000'000'000;
+inline constexpr int kMaxLightId = 1'000'000'000;
 
 /// Which light it is, and how its colour came about.
 struct LightNotes {
-    int id = 0;            ///< 1..kMostLightId, unique in the scene: it stays while others come and go
+    int id = 0;            ///< 1..kMaxLightId, unique in the scene: it stays while others come and go
     float temperature = 0; ///< kelvin, that of the light's colour; 0: it has a colour of its own
     Colour untinted = {};  ///< with a temperature: Light::intensity before that, which is the product of both
     friend bool operator==(const LightNotes&, const LightNotes&) = default;

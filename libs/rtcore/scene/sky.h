@@ -20,7 +20,7 @@ struct SunDate {
 };
 
 /// Below it the model of the sky has no meaning; above it there is no clear sky.
-inline constexpr double kLeastTurbidity = 2, kMostTurbidity = 10;
+inline constexpr double kMinTurbidity = 2, kMaxTurbidity = 10;
 
 struct Sky {
     std::optional<SunDate> date = SunDate{}; ///< absent: the sun stands where `direction` points to

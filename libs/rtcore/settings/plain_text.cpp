@@ -69,9 +69,9 @@ std::string printable(std::string_view text, std::size_t limit) {
 
 std::string inQuotes(std::string_view text) { return "'" + printable(text, kLongestQuoted) + "'"; }
 
-std::string withoutControls(std::string_view text, std::size_t most) {
+std::string withoutControls(std::string_view text, std::size_t max) {
     std::string result;
-    for (std::size_t count = 0; !text.empty() && count < most;) {
+    for (std::size_t count = 0; !text.empty() && count < max;) {
         bool isText = false;
         const std::string_view character = takeCharacter(text, isText);
         if (!isText) continue;

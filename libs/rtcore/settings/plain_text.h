@@ -19,7 +19,7 @@ std::optional<unsigned> controlCode(std::string_view character);
 std::string printable(std::string_view text, std::size_t limit = std::string_view::npos);
 /// The same for a name, in single quotes; 64 bytes at most.
 std::string inQuotes(std::string_view text);
-/// The same with what is no text left out, and cut to `most` characters.
-std::string withoutControls(std::string_view text, std::size_t most);
+/// The same with what is no text left out, and cut to `max` characters.
+std::string withoutControls(std::string_view text, std::size_t max);
 
 } // namespace rtcore

@@ -392,9 +392,9 @@ std::string textOf(double limit) { return settingText(static_cast<float>(limit))
 
 /// What a number may be.
 std::string rangeWith(const Setting& setting, std::string_view unit) {
-    const std::string least = textOf(setting.minimum);
+    const std::string min = textOf(setting.minimum);
     std::string range =
-        setting.maximum >= kUnlimited ? "at least " + least : least + " to " + textOf(setting.maximum);
+        setting.maximum >= kUnlimited ? "at least " + min : min + " to " + textOf(setting.maximum);
     if (!unit.empty()) range.append(" ").append(unit);
     return setting.zero.empty() ? range : range.append(", or ").append(setting.zero);
 }

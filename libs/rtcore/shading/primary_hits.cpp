@@ -50,9 +50,9 @@ float meanCurvature(const Mesh& mesh, std::uint32_t triangle, Vec3 normal) {
 
 /// How far behind a mirror of such curvature what is `distance` before it seems to be. (The mirror equation)
 float imageDistance(float distance, float curvature) {
-    constexpr float kLeast = 0.25F; // of a concave one: images come near the viewer, and turn over
+    constexpr float kMin = 0.25F; // of a concave one: images come near the viewer, and turn over
     const float inverse = 1 / distance + 2 * curvature;
-    return inverse >= kLeast / distance ? 1 / inverse : 0;
+    return inverse >= kMin / distance ? 1 / inverse : 0;
 }
 
 /// How often a path was mirrored, refracted or went straight through.
@@ -75,7 +75,7 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh, const MaterialTable& 
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         PrimaryHit& hit = hits_[wave.paths.sample(i)];
         if (hit.any()) {
-            takeMirrored(wave, i, hit);
+            takeSpecular(wave, i, hit);
             continue;
         }
         if (surfaces.traits[i] == 0) continue;
@@ -88,7 +88,7 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh, const MaterialTable& 
                .direct = {},
                .soft = {},
                .wave = wave_,
-               .own = {},
+               .surfaceLight = {},
                .tint = {},
                .bounces = bouncesOf(wave, i),
                .shines = shines(materials.rows()[surfaces.material[i]])};
@@ -97,24 +97,24 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh, const MaterialTable& 
     }
 }
 
-void PrimaryHits::takeMirrored(const Wave& wave, std::size_t i, PrimaryHit& hit) const {
+void PrimaryHits::takeSpecular(const Wave& wave, std::size_t i, PrimaryHit& hit) const {
     const bool any = wave.surfaces.traits[i] != 0;
     const PathQueue& queue = *wave.paths.queue();
     if (bouncesOf(wave, i) == hit.bounces + 1) hit.tint += queue.path(i).weight;
     if (!any && wave.hits.isHit(i)) return; // a hole
     const float weight = luminance(any ? wave.surfaces.weight.colourAt(i) : queue.path(i).weight);
-    if (!(weight > hit.mirroredWeight)) return;
+    if (!(weight > hit.specularWeight)) return;
     const float length = queue.length[i], t = any ? wave.hits.t[i] : std::numeric_limits<float>::infinity();
     const bool bentOnce = length < 0 && wave.kind == RayKind::Mirror && wave.paths.bounces(i) == 1;
-    hit.mirroredLength = length >= 0 ? length + t
-                         : bentOnce  ? length - imageDistance(t, hit.curvature)
-                                     : length;
-    hit.mirroredWeight = weight;
+    hit.specularDistance = length >= 0 ? length + t
+                           : bentOnce  ? length - imageDistance(t, hit.curvature)
+                                       : length;
+    hit.specularWeight = weight;
 }
 
-void PrimaryHits::takeOwnLight(const Wave& wave, const SampleSums& sums) {
+void PrimaryHits::takeSurfaceLight(const Wave& wave, const SampleSums& sums) {
     forEachPresent(wave, [&](std::size_t i, PrimaryHit& hit) {
-        hit.own = sums.radiance().colourAt(wave.paths.sample(i));
+        hit.surfaceLight = sums.radiance().colourAt(wave.paths.sample(i));
     });
 }
 

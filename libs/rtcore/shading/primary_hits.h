@@ -26,11 +26,11 @@ struct PrimaryHit {
     Colour soft; ///< radiance by sampled, and so noisy, light: of area lights, ambient light and the sky
     float arriving = 0, whole = 0; ///< ambient light or the sky's, and what there would be without occlusion
     std::uint32_t wave = 0;        ///< of the sample, in which it was hit; 0: nothing was
-    Colour own;                    ///< radiance from there itself, not mirrored and not transmitted
+    Colour surfaceLight;           ///< radiance from there itself, not mirrored and not transmitted
     /// How far away what it mostly mirrors or transmits seems to be along the primary ray; infinite of the
     /// background; below 0 where something curved bends it, as in Path::length; 0: nothing is mirrored.
-    float mirroredLength = 0;
-    float mirroredWeight = 0;  ///< of the path that it is that of
+    float specularDistance = 0;
+    float specularWeight = 0;  ///< of the path that it is that of
     Colour tint;               ///< fraction of the light arriving there that is mirrored or transmitted
     std::uint32_t bounces = 0; ///< of the path that ended here: so often mirrored, refracted or passed
     bool shines = false;       ///< by itself
@@ -55,7 +55,7 @@ class PrimaryHits {
     /// Of the others what these mirror and transmit.
     void take(const Wave& wave, const Mesh& mesh, const MaterialTable& materials);
     /// Takes the light of the hits that the wave taken last found: all that the sums have by now.
-    void takeOwnLight(const Wave& wave, const SampleSums& sums);
+    void takeSurfaceLight(const Wave& wave, const SampleSums& sums);
     /// Adds surfaces.contribution, the light of one light, at the hits that the wave taken last found.
     void addLight(const Wave& wave, bool areaLight);
     /// The same of ambient light as far as it is not occluded, or of the sky's.
@@ -65,7 +65,7 @@ class PrimaryHits {
     std::span<const PrimaryHit> hits() const { return hits_; }
 
   private:
-    void takeMirrored(const Wave& wave, std::size_t i, PrimaryHit& hit) const;
+    void takeSpecular(const Wave& wave, std::size_t i, PrimaryHit& hit) const;
     template <typename Use>
     void forEachPresent(const Wave& wave, Use&& use);
 

@@ -91,8 +91,8 @@ void SecondaryRays::refract(const FrameContext& frame, const Transparent& point)
 }
 
 void SecondaryRays::evenMemory() {
-    const std::size_t most = std::max({current_.capacity(), mirrored_.capacity(), refracted_.capacity()});
-    for (PathQueue* const queue : {&current_, &mirrored_, &refracted_}) queue->reserve(most);
+    const std::size_t max = std::max({current_.capacity(), mirrored_.capacity(), refracted_.capacity()});
+    for (PathQueue* const queue : {&current_, &mirrored_, &refracted_}) queue->reserve(max);
 }
 
 } // namespace rtcore

@@ -45,8 +45,8 @@ void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::s
     const std::size_t atOnce = FogShafts::raysAtOnce(samples);
     const bool tinted = tracesTinted(frame);
     for (std::size_t first = 0; first < count && !frame.stopped(); first += atOnce) {
-        shafts_.draw(*fog_, light, {first, std::min(atOnce, count - first)}, samples, shifts_.data(),
-                     !tinted);
+        shafts_.sample(*fog_, light, {first, std::min(atOnce, count - first)}, samples, shifts_.data(),
+                       !tinted);
         if (!frame.settings->shadows) {
             shafts_.addAll(*fog_);
         } else if (frame.shadowMaps != nullptr) {

@@ -89,7 +89,7 @@ void WhittedIntegrator::traceWave() {
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
     lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});
-    if (hitParts_ != PrimaryHitParts::None) primaryHits_.takeOwnLight(wave_, sums_);
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.takeSurfaceLight(wave_, sums_);
     secondary_.makeSecondaryRays(frame_, wave_);
     clock_.lap(Stage::Secondary);
 }

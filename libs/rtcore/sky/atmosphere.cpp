@@ -104,11 +104,11 @@ float airMassOf(float sinElevation) {
 }
 
 /// What is seen of sunlight of which share(transmittance) comes through; lux.
-template <typename Share>
-Xyz illuminance(float airMass, float turbidity, Share share) {
+template <typename Fraction>
+Xyz illuminance(float airMass, float turbidity, Fraction fraction) {
     Xyz sum{};
     for (int nanometres = kFirst; nanometres <= kLast; nanometres += kStep) {
-        const double part = static_cast<double>(share(transmittanceOf(nanometres, airMass, turbidity)));
+        const double part = static_cast<double>(fraction(transmittanceOf(nanometres, airMass, turbidity)));
         const double light = sunlight(nanometres) * part * kStep * kLumensPerWatt;
         const Xyz seen = observer(nanometres);
         sum = {sum.x + light * seen.x, sum.y + light * seen.y, sum.z + light * seen.z};

@@ -18,7 +18,7 @@ namespace rtcore {
 /// Immutable; safe from many threads. The same bits on every processor.
 class ClearSky {
   public:
-    /// Sine of the sun's elevation, -1..1; turbidity kLeastTurbidity..kMostTurbidity.
+    /// Sine of the sun's elevation, -1..1; turbidity kMinTurbidity..kMaxTurbidity.
     ClearSky(float sinElevation, float turbidity);
 
     /// What depends on the height of a direction alone; `cosZenith` > 0.

@@ -49,7 +49,7 @@ float openTo(const KdTree& tree, const Mesh& mesh, const Box3& bounds, Vec3 eye)
 /// From the front and a little above; from higher, or from another side, where a hill is in the way.
 Camera viewOfObject(const KdTree& tree, const Mesh& mesh, const Axes& axes, const Box3& bounds) {
     Camera best;
-    float most = -1;
+    float max = -1;
     for (const float height : {kAbove, 2 * kAbove, 4 * kAbove}) {
         for (const Vec3 side : {axes.front + axes.right * kAside, axes.front - axes.right * kAside,
                                 axes.right + axes.front * kAside, -axes.front - axes.right * kAside}) {
@@ -57,8 +57,8 @@ Camera viewOfObject(const KdTree& tree, const Mesh& mesh, const Axes& axes, cons
             const float open = openTo(tree, mesh, bounds, camera.eye);
             constexpr float kEnough = 0.9F;
             if (open >= kEnough) return camera;
-            if (open <= most) continue;
-            most = open;
+            if (open <= max) continue;
+            max = open;
             best = camera;
         }
     }
@@ -75,12 +75,12 @@ class RoomView {
         Camera camera;
         camera.up = axes_.up;
         camera.horizontalFov = kInteriorFov;
-        float most = -1;
+        float max = -1;
         for (const Stand& stand : rooms) {
             for (int i = 0; i < Stand::kDirections; ++i) {
                 const float worth = worthOf(stand, i);
-                if (worth <= most) continue;
-                most = worth;
+                if (worth <= max) continue;
+                max = worth;
                 camera.eye = stand.eye;
                 camera.forward = directionOf(i);
             }
@@ -98,15 +98,15 @@ class RoomView {
     /// many triangles a few rays find.
     float worthOf(const Stand& stand, int direction) const {
         constexpr float kClose = 1; // metre, in the middle of the image
-        float sum = 0, least = Box3::kHuge;
+        float sum = 0, min = Box3::kHuge;
         for (int i = -kHalfView; i <= kHalfView; ++i) {
             const float free = countedFree(stand, (direction + i + Stand::kDirections) % Stand::kDirections);
             if (std::abs(i) <= 1 && free < kClose * axes_.metre) return -1;
             sum += free;
-            least = std::min(least, free);
+            min = std::min(min, free);
         }
         const auto seen = static_cast<float>(detail(stand.eye, directionOf(direction)));
-        return sum * std::sqrt(least * stand.height * seen);
+        return sum * std::sqrt(min * stand.height * seen);
     }
 
     /// What is seen through a window is not of the room.

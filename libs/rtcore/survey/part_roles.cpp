@@ -107,8 +107,8 @@ PartRoles partRoles(const Model& model) {
     if (!roles.any() || mesh.shading.size() != mesh.triangles.size()) return sum;
     std::array<bool, std::size(kRoles)> seen{};
     double all = 0, ground = 0, sky = 0;
-    constexpr std::size_t kMost = 400'000;
-    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kMost);
+    constexpr std::size_t kMax = 400'000;
+    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kMax);
     for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
         const auto id = static_cast<std::uint32_t>(t);
         const Role* const role = roles.at(id);

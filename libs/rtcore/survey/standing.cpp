@@ -20,7 +20,7 @@ constexpr float kShoulders = 0.35F;
 constexpr float kBodyHeights[] = {0.4F, 1.0F, kEyeHeight};
 constexpr float kKnee = 0.45F;
 constexpr float kAround[] = {0.9F, 1.6F};
-constexpr float kLeastDrop = 0.25F, kMostDrop = 1.3F; ///< from furniture or a stair to the floor
+constexpr float kMinDrop = 0.25F, kMaxDrop = 1.3F; ///< from furniture or a stair to the floor
 constexpr int kBodyDirections = 8;
 
 /// How far one can go from `from` before the box ends.
@@ -57,7 +57,7 @@ bool isRaised(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 floor
             const float away = std::min(around * axes.metre, wall ? kBefore * wall->t : kFarthest);
             const auto below = closestHit(tree, mesh, knee + direction * away, -axes.up);
             const float drop = below ? below->t / axes.metre - kKnee : kNothing;
-            if (drop < kLeastDrop || drop > kMostDrop) continue;
+            if (drop < kMinDrop || drop > kMaxDrop) continue;
             ++lower;
             break;
         }
@@ -68,14 +68,14 @@ bool isRaised(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 floor
 } // namespace
 
 std::vector<Space> spacesAt(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 place) {
-    constexpr int kMost = 256;
+    constexpr int kMax = 256;
     const Range height = rangeAlong(tree.bounds, axes.up);
     const float whole = height.high - height.low;
     const float margin = 1e-3F * whole + 1e-3F * axes.metre;
     const Vec3 top = place + axes.up * (height.high + margin - dot(place, axes.up));
     std::vector<Space> spaces;
     float above = -kNothing, from = 0;
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMax; ++i) {
         Hit hit;
         if (!intersect(tree, mesh, {top, from, -axes.up, kFarthest}, hit)) break;
         spaces.push_back({top - axes.up * hit.t, hit.t - above});
@@ -90,7 +90,7 @@ bool Stand::covered() const { return headroom < kNothing; }
 
 Stand lookAround(const KdTree& tree, const Mesh& mesh, const Axes& axes, const Space& space,
                  float eyeHeight) {
-    constexpr float kShare = 1.0F / Stand::kDirections, kUpright = 0.5F;
+    constexpr float kFraction = 1.0F / Stand::kDirections, kUpright = 0.5F;
     Stand stand;
     stand.floor = space.floor;
     stand.headroom = space.headroom;
@@ -105,14 +105,14 @@ Stand lookAround(const KdTree& tree, const Mesh& mesh, const Axes& axes, const S
             stand.openSide += direction;
             continue;
         }
-        stand.enclosed += kShare;
+        stand.enclosed += kFraction;
         const Vec3 normal = normalize(mesh.geometricNormal(wall->triangle));
         if (dot(normal, direction) <= 0) {
-            stand.walled += kShare;
-            if (std::fabs(dot(normal, axes.up)) < kUpright) stand.steep += kShare;
+            stand.walled += kFraction;
+            if (std::fabs(dot(normal, axes.up)) < kUpright) stand.steep += kFraction;
         }
-        stand.reach += wall->t / distanceToBorder(tree.bounds, stand.eye, direction) * kShare;
-        stand.view += wall->t * kShare;
+        stand.reach += wall->t / distanceToBorder(tree.bounds, stand.eye, direction) * kFraction;
+        stand.view += wall->t * kFraction;
     }
     return stand;
 }
@@ -142,8 +142,8 @@ bool isIndoors(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 eye)
 }
 
 bool isEnclosed(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 eye) {
-    constexpr float kMost = 0.7F;
-    return !tree.bounds.empty() && lookAround(tree, mesh, axes, {eye, 0}, 0).enclosed >= kMost;
+    constexpr float kMax = 0.7F;
+    return !tree.bounds.empty() && lookAround(tree, mesh, axes, {eye, 0}, 0).enclosed >= kMax;
 }
 
 std::vector<Vec3> placesIn(const Box3& bounds, const Axes& axes, int n) {

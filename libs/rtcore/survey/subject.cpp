@@ -13,13 +13,13 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kMostTriangles = 8'000'000; ///< what is larger is scanned, not modelled
-constexpr std::size_t kMostSurroundings = 64;     ///< pieces: tiles of a ground, sides of a sky
-constexpr float kWider = 2.5F;                    ///< than what stands on it
-constexpr float kFlatGround = 0.2F;               ///< height of a ground, of its width
-constexpr float kPlot = 15;                       ///< metres: no thing that lies flat is as wide
-constexpr float kSkyWide = 60;                    ///< metres: no room is as wide, and as empty
-constexpr std::size_t kFewest = 8;                ///< triangles of what anything is about
+constexpr std::size_t kMaxTriangles = 8'000'000; ///< what is larger is scanned, not modelled
+constexpr std::size_t kMaxSurroundings = 64;     ///< pieces: tiles of a ground, sides of a sky
+constexpr float kWider = 2.5F;                   ///< than what stands on it
+constexpr float kFlatGround = 0.2F;              ///< height of a ground, of its width
+constexpr float kPlot = 15;                      ///< metres: no thing that lies flat is as wide
+constexpr float kSkyWide = 60;                   ///< metres: no room is as wide, and as empty
+constexpr std::size_t kFewest = 8;               ///< triangles of what anything is about
 
 /// Triangles that hang together.
 struct Piece {
@@ -124,8 +124,8 @@ std::size_t surroundingsOf(std::span<const Piece> pieces, const Axes& axes, Subj
         rest[i].extend(pieces[i].bounds);
         triangles[i] = triangles[i + 1] + pieces[i].triangles;
     }
-    const std::size_t most = std::min(kMostSurroundings, pieces.size());
-    for (std::size_t count = 1; count < most && triangles[count] >= kFewest; ++count) {
+    const std::size_t max = std::min(kMaxSurroundings, pieces.size());
+    for (std::size_t count = 1; count < max && triangles[count] >= kFewest; ++count) {
         Subject found;
         bool all = true;
         for (const Piece& piece : pieces.first(count)) {
@@ -162,16 +162,16 @@ Box3 bulkOf(std::span<const Piece> pieces) {
         for (const Piece& piece : pieces) middles.emplace_back(piece.bounds.centre()[axis], piece.triangles);
         std::sort(middles.begin(), middles.end());
         constexpr double kOutside = 0.01;
-        const auto least = static_cast<std::size_t>(kOutside * static_cast<double>(all));
+        const auto min = static_cast<std::size_t>(kOutside * static_cast<double>(all));
         std::size_t before = 0;
         bool begun = false;
         for (const auto& [middle, count] : middles) {
             before += count;
-            if (!begun && before > least) {
+            if (!begun && before > min) {
                 bulk.lo[axis] = middle;
                 begun = true;
             }
-            if (before + least >= all) {
+            if (before + min >= all) {
                 bulk.hi[axis] = middle;
                 break;
             }
@@ -196,7 +196,7 @@ Box3 bulkOf(std::span<const Piece> pieces) {
 
 Subject subjectOf(const Mesh& mesh, const Axes& axes) {
     Subject subject;
-    if (mesh.triangles.size() > kMostTriangles) {
+    if (mesh.triangles.size() > kMaxTriangles) {
         subject.bounds = subject.standing = mesh.bounds();
         return subject;
     }

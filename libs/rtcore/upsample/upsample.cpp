@@ -437,16 +437,16 @@ void upsample(const LdrImage& small, UpsamplingScale scale, int threads, LdrImag
 }
 
 void upsample(const HdrImage& small, int threads, HdrImage& image) {
-    constexpr float kMostCode = 254.99F;            // of 255, which would be endlessly bright
-    constexpr float kLeast = 1e-20F, kMost = 1e20F; // one pixel decides nothing about the others
-    const auto within = [](float light) { return std::fmin(std::fmax(light, 0.0F), kMost); }; // not of NaN
+    constexpr float kMaxCode = 254.99F;          // of 255, which would be endlessly bright
+    constexpr float kMin = 1e-20F, kMax = 1e20F; // one pixel decides nothing about the others
+    const auto within = [](float light) { return std::fmin(std::fmax(light, 0.0F), kMax); }; // not of NaN
     double logs = 0;
     for (const Colour& pixel : small.pixels)
-        logs += std::log2(static_cast<double>(within(luminance(pixel)) + kLeast));
+        logs += std::log2(static_cast<double>(within(luminance(pixel)) + kMin));
     const auto middle = static_cast<float>(std::exp2(logs / static_cast<double>(small.pixels.size())));
     const auto coded = [&](float light) {
         const float finite = within(light);
-        return std::min(255 * (finite / (finite + middle)), kMostCode);
+        return std::min(255 * (finite / (finite + middle)), kMaxCode);
     };
     const auto decoded = [&](float code) { return middle * code / (255 - code); };
     const auto pixelAt = [&](int x, int y) {

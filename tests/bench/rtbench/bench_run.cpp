@@ -130,11 +130,11 @@ class Bench {
 
     template <typename Work>
     void withProgress(const std::string& phase, Work&& work) {
-        std::atomic<double> share{0};
-        const app::ProgressScope scope(progress_, {phase, [&] { return share.load(); }, nullptr});
+        std::atomic<double> fraction{0};
+        const app::ProgressScope scope(progress_, {phase, [&] { return fraction.load(); }, nullptr});
         work([&](double done) {
             app::throwIfStopped();
-            share = done;
+            fraction = done;
         });
     }
 

@@ -116,9 +116,9 @@ std::vector<FrameFigures> raceFrames(const rtcore::Scene& scene, const BenchView
     std::vector<int> threads{1};
     if (options.threads > 1) threads.push_back(options.threads);
     std::vector<FrameFigures> all;
-    const auto tell = [&](double share) {
+    const auto tell = [&](double fraction) {
         const double races = 2.0 * static_cast<double>(threads.size());
-        if (options.onProgress) options.onProgress((static_cast<double>(all.size()) + share) / races);
+        if (options.onProgress) options.onProgress((static_cast<double>(all.size()) + fraction) / races);
     };
     for (const bool mirrors : {false, true}) {
         const rtcore::Scene lit = litScene(scene, view, mirrors ? kMirror : 0);

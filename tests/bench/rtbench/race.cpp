@@ -58,8 +58,8 @@ class Race {
     }
 
   private:
-    void tell(double share) const {
-        if (options_.onProgress) options_.onProgress(share);
+    void tell(double fraction) const {
+        if (options_.onProgress) options_.onProgress(fraction);
     }
 
     void compare() {

@@ -144,16 +144,16 @@ std::string paceOf(const std::vector<Published>& published) {
 
 /// How the image came to rest.
 std::string restOf(const std::vector<Published>& rest, const WalkOptions& options) {
-    double most = 0, sum = 0;
+    double max = 0, sum = 0;
     for (std::size_t i = 1; i < rest.size(); ++i) {
         const test::Flip before(upsampled(rest[i - 1].image, options.width, options.height));
         const double flip = before.mean(upsampled(rest[i].image, options.width, options.height));
-        most = std::max(most, flip);
+        max = std::max(max, flip);
         sum += flip;
     }
     return fmt::format("at rest: whole after {:.3f} s, in {} steps of mean FLIP {:.4f}, at most {:.4f}\n",
                        rest.back().seconds, rest.size() - 1,
-                       sum / std::max(static_cast<double>(rest.size() - 1), 1.0), most);
+                       sum / std::max(static_cast<double>(rest.size() - 1), 1.0), max);
 }
 
 std::vector<WalkStep> stepsOf(const std::vector<Published>& published) {

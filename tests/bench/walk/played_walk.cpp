@@ -23,7 +23,7 @@ rtserver::Options serverOptions(const WalkOptions& walk) {
     options.settings = walk.settings;
     options.settings.push_back({"width", walk.width});
     options.settings.push_back({"height", walk.height});
-    options.surroundings.look = walk.look;
+    options.lighting.preset = walk.preset;
     options.threads = walk.threads;
     options.frameSeconds = walk.fixed ? 0 : 1 / walk.framesPerSecond;
     return options;

@@ -128,7 +128,7 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     for (const std::string& setting : arguments.all("setting"))
         options.settings.push_back(app::settingOf(setting));
-    if (const auto look = arguments.text("look")) options.look = rtcore::lookNamed(*look);
+    if (const auto look = arguments.text("look")) options.preset = rtcore::lightingPresetNamed(*look);
     if (const auto size = arguments.text("size")) readSize(*size, options);
     options.threads = app::threadsOf(arguments);
     options.framesPerSecond = arguments.number("fps").value_or(options.framesPerSecond);

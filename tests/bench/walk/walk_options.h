@@ -5,7 +5,7 @@
 #include "common/cli/options.h"
 #include "common/progress/progress.h"
 
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace bench {
 struct WalkOptions {
     std::filesystem::path scene, list;
     std::vector<rtcore::SettingAssignment> settings; ///< of the command line
-    std::optional<rtcore::Look> look;                ///< in place of the scene's own light
+    std::optional<rtcore::LightingPreset> preset;    ///< in place of the scene's own light
     int width = 1024, height = 621;
     int threads = 0; ///< 0 = all cores
     double framesPerSecond = 30;

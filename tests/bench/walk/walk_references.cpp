@@ -32,8 +32,8 @@ WalkReferences::WalkReferences(const WalkOptions& options)
     : folder_(options.references),
       scene_(fmt::format("{} {}", options.scene.string(),
                          std::filesystem::last_write_time(options.scene).time_since_epoch().count())) {
-    if (options.look)
-        scene_ += fmt::format(" {}", rtcore::kLookNames[static_cast<std::size_t>(*options.look)]);
+    if (options.preset)
+        scene_ += fmt::format(" {}", rtcore::kLightingPresetNames[static_cast<std::size_t>(*options.preset)]);
     std::filesystem::create_directories(folder_);
 }
 

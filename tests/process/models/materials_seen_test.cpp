@@ -26,10 +26,10 @@ class MaterialsSeen : public test::SeenFiles {
     }
 };
 
-void expectGrey(Colour seen, float least, float most, const std::string& what) {
+void expectGrey(Colour seen, float min, float max, const std::string& what) {
     for (const float channel : {seen.r, seen.g, seen.b}) {
-        EXPECT_GE(channel, least) << what;
-        EXPECT_LE(channel, most) << what;
+        EXPECT_GE(channel, min) << what;
+        EXPECT_LE(channel, max) << what;
     }
 }
 

@@ -37,7 +37,7 @@ TEST_F(EditedLights, AreTakenBackToTheSameBitsByAnotherClient) {
     ipc::Client one(instance.name()), other(instance.name());
     const std::string before = picture(one, "before.png");
     std::mt19937 random(4711);
-    const auto some = [&](int most) { return std::to_string(static_cast<int>(random() % most) + 1); };
+    const auto some = [&](int max) { return std::to_string(static_cast<int>(random() % max) + 1); };
     std::string id = done(one, "light add point here");
     for (int i = 0; i < 60; ++i) {
         ipc::Client& client = i % 2 == 0 ? one : other;

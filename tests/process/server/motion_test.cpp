@@ -124,11 +124,11 @@ TEST_F(Motions, FewerPixelsWhileItMovesAndAllAtRest) {
     ipc::Viewer viewer(instance.name());
     ipc::Frame frame;
     ask({"key", "press", "o"});
-    std::uint32_t least = 320;
-    for (int i = 0; i < 200 && least == 320; ++i, std::this_thread::sleep_for(5ms)) {
-        if (viewer.readFrame(frame)) least = std::min(least, frame.info.width);
+    std::uint32_t min = 320;
+    for (int i = 0; i < 200 && min == 320; ++i, std::this_thread::sleep_for(5ms)) {
+        if (viewer.readFrame(frame)) min = std::min(min, frame.info.width);
     }
-    EXPECT_LT(least, 320U);
+    EXPECT_LT(min, 320U);
     EXPECT_EQ(status()["width"], 320) << "what it is asked for";
     ask({"screenshot", "moving.png"});
     EXPECT_EQ(pngFileSize(folder() / "moving.png"), (PictureSize{320, 240})) << "files get all pixels";

@@ -109,7 +109,7 @@ TEST_F(SavedScene, ManyEditsGiveTheSameBits) {
     start({}, "room.scn");
     edit();
     std::mt19937 random{27182};
-    const auto one = [&](int most) { return std::to_string(1 + random() % static_cast<unsigned>(most)); };
+    const auto one = [&](int max) { return std::to_string(1 + random() % static_cast<unsigned>(max)); };
     std::string script;
     for (int i = 0; i < 150; ++i) {
         const std::vector<std::string> choices = {"light " + one(3) + " toggle",

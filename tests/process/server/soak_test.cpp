@@ -32,8 +32,8 @@ class Soak : public Besieged {
     }
 
     unsigned below(unsigned count) { return static_cast<unsigned>(random() % count); }
-    std::string number(double least, double most) {
-        return std::to_string(std::uniform_real_distribution<double>(least, most)(random));
+    std::string number(double min, double max) {
+        return std::to_string(std::uniform_real_distribution<double>(min, max)(random));
     }
     template <std::size_t Count>
     std::string oneOf(const char* const (&words)[Count]) {
@@ -158,19 +158,18 @@ class Soak : public Besieged {
                 const Holdings again = holdingsOf(troupe[0].process());
                 holdings.descriptors = std::min(holdings.descriptors, again.descriptors);
                 holdings.threads = std::min(holdings.threads, again.threads);
-                const bool quiet =
-                    holdings.descriptors <= leastDescriptors && holdings.threads <= leastThreads;
+                const bool quiet = holdings.descriptors <= minDescriptors && holdings.threads <= minThreads;
                 return quiet && Clock::now() - begin > 140ms;
             },
             5s);
-        leastDescriptors = holdings.descriptors;
-        leastThreads = holdings.threads;
+        minDescriptors = holdings.descriptors;
+        minThreads = holdings.threads;
         return holdings;
     }
 
     std::mt19937 random{2010};
     std::uint64_t commands = 0;
-    std::size_t leastDescriptors = SIZE_MAX, leastThreads = SIZE_MAX; ///< at the last rest
+    std::size_t minDescriptors = SIZE_MAX, minThreads = SIZE_MAX; ///< at the last rest
 };
 
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }

@@ -31,8 +31,8 @@ struct Visit {
 
     test::Counters& counters() { return board[index]; }
     unsigned below(unsigned count) { return static_cast<unsigned>(random() % count); }
-    std::string number(double least, double most) {
-        return std::to_string(std::uniform_real_distribution<double>(least, most)(random));
+    std::string number(double min, double max) {
+        return std::to_string(std::uniform_real_distribution<double>(min, max)(random));
     }
     void complain(const std::string& what) {
         counters().wrong++;
@@ -145,8 +145,8 @@ void useShell(Visit& visit) {
     }
 }
 
-std::string rubbish(Visit& visit, std::size_t most) {
-    std::string text(visit.below(static_cast<unsigned>(most)), ' ');
+std::string rubbish(Visit& visit, std::size_t max) {
+    std::string text(visit.below(static_cast<unsigned>(max)), ' ');
     for (char& c : text) c = static_cast<char>(1 + visit.below(255));
     return text;
 }

@@ -124,10 +124,10 @@ TEST(BuilderCosts, DearerTrianglesMakeSmallerLeaves) {
 }
 
 TEST(FastQuality, IsClampedAndGrows) {
-    constexpr int kLeast = rtcore::kQuickQuality + 1;
-    EXPECT_EQ(rtcore::fastOptions(-5).bins, rtcore::fastOptions(kLeast).bins);
+    constexpr int kMin = rtcore::kQuickQuality + 1;
+    EXPECT_EQ(rtcore::fastOptions(-5).bins, rtcore::fastOptions(kMin).bins);
     EXPECT_EQ(rtcore::fastOptions(99).bins, rtcore::fastOptions(10).bins);
-    for (int quality = kLeast + 1; quality <= 10; ++quality) {
+    for (int quality = kMin + 1; quality <= 10; ++quality) {
         EXPECT_GT(rtcore::fastOptions(quality).bins, rtcore::fastOptions(quality - 1).bins);
         EXPECT_GE(rtcore::fastOptions(quality).exactBelow, rtcore::fastOptions(quality - 1).exactBelow);
         EXPECT_LE(rtcore::fastOptions(quality).bins, 64U);

@@ -2,7 +2,7 @@
 // its table. The programs' folder is searched, page and all.
 #include "common/commands/command_table.h"
 
-#include "rtcore/look/look_name.h"
+#include "rtcore/look/lighting_preset_name.h"
 #include "rtcore/math/blackbody.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/settings/settings_table.h"
@@ -43,14 +43,14 @@ const std::vector<Source>& sources() {
     return all;
 }
 
-/// Sources that have `most` words of the list between quotation marks, or more.
-std::vector<std::string> tellers(const std::set<std::string_view>& list, std::size_t most) {
+/// Sources that have `max` words of the list between quotation marks, or more.
+std::vector<std::string> tellers(const std::set<std::string_view>& list, std::size_t max) {
     std::vector<std::string> names;
     for (const Source& source : sources()) {
         std::size_t told = 0;
         for (const std::string_view word : list)
             told += source.text.find(fmt::format("\"{}\"", word)) != std::string::npos ? 1U : 0U;
-        if (told >= most) names.push_back(source.name);
+        if (told >= max) names.push_back(source.name);
     }
     return names;
 }
@@ -66,7 +66,8 @@ TEST(ToldOnce, KindsOfLight) {
 }
 
 TEST(ToldOnce, Looks) {
-    EXPECT_EQ(tellers({rtcore::kLookNames.begin(), rtcore::kLookNames.end()}, rtcore::kLookNames.size()),
+    EXPECT_EQ(tellers({rtcore::kLightingPresetNames.begin(), rtcore::kLightingPresetNames.end()},
+                      rtcore::kLightingPresetNames.size()),
               Names{});
 }
 
@@ -91,7 +92,7 @@ TEST(ToldOnce, LabelsAndCapsOfSettings) {
 
 TEST(ToldOnce, Ranges) {
     for (const double limit : {double{ipc::kMaxFrameSide}, rtcore::requireSetting("width").maximum,
-                               rtcore::kLeastTemperature, rtcore::kMostTemperature})
+                               rtcore::kMinTemperature, rtcore::kMaxTemperature})
         for (const Source& source : sources()) {
             const std::string number = fmt::format("{:.0f}", limit);
             const bool part = source.name == "bridge/stream/rate_control.cpp"; // bytes of one

@@ -58,16 +58,16 @@ TEST(Caps, DecideEachNumberOfTheTable) {
 TEST(Caps, HoldForEachSettingOfTheTable) {
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {
         if (!setting.browser.offered || !isNumber(setting)) continue;
-        const double most = bridge::mostOf(setting), least = bridge::leastOf(setting);
-        EXPECT_LE(most, setting.maximum) << setting.name;
-        EXPECT_GE(least, setting.minimum) << setting.name;
-        EXPECT_TRUE(takes(setting.name, least)) << setting.name;
-        if (most < rtcore::kUnlimited) {
-            EXPECT_TRUE(takes(setting.name, most)) << setting.name;
-            EXPECT_FALSE(takes(setting.name, 1.01 * most + 1)) << setting.name;
-            EXPECT_FALSE(takes(setting.name, std::to_string(1.01 * most + 1))) << setting.name << " as text";
+        const double max = bridge::maxOf(setting), min = bridge::minOf(setting);
+        EXPECT_LE(max, setting.maximum) << setting.name;
+        EXPECT_GE(min, setting.minimum) << setting.name;
+        EXPECT_TRUE(takes(setting.name, min)) << setting.name;
+        if (max < rtcore::kUnlimited) {
+            EXPECT_TRUE(takes(setting.name, max)) << setting.name;
+            EXPECT_FALSE(takes(setting.name, 1.01 * max + 1)) << setting.name;
+            EXPECT_FALSE(takes(setting.name, std::to_string(1.01 * max + 1))) << setting.name << " as text";
         }
-        EXPECT_FALSE(takes(setting.name, least - 1)) << setting.name;
+        EXPECT_FALSE(takes(setting.name, min - 1)) << setting.name;
     }
     EXPECT_FALSE(takes("minContribution", 0)) << "bounces would double without end";
     EXPECT_FALSE(takes("minContribution", 0.0009));
@@ -121,8 +121,8 @@ TEST(Caps, OfLightsHoldForNewOnesAndCopies) {
     const Limits limits;
     const json add{{"do", "light add"}, {"args", {"sphere"}}}, copy{{"do", "light copy"}, {"args", {1}}};
     for (const json& request : {add, copy}) {
-        EXPECT_NO_THROW(bridge::planRequest(request, {limits, {}, bridge::kMostLights - 1})) << request;
-        EXPECT_THROW(bridge::planRequest(request, {limits, {}, bridge::kMostLights}), bridge::Refused)
+        EXPECT_NO_THROW(bridge::planRequest(request, {limits, {}, bridge::kMaxLights - 1})) << request;
+        EXPECT_THROW(bridge::planRequest(request, {limits, {}, bridge::kMaxLights}), bridge::Refused)
             << request;
     }
 }

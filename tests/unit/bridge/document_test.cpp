@@ -81,7 +81,7 @@ TEST(BridgeDocument, HasTheCaps) {
                                     below ? fmt::format("{:g}", setting.browser.maximum) : ""});
     }
     test::expectSection(kPage, "Caps of settings", rows);
-    EXPECT_NE(pageText().find(fmt::format("{} lights", bridge::kMostLights)), std::string::npos);
+    EXPECT_NE(pageText().find(fmt::format("{} lights", bridge::kMaxLights)), std::string::npos);
 }
 
 TEST(BridgeDocument, HasTheVersion) {

@@ -259,7 +259,7 @@ TEST(RateControl, MergesRungsDownwardsUntilThreeAreLeft) {
     for (bridge::RungMask mask = 1; mask < 64; ++mask) {
         const bridge::RungMask merged = bridge::mergedRungs(mask);
         EXPECT_EQ(merged & ~mask, 0U);
-        EXPECT_LE(std::popcount(merged), bridge::kMostRungs);
+        EXPECT_LE(std::popcount(merged), bridge::kMaxRungs);
         EXPECT_EQ(std::bit_width(merged), std::bit_width(mask))
             << "the coarsest one stays: it serves all others";
     }

@@ -227,7 +227,7 @@ TEST_F(FramesOfARoom, OfAPageThatLeftStayCounted) {
 class LimitedFramesOfARoom : public FramesOfARoom {
   protected:
     static constexpr double kBits = 1e6;
-    LimitedFramesOfARoom() : FramesOfARoom({.quality = {}, .mostBits = kBits}) {}
+    LimitedFramesOfARoom() : FramesOfARoom({.quality = {}, .maxBits = kBits}) {}
     std::vector<Page> pages{join(1), join(2)};
 };
 

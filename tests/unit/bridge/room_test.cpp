@@ -19,7 +19,7 @@ constexpr const char* kInstance = "hall";
 
 class RoomOfPages : public testing::Test {
   protected:
-    explicit RoomOfPages(const bridge::Limits& most = {}) : limits(most) {}
+    explicit RoomOfPages(const bridge::Limits& max = {}) : limits(max) {}
     Page join(SessionId id, const std::string& name = "", bool mayDrive = true) {
         auto page = std::make_shared<PageOutlet>();
         room->join({id, name, mayDrive, {}, page, {{"event", "welcome"}}});

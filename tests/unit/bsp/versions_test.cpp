@@ -260,9 +260,9 @@ TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
 
 TEST(BspVersions, ElementsShorterThanAnybodyWroteAreRefused) {
     for (const rtcore::BspSectionKind& kind : rtcore::kBspSectionKinds) {
-        if (kind.leastSize == 1) continue;
+        if (kind.minSize == 1) continue;
         Parts parts = sampleParts();
-        parts.resizeElements(std::string(kind.name), kind.leastSize - 1);
+        parts.resizeElements(std::string(kind.name), kind.minSize - 1);
         const auto said = test::refusal(parts.file());
         ASSERT_TRUE(said) << kind.name;
         EXPECT_NE(said->find("section " + std::string(kind.name) + " has elements of the wrong size"),

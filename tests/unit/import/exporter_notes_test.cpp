@@ -65,7 +65,7 @@ TEST(ModelOrigin, LinesThatAreNoneAreSkipped) {
     const ModelOrigin origin{"F", "E e", Vec3{0, -1, 0}, 0.3048};
     EXPECT_EQ(readOrigin(writeOrigin(origin)), origin);
     EXPECT_LE(writeOrigin({std::string(9999, 'f'), std::string(9999, 'e'), Vec3{0, 1, 0}, 1e-300}).size(),
-              kMostOriginBytes);
+              kMaxOriginBytes);
 }
 
 } // namespace

@@ -465,8 +465,8 @@ TEST(AwkwardWaves, ThatTouchCorners) {
                 for (int axis = 0; axis < 3; ++axis) p[axis] += i >> axis & 1 ? by[axis] : -by[axis];
                 return p;
             };
-            const auto most = [&] { return random.number(0.05F, 0.3F); };
-            mesh.addTriangle(corner, inside({most(), 0.01F, most()}), inside({0.01F, most(), most()}));
+            const auto some = [&] { return random.number(0.05F, 0.3F); };
+            mesh.addTriangle(corner, inside({some(), 0.01F, some()}), inside({0.01F, some(), some()}));
         }
         const WaveScene scene(mesh, deep());
         RayWave same, stream;

@@ -14,7 +14,7 @@ namespace rtcore {
 namespace emitters_of_scenes {
 namespace {
 
-using DrawnPoint = HWY_NAMESPACE::EmitterDraw<float>;
+using SampledPoint = HWY_NAMESPACE::EmitterSample<float>;
 using test::Estimate;
 using test::expectMean;
 using test::SceneBuilder;
@@ -44,7 +44,7 @@ double distanceTo(const Mesh& mesh, std::uint32_t triangle, Vec3d d) {
 }
 
 /// What reaches the origin of the emitted light through one point, times the cosine of a floor there.
-double received(const Scene& scene, const DrawnPoint& p) {
+double received(const Scene& scene, const SampledPoint& p) {
     const double square = dot(inDouble(p.position), inDouble(p.position));
     const Vec3d d = inDouble(p.position) / std::sqrt(square);
     const double cosines = std::max(d.y, 0.0) * std::fabs(dot(d, inDouble(p.normal)));
@@ -70,10 +70,10 @@ double expectedOfTwoPolygons(const Mesh& mesh) {
            5 * lambert({corner(4, 0), corner(4, 1), corner(4, 2)});
 }
 
-DrawnPoint drawOne(const Emitters& emitters, test::Random& random) {
+SampledPoint sampleOne(const Emitters& emitters, test::Random& random) {
     const float u = random.number(0, 1), v = random.number(0, 1);
     const std::uint32_t bits = random.index(std::size_t{1} << 32U);
-    return HWY_NAMESPACE::drawEmitter<float>(emitters.rows(), u, v, bits);
+    return HWY_NAMESPACE::sampleEmitter<float>(emitters.rows(), u, v, bits);
 }
 
 TEST(Emitters, GiveTheIrradianceOfLambertsFormula) {
@@ -85,7 +85,7 @@ TEST(Emitters, GiveTheIrradianceOfLambertsFormula) {
     test::Random random(1);
     Estimate bySamples, byHits, byBoth;
     for (int i = 0; i < 100000; ++i) {
-        const DrawnPoint p = drawOne(emitters, random);
+        const SampledPoint p = sampleOne(emitters, random);
         const double one = received(scene, p);
         bySamples.add(one);
         const double distance = std::sqrt(dot(inDouble(p.position), inDouble(p.position)));
@@ -141,7 +141,7 @@ TEST(Emitters, HaveOneDensityForPointsAndForHits) {
     emitters.prepare(scene);
     test::Random random(3);
     for (int i = 0; i < 1000; ++i) {
-        const DrawnPoint p = drawOne(emitters, random);
+        const SampledPoint p = sampleOne(emitters, random);
         EXPECT_EQ(p.density, emitters.areaDensity(p.triangle));
         EXPECT_EQ(emitters.density(p.triangle, 3, -0.5F), emitters.density(p.triangle, 3, 0.5F));
         EXPECT_FLOAT_EQ(emitters.density(p.triangle, 3, 0.5F), p.density * 18);
@@ -151,7 +151,7 @@ TEST(Emitters, HaveOneDensityForPointsAndForHits) {
     EXPECT_GT(emitters.density(1, 3, 1e-5F), 0);
 }
 
-TEST(Emitters, AreDrawnByPowerAndEvenlyOverATriangle) {
+TEST(Emitters, AreSampledByPowerAndUniformlyOverATriangle) {
     SceneBuilder b;
     // Powers as 2 : 1 : 3, the last by the mean of its texture.
     b.triangle({0, 0, 0}, {2, 0, 0}, {0, 0, 2}, b.material(test::emitter({1, 1, 1})));
@@ -168,11 +168,11 @@ TEST(Emitters, AreDrawnByPowerAndEvenlyOverATriangle) {
 
     test::Random random(4);
     constexpr int kCount = 100000;
-    std::array<int, 3> drawn{};
+    std::array<int, 3> counts{};
     Estimate u, v, product;
     for (int i = 0; i < kCount; ++i) {
-        const DrawnPoint p = drawOne(emitters, random);
-        ++drawn[p.triangle];
+        const SampledPoint p = sampleOne(emitters, random);
+        ++counts[p.triangle];
         ASSERT_TRUE(p.u >= 0 && p.v >= 0 && p.u + p.v <= 1);
         u.add(static_cast<double>(p.u));
         v.add(static_cast<double>(p.v));
@@ -185,7 +185,7 @@ TEST(Emitters, AreDrawnByPowerAndEvenlyOverATriangle) {
     }
     for (std::size_t i = 0; i < 3; ++i) {
         const double p = std::array{2 / 6.0, 1 / 6.0, 3 / 6.0}[i];
-        EXPECT_NEAR(drawn[i] / double{kCount}, p, 5 * std::sqrt(p * (1 - p) / kCount));
+        EXPECT_NEAR(counts[i] / double{kCount}, p, 5 * std::sqrt(p * (1 - p) / kCount));
     }
     expectMean(u, 1 / 3.0);
     expectMean(v, 1 / 3.0);
@@ -218,10 +218,10 @@ TEST(Emitters, LeaveOutWhatHasNoAreaAndWhatIsNotANumber) {
     EXPECT_FLOAT_EQ(emitters.areaDensity(7), 2);
     for (std::uint32_t i = 0; i < 7; ++i) EXPECT_EQ(emitters.areaDensity(i), 0) << i;
     test::Random random(5);
-    for (int i = 0; i < 1000; ++i) EXPECT_EQ(drawOne(emitters, random).triangle, 7U);
+    for (int i = 0; i < 1000; ++i) EXPECT_EQ(sampleOne(emitters, random).triangle, 7U);
 }
 
-TEST(Emitters, OfHugeEmissionAreDrawnBesideOthers) {
+TEST(Emitters, OfHugeEmissionAreSampledBesideOthers) {
     SceneBuilder b;
     b.triangle({0, 1, 0}, {1, 1, 0}, {0, 1, 1}, b.material(test::emitter(kWhite * 1e30F)));
     b.triangle({0, 2, 0}, {1, 2, 0}, {0, 2, 1}, b.material(test::emitter(kWhite)));

@@ -27,10 +27,10 @@ class Estimate {
     double count_ = 0, sum_ = 0, squares_ = 0;
 };
 
-/// Within 5 standard deviations, and what float loses. `most`: of the relative deviation, else the test says
+/// Within 5 standard deviations, and what float loses. `max`: of the relative deviation, else the test says
 /// nothing.
-inline void expectMean(const Estimate& estimate, double expected, double most = 0.05) {
-    EXPECT_LT(estimate.deviation(), most * expected);
+inline void expectMean(const Estimate& estimate, double expected, double max = 0.05) {
+    EXPECT_LT(estimate.deviation(), max * expected);
     EXPECT_NEAR(estimate.mean(), expected, 5 * estimate.deviation() + 2e-5 * expected);
 }
 

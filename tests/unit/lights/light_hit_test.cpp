@@ -1,5 +1,5 @@
 // Rays that meet area lights: as much light as samples of the lights find, with the densities of these.
-#include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/lights/light_direction-inl.h"
 
 #include "estimates.h"
 
@@ -22,7 +22,8 @@ Estimate bySamples(const Light& light, int count) {
     test::Random random(1);
     Estimate e;
     for (int i = 0; i < count; ++i) {
-        const auto s = plain::drawLight<kind, float>(light, Vec3{}, random.number(0, 1), random.number(0, 1));
+        const auto s =
+            plain::sampleLightDirection<kind, float>(light, Vec3{}, random.number(0, 1), random.number(0, 1));
         e.add(static_cast<double>(s.irradiance.x * std::max(s.toLight.y, 0.0F)) / std::numbers::pi);
     }
     return e;
@@ -45,7 +46,8 @@ Estimate byBoth(const Light& light, int count) {
     Estimate e;
     const auto floorDensity = [](Vec3 d) { return std::max(d.y, 0.0F) / kPi; };
     for (int i = 0; i < count; ++i) {
-        const auto s = plain::drawLight<kind, float>(light, Vec3{}, random.number(0, 1), random.number(0, 1));
+        const auto s =
+            plain::sampleLightDirection<kind, float>(light, Vec3{}, random.number(0, 1), random.number(0, 1));
         float sum = 0;
         if (s.density > 0)
             sum +=
@@ -53,7 +55,7 @@ Estimate byBoth(const Light& light, int count) {
         const Vec3 d = test::cosineDirection(random);
         const float t = plain::hitLight<kind, float>(light, Vec3{}, d);
         if (t < kMissed) {
-            const float density = plain::drawDensity<kind, float>(light, Vec3{}, d, t);
+            const float density = plain::lightDirectionDensity<kind, float>(light, Vec3{}, d, t);
             sum += plain::radianceOf<kind>(light).r * floorDensity(d) / (density + floorDensity(d));
         }
         e.add(static_cast<double>(sum));
@@ -124,7 +126,7 @@ TEST(LightDensities, IntegrateToOneOverAllDirections) {
             return plain::sampleDensity<LightKind::Rectangle, float>(light, Vec3{}, d, t);
         };
         const auto bySolidAngle = [&](Vec3 d, float t) {
-            return plain::drawDensity<LightKind::Rectangle, float>(light, Vec3{}, d, t);
+            return plain::lightDirectionDensity<LightKind::Rectangle, float>(light, Vec3{}, d, t);
         };
         expectMean(integralOf<LightKind::Rectangle>(light, byArea), 1);
         expectMean(integralOf<LightKind::Rectangle>(light, bySolidAngle), 1);
@@ -138,21 +140,22 @@ TEST(LightDensities, OfASampleAreThoseOfTheRayThatMeetsIt) {
     int missed = 0, met = 0;
     for (int i = 0; i < 5000; ++i) {
         const float u = random.number(0, 1), v = random.number(0, 1);
-        const auto onSphere = plain::drawLight<LightKind::Sphere, float>(sphere, Vec3{}, u, v);
+        const auto onSphere = plain::sampleLightDirection<LightKind::Sphere, float>(sphere, Vec3{}, u, v);
         const float t = plain::hitLight<LightKind::Sphere, float>(sphere, Vec3{}, onSphere.toLight);
         if (t < kMissed) {
-            EXPECT_EQ((plain::drawDensity<LightKind::Sphere, float>(sphere, Vec3{}, onSphere.toLight, t)),
-                      onSphere.density);
+            EXPECT_EQ(
+                (plain::lightDirectionDensity<LightKind::Sphere, float>(sphere, Vec3{}, onSphere.toLight, t)),
+                onSphere.density);
             EXPECT_NEAR(onSphere.free, 0.9999F * t, 2e-3F * t);
         } else {
             ++missed; // at the rim
         }
         for (const Light* const light : {&rectangle, &far}) {
-            const auto s = plain::drawLight<LightKind::Rectangle, float>(*light, Vec3{}, u, v);
+            const auto s = plain::sampleLightDirection<LightKind::Rectangle, float>(*light, Vec3{}, u, v);
             const float d = plain::hitLight<LightKind::Rectangle, float>(*light, Vec3{}, s.toLight);
             if (!(d < kMissed)) continue; // an edge
             const float density =
-                plain::drawDensity<LightKind::Rectangle, float>(*light, Vec3{}, s.toLight, d);
+                plain::lightDirectionDensity<LightKind::Rectangle, float>(*light, Vec3{}, s.toLight, d);
             EXPECT_NEAR(s.free, 0.9999F * d, 1e-5F * d);
             EXPECT_NEAR(density / s.density, 1, light == &rectangle ? 0.0 : 1e-5); // far away by area
             ++met;
@@ -210,8 +213,9 @@ TEST(LightHits, AreOfAreaLightsAlone) {
     EXPECT_EQ((plain::hitLight<LightKind::Point, float>(light, Vec3{}, up)), kMissed);
     EXPECT_EQ((plain::hitLight<LightKind::Directional, float>(light, Vec3{}, up)), kMissed);
     EXPECT_EQ((plain::hitLight<LightKind::Spot, float>(light, Vec3{}, up)), kMissed);
-    EXPECT_EQ((plain::drawLight<LightKind::Point, float>(light, Vec3{}, 0.5F, 0.5F).density), 0);
-    EXPECT_EQ((plain::drawLight<LightKind::Point, float>(light, Vec3{}, 0.5F, 0.5F).irradiance.x), 1);
+    EXPECT_EQ((plain::sampleLightDirection<LightKind::Point, float>(light, Vec3{}, 0.5F, 0.5F).density), 0);
+    EXPECT_EQ((plain::sampleLightDirection<LightKind::Point, float>(light, Vec3{}, 0.5F, 0.5F).irradiance.x),
+              1);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // What lights give off: light_power.h against the light that arrives on a sphere around each kind.
 #include "rtcore/lights/ambient_light.h"
-#include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/lights/light_direction-inl.h"
 #include "rtcore/scene/light_power.h"
 #include "rtcore/scene/scene.h"
 
@@ -44,8 +44,8 @@ double irradianceAt(const Light& light, Vec3 position) {
     for (int i = 0; i < kSide * kSide; ++i) {
         const auto at = [](int k) { return (static_cast<float>(k) + 0.5F) / kSide; };
         sum += forKind(light.kind, [&]<LightKind kind>() {
-            const auto sample =
-                HWY_NAMESPACE::drawLight<kind, float>(light, position, at(i % kSide), at(i / kSide));
+            const auto sample = HWY_NAMESPACE::sampleLightDirection<kind, float>(
+                light, position, at(i % kSide), at(i / kSide));
             return static_cast<double>(sample.irradiance.y);
         });
     }

@@ -1,5 +1,5 @@
 // Rectangle lights by solid angle: the map, its density, and how much less noise there is.
-#include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/lights/light_direction-inl.h"
 
 #include "estimates.h"
 
@@ -79,13 +79,13 @@ TEST(RectangleBySolidAngle, DividesTheSolidAngleEvenly) {
     for (int i = 0; i < 20000; ++i) {
         const Setting s = randomSetting(random);
         const float u = random.number(0, 1), v = random.number(0, 1);
-        const auto drawn = plain::sampleRectangleBySolidAngle<float>(s.light, s.position, u, v);
+        const auto sample = plain::sampleRectangleBySolidAngle<float>(s.light, s.position, u, v);
         if (s.exact.solidAngle() < 2.2e-3) continue;
         ++count;
         const Vec3 up = cross(s.light.direction, s.light.right);
-        const double front = -static_cast<double>(dot(drawn.toLight, s.light.direction));
-        const double x = static_cast<double>(dot(drawn.toLight, s.light.right)) / front * s.exact.h;
-        const double y = static_cast<double>(dot(drawn.toLight, up)) / front * s.exact.h;
+        const double front = -static_cast<double>(dot(sample.toLight, s.light.direction));
+        const double x = static_cast<double>(dot(sample.toLight, s.light.right)) / front * s.exact.h;
+        const double y = static_cast<double>(dot(sample.toLight, up)) / front * s.exact.h;
         const double column = std::fabs(s.exact.until(x) / s.exact.solidAngle() - static_cast<double>(u));
         const double row = std::fabs(s.exact.partOfColumn(x, y) - static_cast<double>(v));
         columns.add(column);
@@ -110,7 +110,7 @@ TEST(RectangleBySolidAngle, HasFarLessNoiseThanByArea) {
             const auto area = plain::sampleLight<LightKind::Rectangle, float>(
                 light, Vec3{}, plain::Stratum<float>{u, v, 1, 0});
             byArea.add(static_cast<double>(area.irradiance.x * area.toLight.y));
-            const auto angle = plain::drawLight<LightKind::Rectangle, float>(light, Vec3{}, u, v);
+            const auto angle = plain::sampleLightDirection<LightKind::Rectangle, float>(light, Vec3{}, u, v);
             bySolidAngle.add(static_cast<double>(angle.irradiance.x * angle.toLight.y));
         }
         EXPECT_GT(byArea.variance() / bySolidAngle.variance(), factor) << height;
@@ -121,7 +121,8 @@ TEST(RectangleBySolidAngle, HasFarLessNoiseThanByArea) {
 TEST(RectangleBySolidAngle, GivesNothingBehindIt) {
     const Light light = test::rectangleLight({0, 1, 0});
     for (const float y : {1.0F, 1.5F, 100.0F}) {
-        const auto s = plain::drawLight<LightKind::Rectangle, float>(light, Vec3{0.1F, y, 0}, 0.3F, 0.6F);
+        const auto s =
+            plain::sampleLightDirection<LightKind::Rectangle, float>(light, Vec3{0.1F, y, 0}, 0.3F, 0.6F);
         EXPECT_EQ(s.irradiance.x, 0);
         EXPECT_EQ(s.density, 0);
     }
@@ -133,8 +134,8 @@ TEST(RectangleBySolidAngle, IsFiniteNearTheLightAndFarAway) {
     for (int i = 0; i < 20000; ++i) {
         const float height = std::pow(10.0F, random.number(-6, 6));
         const Vec3 position{random.number(-2, 2), 1 - height, random.coin() ? 0.5F : random.number(-2, 2)};
-        const auto s = plain::drawLight<LightKind::Rectangle, float>(light, position, random.number(0, 1),
-                                                                     random.number(0, 1));
+        const auto s = plain::sampleLightDirection<LightKind::Rectangle, float>(
+            light, position, random.number(0, 1), random.number(0, 1));
         ASSERT_TRUE(isFinite(s.toLight) && isFinite(s.irradiance) && s.irradiance.x >= 0) << height;
         ASSERT_LT(s.irradiance.x, 6.2832F);
         ASSERT_NEAR(length(s.toLight), 1, 1e-5F);

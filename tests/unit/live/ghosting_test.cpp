@@ -59,7 +59,7 @@ class Ghosts : public testing::Test {
         renderer.render(view(of), unwatched, result);
         return result;
     }
-    void begin(const Camera& of) { live.keep(LiveRenderer::planeOf(view(of)), whole(of), 1); }
+    void begin(const Camera& of) { live.seed(LiveRenderer::planeOf(view(of)), whole(of), 1); }
     void draw(const Camera& of) { ASSERT_TRUE(live.render(view(of), kNew, control, frame)); }
     /// Light is 2 % and its errors are 12 % of the mean at most, over all pixels that `counts`.
     template <typename Counts>

@@ -29,8 +29,8 @@ Camera cameraAt(int step) {
 /// But for the rounding of both layers.
 bool sameLight(Colour a, Colour b) {
     const Colour off = a - b;
-    const float most = std::max({std::fabs(off.r), std::fabs(off.g), std::fabs(off.b)});
-    return most <= maxComponent(a) * (2.0F / 512);
+    const float max = std::max({std::fabs(off.r), std::fabs(off.g), std::fabs(off.b)});
+    return max <= maxComponent(a) * (2.0F / 512);
 }
 
 class LiveFrames : public testing::Test {
@@ -106,7 +106,7 @@ TEST_F(LiveFrames, WhileMovingAreNearTheTruth) {
 
 TEST_F(LiveFrames, BeginWithTheLightOfAWholeFrame) {
     const View view{traced.scene, traced.tracer, cameraAt(0), settings};
-    live.keep(LiveRenderer::planeOf(view), whole(cameraAt(0)), 1);
+    live.seed(LiveRenderer::planeOf(view), whole(cameraAt(0)), 1);
     ASSERT_TRUE(draw(cameraAt(0), 0));
     EXPECT_EQ(live.unknown(), 0);
     EXPECT_LT(error(cameraAt(0)), 0.002);
@@ -119,7 +119,7 @@ TEST_F(LiveFrames, BeginWithTheLightOfAFrameOfManySamplesWhereItsPixelsAre) {
     settings.antialiasing = 2;
     const View view{traced.scene, traced.tracer, cameraAt(0), settings};
     const Frame smooth = whole(cameraAt(0));
-    live.keep(LiveRenderer::planeOf(view), smooth, 1);
+    live.seed(LiveRenderer::planeOf(view), smooth, 1);
     settings = one;
     ASSERT_TRUE(draw(cameraAt(0), 0));
     std::size_t moved = 0;
@@ -151,7 +151,7 @@ TEST_F(LiveFrames, GoOnFromThePartsOfAWholeFrameThatWasLeft) {
     };
     const double inside = errorOf(true), outside = errorOf(false);
     for (const int threads : {1, 2}) {
-        live.keepParts({traced.scene, traced.tracer, cameraAt(0), settings}, left, parts, threads);
+        live.seedParts({traced.scene, traced.tracer, cameraAt(0), settings}, left, parts, threads);
         ASSERT_TRUE(draw(cameraAt(0), 0));
         EXPECT_LT(errorOf(true), 0.05 * inside) << "but for the seam";
         EXPECT_NEAR(errorOf(false), outside, 0.1 * outside);
@@ -203,13 +203,13 @@ TEST_F(LiveFrames, AreTheSameForAnyNumberOfThreads) {
     const std::vector<double> newSamples = {0.3, 0.1, 0.02, 0.05, 0.2};
     const auto walk = [&](int threads) {
         LiveRenderer renderer;
-        RenderControl own{.threads = threads};
+        RenderControl single{.threads = threads};
         std::vector<std::uint64_t> frames;
         Frame result;
         for (std::size_t i = 0; i < newSamples.size(); ++i) {
             const Camera camera = cameraAt(static_cast<int>(i));
-            EXPECT_TRUE(
-                renderer.render({traced.scene, traced.tracer, camera, settings}, newSamples[i], own, result));
+            EXPECT_TRUE(renderer.render({traced.scene, traced.tracer, camera, settings}, newSamples[i],
+                                        single, result));
             frames.push_back(test::hashOf(std::as_bytes(std::span(result.radiance.pixels))));
         }
         return frames;
@@ -227,22 +227,22 @@ TEST_F(LiveFrames, ACancelledOneLeavesThePastAsItWas) {
     const std::vector<Colour> after = frame.radiance.pixels;
     live.forget();
     LiveRenderer other;
-    RenderControl own{.threads = 1};
+    RenderControl single{.threads = 1};
     Frame result;
-    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(0), settings}, 1, own, result));
-    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(1), settings}, 0.1, own, result));
+    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(0), settings}, 1, single, result));
+    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(1), settings}, 0.1, single, result));
     EXPECT_TRUE(result.radiance.pixels == after);
 }
 
 TEST_F(LiveFrames, FollowACameraButNoCut) {
-    const auto follows = [&](Vec3 eye) { return live.follows(eye, traced.tracer); };
-    EXPECT_TRUE(follows({100, 100, 100})) << "nothing is kept that could be wrong";
+    const auto canReuse = [&](Vec3 eye) { return live.canReuse(eye, traced.tracer); };
+    EXPECT_TRUE(canReuse({100, 100, 100})) << "nothing is kept that could be wrong";
     ASSERT_TRUE(draw(cameraAt(0), 1));
     const Vec3 eye = cameraAt(0).eye;
-    EXPECT_TRUE(follows(eye));
-    EXPECT_TRUE(follows(eye + Vec3{0.1F, 0, 0.1F}));
-    EXPECT_FALSE(follows(eye + Vec3{0, 4, 0}));
-    EXPECT_FALSE(follows(eye - Vec3{0, 0, 20}));
+    EXPECT_TRUE(canReuse(eye));
+    EXPECT_TRUE(canReuse(eye + Vec3{0.1F, 0, 0.1F}));
+    EXPECT_FALSE(canReuse(eye + Vec3{0, 4, 0}));
+    EXPECT_FALSE(canReuse(eye - Vec3{0, 0, 20}));
 }
 
 TEST_F(LiveFrames, OfAnotherSizeTakeTheLightAlong) {
@@ -255,23 +255,23 @@ TEST_F(LiveFrames, OfAnotherSizeTakeTheLightAlong) {
 }
 
 TEST_F(LiveFrames, AreOfPerspectiveCamerasAndOneSamplePerPixel) {
-    const auto draws = [&] {
-        return LiveRenderer::draws({traced.scene, traced.tracer, cameraAt(0), settings});
+    const auto supports = [&] {
+        return LiveRenderer::supports({traced.scene, traced.tracer, cameraAt(0), settings});
     };
-    EXPECT_TRUE(draws());
+    EXPECT_TRUE(supports());
     settings.antialiasing = 2;
-    EXPECT_FALSE(draws());
+    EXPECT_FALSE(supports());
     settings.antialiasing = 1;
     settings.sampling = SamplingPattern::Random;
-    EXPECT_FALSE(draws());
+    EXPECT_FALSE(supports());
     settings.sampling = SamplingPattern::Grid;
     settings.depthOfField.on = true;
-    EXPECT_FALSE(draws());
+    EXPECT_FALSE(supports());
     settings.depthOfField.on = false;
     Camera camera = cameraAt(0);
     camera.kind = CameraKind::Orthographic;
     camera.orthographicWidth = 1;
-    EXPECT_FALSE(LiveRenderer::draws({traced.scene, traced.tracer, camera, settings}));
+    EXPECT_FALSE(LiveRenderer::supports({traced.scene, traced.tracer, camera, settings}));
 }
 
 /// Behind a wall that a camera passes, forwards or backwards, nothing that it saw before is seen.
@@ -286,16 +286,16 @@ TEST(LiveRenderer, DoesNotFollowThroughSurfaces) {
     Camera camera = test::sampleCamera();
     camera.eye = {0, 0, 6};
     ASSERT_TRUE(live.render({walled.scene, walled.tracer, camera, settings}, 0.1, control, frame));
-    EXPECT_TRUE(live.follows(camera.eye, walled.tracer));
-    EXPECT_TRUE(live.follows(camera.eye + Vec3{0.5F, 0.1F, 0.15F}, walled.tracer));
-    EXPECT_FALSE(live.follows(camera.eye + Vec3{0, 0, 0.25F}, walled.tracer));
+    EXPECT_TRUE(live.canReuse(camera.eye, walled.tracer));
+    EXPECT_TRUE(live.canReuse(camera.eye + Vec3{0.5F, 0.1F, 0.15F}, walled.tracer));
+    EXPECT_FALSE(live.canReuse(camera.eye + Vec3{0, 0, 0.25F}, walled.tracer));
     camera.eye.z = 6.4F;
-    EXPECT_FALSE(live.follows(camera.eye, walled.tracer));
+    EXPECT_FALSE(live.canReuse(camera.eye, walled.tracer));
     live.forget();
-    EXPECT_TRUE(live.follows(camera.eye, walled.tracer)) << "nothing is kept that could be wrong";
+    EXPECT_TRUE(live.canReuse(camera.eye, walled.tracer)) << "nothing is kept that could be wrong";
     ASSERT_TRUE(live.render({walled.scene, walled.tracer, camera, settings}, 0.1, control, frame));
-    EXPECT_TRUE(live.follows(camera.eye + Vec3{0, 0, 0.04F}, walled.tracer));
-    EXPECT_FALSE(live.follows(camera.eye - Vec3{0, 0, 0.3F}, walled.tracer));
+    EXPECT_TRUE(live.canReuse(camera.eye + Vec3{0, 0, 0.04F}, walled.tracer));
+    EXPECT_FALSE(live.canReuse(camera.eye - Vec3{0, 0, 0.3F}, walled.tracer));
 }
 
 } // namespace

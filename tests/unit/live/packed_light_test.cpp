@@ -13,10 +13,10 @@ TEST(PackedLight, IsWithinAPartOfItsLargestChannel) {
     for (const float scale : {1e-3F, 0.5F, 0.9999F, 1.0F, 37.0F, 60000.0F}) {
         const Colour light = Colour{1, 0.31F, 0.002F} * scale;
         const Colour kept = unpackLight(packLight(light));
-        const float most = scale / 511;
-        EXPECT_NEAR(kept.r, light.r, most);
-        EXPECT_NEAR(kept.g, light.g, most);
-        EXPECT_NEAR(kept.b, light.b, most);
+        const float max = scale / 511;
+        EXPECT_NEAR(kept.r, light.r, max);
+        EXPECT_NEAR(kept.g, light.g, max);
+        EXPECT_NEAR(kept.b, light.b, max);
         EXPECT_EQ(packLight(kept), packLight(light)) << "kept once, it stays as it is";
     }
 }

@@ -38,12 +38,12 @@ class Wall : public testing::Test {
         }
     }
     /// What an eye sees that has gone so many pixels of the wall to the right and down.
-    void carryTo(float right, float down) {
+    void reprojectTo(float right, float down) {
         const ImagePlane& plane = past.plane();
         now.resize(planeFrom((plane.right * right + plane.down * down) * kDepth));
-        carry();
+        reproject();
     }
-    void carry() { reprojection.carry(layers, now, 1); }
+    void reproject() { reprojection.reproject(layers, now, 1); }
     Colour seen(int x, int y) const { return present.light(present.index(x, y)); }
     bool known(int x, int y) const { return present.known(present.index(x, y)); }
     float staleness(int x, int y) const { return reprojection.staleness()[present.index(x, y)]; }
@@ -54,12 +54,12 @@ class Wall : public testing::Test {
     }
 
     LiveLayers layers, now;
-    LiveSamples &past = layers.own, &present = now.own;
+    LiveSamples &past = layers.surface, &present = now.surface;
     Reprojection reprojection;
 };
 
 TEST_F(Wall, StaysWhereItIsForAnEyeAtRest) {
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     for (int y = 0; y < kWallRows; ++y) {
         for (int x = 0; x < kWallColumns; ++x) {
             ASSERT_TRUE(known(x, y));
@@ -71,7 +71,7 @@ TEST_F(Wall, StaysWhereItIsForAnEyeAtRest) {
 }
 
 TEST_F(Wall, GoesToTheLeftOfAnEyeThatGoesRight) {
-    carryTo(3, 1);
+    reprojectTo(3, 1);
     for (int y = 0; y + 1 < kWallRows; ++y) {
         for (int x = 0; x + 3 < kWallColumns; ++x) EXPECT_EQ(seen(x, y), lightOf(x + 3, y + 1));
     }
@@ -80,18 +80,18 @@ TEST_F(Wall, GoesToTheLeftOfAnEyeThatGoesRight) {
 }
 
 TEST_F(Wall, IsTheStalerTheFurtherItsSamplesAreFromTheMiddles) {
-    carryTo(0.25F, 0);
+    reprojectTo(0.25F, 0);
     EXPECT_NEAR(staleness(20, 15), 0.25F * 0.25F, 1e-3);
-    carryTo(0.375F, 0.125F);
+    reprojectTo(0.375F, 0.125F);
     EXPECT_NEAR(staleness(20, 15), 0.375F * 0.375F + 0.125F * 0.125F, 1e-3);
 }
 
 TEST_F(Wall, AgesFasterWhereItsLightWanders) {
     const std::size_t mirror = past.index(20, 15);
-    past.set(mirror, {.position = past.points[mirror].position, .wanders = true});
-    carryTo(0, 0);
+    past.set(mirror, {.position = past.points[mirror].position, .unreliable = true});
+    reprojectTo(0, 0);
     std::swap(layers, now);
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_GT(staleness(21, 15), 0);
     EXPECT_GT(staleness(20, 15), 20 * staleness(21, 15));
 }
@@ -100,19 +100,19 @@ TEST_F(Wall, HidesWhatIsBehindIt) {
     const std::size_t corner = past.index(0, 0);
     const Vec3 behind = past.plane().eye + past.plane().towards(20.5F, 15.5F) * (2 * kDepth);
     past.set(corner, {.position = behind, .light = {500, 0, 0}});
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_EQ(seen(20, 15), lightOf(20, 15));
     for (std::size_t i = 0; i < present.size(); ++i) EXPECT_LT(present.light(i).r, 400);
     const Vec3 before = past.plane().eye + past.plane().towards(20.5F, 15.5F) * (0.5F * kDepth);
     past.set(corner, {.position = before, .light = {500, 0, 0}});
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_GT(seen(20, 15).r, 400);
 }
 
 TEST_F(Wall, KeepsBothOfTwoSamplesInAPixelWhereThatBesideHasNone) {
     const Vec3 toTheRight = onWall(past.plane(), 20.9F, 15.5F); // of the pixel (20, 15)
     past.set(past.index(21, 15), {.position = toTheRight, .light = {300, 0, 0}});
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_EQ(seen(20, 15), lightOf(20, 15));
     EXPECT_NEAR(seen(21, 15).r, 300, 1);
     EXPECT_GT(staleness(21, 15), staleness(20, 15));
@@ -120,7 +120,7 @@ TEST_F(Wall, KeepsBothOfTwoSamplesInAPixelWhereThatBesideHasNone) {
 
 TEST_F(Wall, LendsItsLightToACrack) {
     past.forget(past.index(20, 15));
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     ASSERT_TRUE(known(20, 15));
     EXPECT_GT(staleness(20, 15), 0.9F);
     const Colour light = seen(20, 15);
@@ -128,21 +128,22 @@ TEST_F(Wall, LendsItsLightToACrack) {
     for (int y = 14; y <= 17; ++y) {
         for (int x = 19; x <= 22; ++x) past.forget(past.index(x, y));
     }
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_FALSE(known(20, 15)) << "a hole is no crack";
 }
 
 TEST_F(Wall, HidesWhatIsSeenThroughItsGaps) {
     constexpr float kLittle = 0.01F;
     const auto setBehind = [&](int x, int y) {
-        const Vec3 way = past.plane().towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-        past.set(past.index(x, y), {.position = past.plane().eye + way * (2 * kDepth), .light = {500, 0, 0}});
+        const Vec3 towards = past.plane().towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+        past.set(past.index(x, y),
+                 {.position = past.plane().eye + towards * (2 * kDepth), .light = {500, 0, 0}});
     };
     setBehind(20, 15);
     setBehind(21, 15);
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_GT(seen(20, 15).r, 400) << "for an eye at rest it is a hole";
-    carryTo(kLittle, 0);
+    reprojectTo(kLittle, 0);
     EXPECT_LT(seen(20, 15).r, 100);
     EXPECT_LT(seen(21, 15).r, 100);
     EXPECT_GT(staleness(20, 15), 0.9F);
@@ -150,32 +151,32 @@ TEST_F(Wall, HidesWhatIsSeenThroughItsGaps) {
     for (int y = 20; y < 24; ++y) {
         for (int x = 30; x < 35; ++x) setBehind(x, y);
     }
-    carryTo(kLittle, 0);
+    reprojectTo(kLittle, 0);
     for (int y = 0; y < kWallRows; ++y) EXPECT_GT(seen(10, y).r, 400) << "a slit is no gap";
     EXPECT_GT(seen(32, 22).r, 400) << "nor is a hole";
 }
 
 TEST_F(Wall, HasNoMoreSamplesThanWereThere) {
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_EQ(samples(), kWallColumns * kWallRows);
     past.clear(past.plane());
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_EQ(samples(), 0);
     past.clear({});
-    carryTo(0, 0);
+    reprojectTo(0, 0);
     EXPECT_EQ(samples(), 0);
 }
 
 TEST_F(Wall, IsSeenInImagesOfAnotherSize) {
     present.resize(planeFrom({}, kWallColumns / 2, kWallRows / 2));
-    carry();
+    reproject();
     EXPECT_EQ(samples(), kWallColumns / 2 * kWallRows / 2);
     EXPECT_NEAR(seen(10, 7).r, 20.5F, 1.01F);
 }
 
 TEST_F(Wall, BehindTheEyeIsNotSeen) {
     present.resize(planeFrom(past.plane().towards(kWallColumns * 0.5F, kWallRows * 0.5F) * (1.5F * kDepth)));
-    carry();
+    reproject();
     EXPECT_EQ(samples(), 0);
 }
 
@@ -187,14 +188,14 @@ TEST_F(Wall, TheBackgroundStaysWhileTheEyeMoves) {
                 .light = lightOf(x, y),
                 .background = true});
     }
-    carryTo(7, 3);
+    reprojectTo(7, 3);
     EXPECT_EQ(seen(20, 15), lightOf(20, 15));
     EXPECT_LT(staleness(20, 15), 0.01F);
 }
 
 TEST_F(Wall, AgesToALimit) {
     for (int i = 0; i < 300; ++i) {
-        carryTo(0, 0);
+        reprojectTo(0, 0);
         std::swap(layers, now);
     }
     EXPECT_EQ(past.age(past.index(20, 15)), 255);
@@ -203,38 +204,38 @@ TEST_F(Wall, AgesToALimit) {
 
 TEST_F(Wall, ShowsWhatItMirrorsWhereThatSeemsToBe) {
     layers.mirrors = now.mirrors = true;
-    layers.resizeMirrored(past.plane());
+    layers.resizeSpecular(past.plane());
     for (int y = 0; y < kWallRows; ++y) {
         for (int x = 0; x < kWallColumns; ++x) {
             const std::size_t i = past.index(x, y);
             const Vec3 behind = past.points[i].position * 2; // of an eye in the origin
             past.set(i, {.position = past.points[i].position, .light = lightOf(x, y), .mirrors = x < 30});
-            layers.mirrored.set(i, {.position = behind, .light = lightOf(x, y)});
+            layers.specular.set(i, {.position = behind, .light = lightOf(x, y)});
         }
     }
     const ImagePlane& plane = past.plane();
     now.resize(planeFrom(plane.right * (4 * kDepth)));
-    carry();
+    reproject();
     EXPECT_EQ(seen(20, 15), lightOf(24, 15));
-    EXPECT_EQ(now.mirrored.light(present.index(20, 15)), lightOf(22, 15)) << "twice as far, half as fast";
+    EXPECT_EQ(now.specular.light(present.index(20, 15)), lightOf(22, 15)) << "twice as far, half as fast";
     EXPECT_TRUE(now.known(present.index(20, 15)));
     EXPECT_FALSE(present.mirrors(present.index(28, 15)));
-    EXPECT_FALSE(now.mirrored.known(present.index(28, 15))) << "no mirror is there any more";
+    EXPECT_FALSE(now.specular.known(present.index(28, 15))) << "no mirror is there any more";
 }
 
 TEST_F(Wall, KeepsWhatIsMirroredWhereTheMirrorIsNotKnownYet) {
     layers.mirrors = now.mirrors = true;
-    layers.resizeMirrored(past.plane());
+    layers.resizeSpecular(past.plane());
     for (std::size_t i = 0; i < past.size(); ++i) {
         const Vec3 behind = past.points[i].position * 2; // of an eye in the origin
-        layers.mirrored.set(i, {.position = behind, .light = past.light(i)});
+        layers.specular.set(i, {.position = behind, .light = past.light(i)});
         past.forget(i);
     }
     const ImagePlane& plane = past.plane();
     now.resize(planeFrom(plane.right * (4 * kDepth)));
-    carry();
+    reproject();
     EXPECT_EQ(samples(), 0);
-    EXPECT_EQ(now.mirrored.light(present.index(20, 15)), lightOf(22, 15));
+    EXPECT_EQ(now.specular.light(present.index(20, 15)), lightOf(22, 15));
     EXPECT_FALSE(now.known(present.index(20, 15)));
 }
 
@@ -242,16 +243,16 @@ TEST(Reprojection, IsOfImagesOfOneRowOrColumn) {
     for (const auto& [width, height] : {std::pair(300, 1), std::pair(1, 300), std::pair(1, 1)}) {
         LiveLayers past, present;
         past.resize(planeFrom({}, width, height));
-        for (std::size_t i = 0; i < past.own.size(); ++i) {
+        for (std::size_t i = 0; i < past.surface.size(); ++i) {
             // All in one pixel of each, so that each of them loses it.
-            const ImagePlane& plane = past.own.plane();
+            const ImagePlane& plane = past.surface.plane();
             const auto across = static_cast<float>(width) - 0.3F, down = static_cast<float>(height) - 0.4F;
-            past.own.set(i, {.position = onWall(plane, across, down), .light = {1, 1, 1}});
+            past.surface.set(i, {.position = onWall(plane, across, down), .light = {1, 1, 1}});
         }
-        present.resize(past.own.plane());
+        present.resize(past.surface.plane());
         Reprojection reprojection;
-        reprojection.carry(past, present, 2);
-        EXPECT_TRUE(present.own.known(present.own.size() - 1));
+        reprojection.reproject(past, present, 2);
+        EXPECT_TRUE(present.surface.known(present.surface.size() - 1));
     }
 }
 
@@ -259,7 +260,7 @@ TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
     constexpr int kManyColumns = 150, kManyRows = 130;
     LiveLayers layers;
     layers.mirrors = true;
-    LiveSamples& past = layers.own;
+    LiveSamples& past = layers.surface;
     layers.resize(planeFrom({}, kManyColumns, kManyRows));
     std::mt19937 random(7);
     std::uniform_real_distribution<float> anywhere(-15, 15);
@@ -268,9 +269,9 @@ TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
                      .light = {static_cast<float>(i % 500), 0, 0},
                      .background = i % 11 == 0,
                      .mirrors = i % 3 == 0,
-                     .wanders = i % 7 == 0});
+                     .unreliable = i % 7 == 0});
         if (i % 5 == 0) past.forget(i);
-        layers.mirrored.set(i, {.position = {anywhere(random), anywhere(random), anywhere(random)},
+        layers.specular.set(i, {.position = {anywhere(random), anywhere(random), anywhere(random)},
                                 .light = {static_cast<float>(i % 300), 0, 0}});
         layers.tints[i] = static_cast<std::uint32_t>(i);
     }
@@ -279,11 +280,11 @@ TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
         LiveLayers present;
         present.mirrors = true;
         present.resize(planeFrom({0.3F, 0.1F, -0.2F}, kManyColumns, kManyRows));
-        reprojection.carry(layers, present, threads);
+        reprojection.reproject(layers, present, threads);
         std::vector<std::uint32_t> all;
-        for (std::size_t i = 0; i < present.own.size(); ++i) {
-            all.push_back(present.own.mirrors(i) ? present.tints[i] : 0);
-            for (const LiveSamples* layer : {&present.own, &present.mirrored}) {
+        for (std::size_t i = 0; i < present.surface.size(); ++i) {
+            all.push_back(present.surface.mirrors(i) ? present.tints[i] : 0);
+            for (const LiveSamples* layer : {&present.surface, &present.specular}) {
                 all.push_back(layer->points[i].state);
                 all.push_back(layer->known(i) ? layer->lights[i].radiance : 0);
             }

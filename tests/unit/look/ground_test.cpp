@@ -1,5 +1,5 @@
 /// The ground of the sky: what it looks like in the light and in the shadow, and what rays find of it.
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/ground_tracer.h"
 #include "rtcore/sky/scene_sky.h"
@@ -183,8 +183,8 @@ TEST(GroundThatFades, IsSolidBelowTheModelAndGoneAtItsSides) {
 TEST(GroundOfALook, LiesBelowObjectsNotInRooms) {
     const Vec3 up{0, 1, 0};
     const auto groundFor = [&](const test::TracedScene& s) {
-        return rtcore::lookLights(
-                   rtcore::Look::Sky, s.tree, s.scene.mesh(),
+        return rtcore::presetLighting(
+                   rtcore::LightingPreset::Sky, s.tree, s.scene.mesh(),
                    rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(up)),
                    rtcore::defaultCamera(s.tree, s.scene.mesh(),
                                          rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(up))))

@@ -22,7 +22,7 @@ TEST(RoomLights, HangBelowTheCeilingAndReachTheFloor) {
     const test::TracedScene s(test::room().finish());
     const std::vector<Light> lights = lightsOf(s);
     ASSERT_GE(lights.size(), 1U);
-    EXPECT_LE(lights.size(), static_cast<std::size_t>(rtcore::kMostRoomLights));
+    EXPECT_LE(lights.size(), static_cast<std::size_t>(rtcore::kMaxRoomLights));
     for (const Light& light : lights) {
         EXPECT_EQ(light.kind, rtcore::LightKind::Sphere);
         EXPECT_GT(light.position.y, 0) << "in the upper half";
@@ -41,8 +41,8 @@ TEST(RoomLights, LightTheFloorOfEachPlaceToAboutOne) {
     for (float x = -4; x <= 4; x += 2) {
         for (float z = -2; z <= 2; z += 2, ++count) {
             for (const Light& light : lights) {
-                const Vec3 way = light.position - Vec3{x, -2, z};
-                sum += light.intensity.r / dot(way, way);
+                const Vec3 toLight = light.position - Vec3{x, -2, z};
+                sum += light.intensity.r / dot(toLight, toLight);
             }
         }
     }
@@ -68,7 +68,7 @@ TEST(RoomLights, AreMoreInALongHallThanInAShortOne) {
     hall.quad({-l, -2, 4}, {-l, -2, -4}, {-l, 2, -4}, {-l, 2, 4}, white);
     hall.quad({l, -2, -4}, {l, -2, 4}, {l, 2, 4}, {l, 2, -4}, white);
     const test::TracedScene longOne(hall.finish());
-    EXPECT_EQ(lightsOf(longOne).size(), static_cast<std::size_t>(rtcore::kMostRoomLights));
+    EXPECT_EQ(lightsOf(longOne).size(), static_cast<std::size_t>(rtcore::kMaxRoomLights));
     EXPECT_LT(lightsOf(shortOne).size(), lightsOf(longOne).size());
 }
 

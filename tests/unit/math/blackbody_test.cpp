@@ -34,8 +34,8 @@ TEST(Blackbody, IsIlluminantA) {
 
 /// The pieces of the splines meet.
 TEST(Blackbody, ChangesSteadily) {
-    rtcore::Chromaticity last = rtcore::blackbodyChromaticity(rtcore::kLeastTemperature);
-    for (double kelvin = rtcore::kLeastTemperature; kelvin <= rtcore::kMostTemperature; kelvin += 1) {
+    rtcore::Chromaticity last = rtcore::blackbodyChromaticity(rtcore::kMinTemperature);
+    for (double kelvin = rtcore::kMinTemperature; kelvin <= rtcore::kMaxTemperature; kelvin += 1) {
         const rtcore::Chromaticity is = rtcore::blackbodyChromaticity(kelvin);
         EXPECT_LT(std::hypot(is.x - last.x, is.y - last.y), 0.0005) << kelvin;
         last = is;

@@ -57,9 +57,9 @@ class EyeJerk {
         if (n < 5 || n % 2 == 0) return;
         const Vec3d change = eyes_[n - 1] - eyes_[n - 3] - (eyes_[n - 3] - eyes_[n - 5]);
         upright = std::max(upright, std::fabs(change.z));
-        most = std::max(most, length(change));
+        max = std::max(max, length(change));
     }
-    double upright = 0, most = 0;
+    double upright = 0, max = 0;
 
   private:
     std::vector<Vec3d> eyes_;
@@ -162,7 +162,7 @@ TEST(AwkwardPlaces, ASlopeThatEndsAtAWall) {
         walker->tick(ahead());
         jerk.look(walker->eye());
     }
-    EXPECT_LT(jerk.most, 1e-4);
+    EXPECT_LT(jerk.max, 1e-4);
     stand(*walker);
     EXPECT_LT(length(walker->state().feet - there), 1e-3);
     EXPECT_TRUE(walker->atRest());
@@ -212,7 +212,7 @@ TEST(AwkwardPlaces, PressingAgainstWallsDoesNotTremble) {
             walker->tick(ahead(angle));
             jerk.look(walker->eye());
         }
-        EXPECT_LT(jerk.most, 5e-5) << angle;
+        EXPECT_LT(jerk.max, 5e-5) << angle;
     }
 }
 

@@ -20,8 +20,8 @@ WalkWorld furnished() {
     world.floor(0, 8);
     test::Random random(5);
     for (int i = 0; i < 30; ++i) {
-        const double x = 12 * test::share(random) - 6, y = 12 * test::share(random) - 6,
-                     h = 1.5 * test::share(random);
+        const double x = 12 * test::fraction(random) - 6, y = 12 * test::fraction(random) - 6,
+                     h = 1.5 * test::fraction(random);
         world.box(metres(x, y, -1), metres(x + 0.7, y + 0.9, h));
     }
     for (const double side : {-8.0, 8.0}) {

@@ -31,15 +31,15 @@ WalkWorld room(std::uint64_t seed) {
         [](rtcore::Vec3 p) { return metres(8 * double{p.x}, 8 * double{p.y}, 2.5 + 2.5 * double{p.z}); });
     world.add(walls);
     test::Random random(seed);
-    const auto place = [&] { return 14 * test::share(random) - 7; };
+    const auto place = [&] { return 14 * test::fraction(random) - 7; };
     for (int i = 0; i < 25; ++i) {
-        const double x = place(), y = place(), w = 0.2 + test::share(random),
-                     h = 2 * test::share(random) * test::share(random);
-        const double z = i % 4 == 0 ? 0.5 + test::share(random) : -0.5;
-        world.box(metres(x, y, z), metres(x + w, y + 0.3 + test::share(random), z + 0.5 + h));
+        const double x = place(), y = place(), w = 0.2 + test::fraction(random),
+                     h = 2 * test::fraction(random) * test::fraction(random);
+        const double z = i % 4 == 0 ? 0.5 + test::fraction(random) : -0.5;
+        world.box(metres(x, y, z), metres(x + w, y + 0.3 + test::fraction(random), z + 0.5 + h));
     }
     for (int i = 0; i < 6; ++i) {
-        const double x = place(), y = place(), slope = 3 * test::share(random);
+        const double x = place(), y = place(), slope = 3 * test::fraction(random);
         world.quad(metres(x, y, -0.1), metres(x + 2, y, -0.1), metres(x + 2, y + 1.5, 1.5 * slope),
                    metres(x, y + 1.5, 1.5 * slope));
     }
@@ -74,16 +74,18 @@ int walkIn(WalkWorld& world, Vec3d lo, Vec3d hi, int count, bool sealed) {
     for (int walk = 0; walk < count && !testing::Test::HasFailure(); ++walk) {
         test::Random random(static_cast<std::uint64_t>(walk));
         rtcore::Walker walker(world.tree(), world.view(), frame, WalkWorld::shape());
-        const auto within = [&](double from, double to) { return from + (to - from) * test::share(random); };
+        const auto within = [&](double from, double to) {
+            return from + (to - from) * test::fraction(random);
+        };
         const double x = within(lo.x, hi.x), y = within(lo.y, hi.y);
         if (!walker.enter({x, y, within(lo.z, hi.z)})) continue;
         ++walked;
         test::RandomKeys keys(random);
         const test::WalkRecord record = test::recordWalk(walker, kTicks, [&] { return keys.next(); });
-        const test::WalkClearance least = judge.judge(record, random);
-        EXPECT_GE(least.atEnds, kRadius - 1e-9) << "walk " << walk << " tick " << least.endsTick;
-        EXPECT_GE(least.onTheWay, kRadius - 0.005) << "walk " << walk << " tick " << least.wayTick;
-        EXPECT_GE(least.ofEye, 0.05) << "walk " << walk << " tick " << least.eyeTick;
+        const test::WalkClearance min = judge.judge(record, random);
+        EXPECT_GE(min.atEnds, kRadius - 1e-9) << "walk " << walk << " tick " << min.endsTick;
+        EXPECT_GE(min.onTheWay, kRadius - 0.005) << "walk " << walk << " tick " << min.wayTick;
+        EXPECT_GE(min.ofEye, 0.05) << "walk " << walk << " tick " << min.eyeTick;
         if (!sealed) continue;
         EXPECT_EQ(record.putBack, 0) << "walk " << walk;
         for (const test::WalkMoment& now : record.moments) {

@@ -72,7 +72,7 @@ TEST(Separation, IsTheShortest) {
     test::Random random(1);
     for (int i = 0; i < 1000; ++i) {
         const SolidTriangle t = randomTriangle(random, i % 5);
-        const UprightLine line{randomPoint(random, 1.5), i % 3 == 0 ? 0.0 : 1.2 * test::share(random)};
+        const UprightLine line{randomPoint(random, 1.5), i % 3 == 0 ? 0.0 : 1.2 * test::fraction(random)};
         const rtcore::Separation s = separate(line, t);
         const double sampled = sampledDistance(line, t);
         ASSERT_LE(s.distance, sampled + 1e-9) << i;
@@ -86,11 +86,11 @@ TEST(Separation, SweepsStopAtTheSurface) {
     int hits = 0;
     for (int i = 0; i < 20000; ++i) {
         const SolidTriangle t = randomTriangle(random, i % 5);
-        const UprightLine line{randomPoint(random, 2), i % 3 == 0 ? 0.0 : 1.2 * test::share(random)};
+        const UprightLine line{randomPoint(random, 2), i % 3 == 0 ? 0.0 : 1.2 * test::fraction(random)};
         constexpr double kRadius = 0.29, kSkin = 0.01;
         if (separate(line, t).distance < kRadius) continue;
         const Vec3d direction = normalize(t.a - line.foot + randomPoint(random, 1));
-        const double distance = 3 * test::share(random);
+        const double distance = 3 * test::fraction(random);
         const rtcore::Sweep sweep = sweepCapsule({&t, 1}, line, kRadius, kSkin, direction, distance);
         hits += sweep.hit ? 1 : 0;
         for (int part = 0; part <= 20; ++part) {

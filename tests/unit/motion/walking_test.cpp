@@ -223,11 +223,11 @@ TEST(Walking, ClimbsStairsWithoutShaking) {
         const auto walker = world.walker(-2, -0.5, 0);
         stand(*walker);
         double eye = walker->eye().z;
-        double most = 0;
+        double max = 0;
         const auto step = [&](const WalkInput& input) {
             walker->tick(input);
             EXPECT_TRUE(walker->state().grounded) << walker->state().feet.y;
-            most = std::max(most, std::fabs(walker->eye().z - eye));
+            max = std::max(max, std::fabs(walker->eye().z - eye));
             eye = walker->eye().z;
         };
         int ticks = 0;
@@ -237,7 +237,7 @@ TEST(Walking, ClimbsStairsWithoutShaking) {
         for (ticks = 0; walker->state().feet.y > -0.4 && ticks < 1000; ++ticks) step(ahead(180 + angle));
         EXPECT_LT(ticks, (kLong + 0.5) / (0.95 * 3 * std::cos(angle * kPi / 180)) * 120 + 20);
         EXPECT_NEAR(walker->state().feet.z, 0, 1e-2);
-        EXPECT_LT(most, 0.030);
+        EXPECT_LT(max, 0.030);
     }
 }
 

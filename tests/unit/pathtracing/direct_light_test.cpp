@@ -161,12 +161,12 @@ TEST(DirectLight, ThroughMirrorsPanesAndHolesIsThatOfWhittedInTheMean) {
 
 /// The irradiance over pi times the radiance of a light, at the origin of a white floor.
 void expectFormFactor(const test::PathScene& scene, double expected, const std::string& what) {
-    for (const LightFinding finding :
-         {LightFinding::Both, LightFinding::NextEvent, LightFinding::ScatteredRays}) {
+    for (const SamplingStrategy strategy :
+         {SamplingStrategy::Both, SamplingStrategy::NextEvent, SamplingStrategy::ScatteredRays}) {
         test::PathLimits limits = test::bouncesAlone(0);
-        limits.finding = finding;
+        limits.strategy = strategy;
         const auto seen = scene.see({0, 0.01F, 0}, {0, -1, 0}, 32768, limits);
-        EXPECT_NEAR(seen.mean[0], expected, 5 * seen.error[0] + 1e-5) << what << static_cast<int>(finding);
+        EXPECT_NEAR(seen.mean[0], expected, 5 * seen.error[0] + 1e-5) << what << static_cast<int>(strategy);
     }
 }
 
@@ -228,10 +228,10 @@ TEST(Surroundings, LightAFloorAsTheirIntegral) {
     b.square({0, 0, 0}, {0, 1, 0}, 1, b.material(test::matte(0.6F)));
     b.scene.background = {1, 2, 3};
     const test::PathScene scene(b.finish());
-    for (const LightFinding finding :
-         {LightFinding::Both, LightFinding::NextEvent, LightFinding::ScatteredRays}) {
+    for (const SamplingStrategy strategy :
+         {SamplingStrategy::Both, SamplingStrategy::NextEvent, SamplingStrategy::ScatteredRays}) {
         test::PathLimits limits = test::bouncesAlone(0);
-        limits.finding = finding;
+        limits.strategy = strategy;
         const auto seen = scene.see({0, 1, 0}, {0.1F, -1, 0}, 16384, limits);
         EXPECT_NEAR(seen.mean[0], 0.6, 5 * seen.error[0] + 1e-5);
         EXPECT_NEAR(seen.mean[2], 1.8, 5 * seen.error[2] + 3e-5);

@@ -100,10 +100,10 @@ Scene hollowSphere(const Material& first, const Material& rest, double cap) {
 
 TEST(Enclosure, SphereWithABlackCapIsAsBrightEverywhere) {
     // E / pi = f Le / (1 - (1 - f) rho); the facets of the sphere change it by less than 0.0005.
-    constexpr double kShare = 0.1, kAlbedo = 0.7;
-    const double expected = kAlbedo * kShare / (1 - (1 - kShare) * kAlbedo);
+    constexpr double kFraction = 0.1, kAlbedo = 0.7;
+    const double expected = kAlbedo * kFraction / (1 - (1 - kFraction) * kAlbedo);
     const test::PathScene scene(
-        hollowSphere(test::emitter({1, 1, 1}), test::matte(static_cast<float>(kAlbedo)), kShare));
+        hollowSphere(test::emitter({1, 1, 1}), test::matte(static_cast<float>(kAlbedo)), kFraction));
     test::PathLimits limits = test::bouncesAlone(64);
     limits.rouletteFrom = 4;
     for (const Vec3 to : {Vec3{0.1F, -1, 0.2F}, Vec3{1, 0.3F, 0.2F}}) {
@@ -125,7 +125,7 @@ TEST(Enclosure, SphereWithALightInItsMiddleIsAsBrightEverywhere) {
 // --- The closed Cornell cube; the table was made by an independent program ---
 
 struct CornellPoint {
-    Vec3 place, normal;
+    Vec3 position, normal;
     Colour albedo;
     double direct;
     std::array<double, 3> first, second, all;
@@ -204,14 +204,14 @@ Scene cornell(bool emitter) {
     return scene;
 }
 
-void expectCornell(const test::PathScene& scene, LightFinding finding, std::uint32_t samples) {
+void expectCornell(const test::PathScene& scene, SamplingStrategy strategy, std::uint32_t samples) {
     for (const CornellPoint& point : kCornell) {
-        const Vec3 eye = point.place + point.normal * 0.1F;
+        const Vec3 eye = point.position + point.normal * 0.1F;
         const std::array<double, 3> albedo{point.albedo.r, point.albedo.g, point.albedo.b};
         for (const int bounces : {0, 1, 2, 40}) {
             test::PathLimits limits = test::bouncesAlone(bounces);
             limits.rouletteFrom = 3;
-            limits.finding = finding;
+            limits.strategy = strategy;
             const auto seen = scene.see(eye, -point.normal, samples, limits);
             for (std::size_t c = 0; c < 3; ++c) {
                 const double irradiance = seen.mean[c] * test::kPi / albedo[c];
@@ -220,7 +220,8 @@ void expectCornell(const test::PathScene& scene, LightFinding finding, std::uint
                 if (bounces > 1) expected += point.second[c];
                 if (bounces > 2) expected = point.all[c];
                 EXPECT_NEAR(irradiance, expected, 5 * seen.error[c] * test::kPi / albedo[c] + 1e-4)
-                    << point.place.x << ' ' << point.place.y << " bounces " << bounces << " channel " << c;
+                    << point.position.x << ' ' << point.position.y << " bounces " << bounces << " channel "
+                    << c;
             }
         }
     }
@@ -228,16 +229,16 @@ void expectCornell(const test::PathScene& scene, LightFinding finding, std::uint
 
 TEST(CornellCube, HasTheLightOfEachBounceByAnEmitter) {
     const test::PathScene scene(cornell(true));
-    expectCornell(scene, LightFinding::Both, 16384);
-    expectCornell(scene, LightFinding::NextEvent, 8192);
-    expectCornell(scene, LightFinding::ScatteredRays, 16384);
+    expectCornell(scene, SamplingStrategy::Both, 16384);
+    expectCornell(scene, SamplingStrategy::NextEvent, 8192);
+    expectCornell(scene, SamplingStrategy::ScatteredRays, 16384);
 }
 
 TEST(CornellCube, HasTheLightOfEachBounceByARectangle) {
     const test::PathScene scene(cornell(false));
-    expectCornell(scene, LightFinding::Both, 16384);
-    expectCornell(scene, LightFinding::NextEvent, 8192);
-    expectCornell(scene, LightFinding::ScatteredRays, 16384);
+    expectCornell(scene, SamplingStrategy::Both, 16384);
+    expectCornell(scene, SamplingStrategy::NextEvent, 8192);
+    expectCornell(scene, SamplingStrategy::ScatteredRays, 16384);
 }
 
 TEST(CornellCube, SamplesOfOnePixelConvergeFasterThanIndependentOnes) {
@@ -247,15 +248,15 @@ TEST(CornellCube, SamplesOfOnePixelConvergeFasterThanIndependentOnes) {
     const CornellPoint& point = kCornell[0];
     const double expected = point.first[0] * point.albedo.r / test::kPi;
     test::PathLimits direct = test::bouncesAlone(0), both = test::bouncesAlone(1);
-    direct.finding = both.finding = LightFinding::NextEvent;
+    direct.strategy = both.strategy = SamplingStrategy::NextEvent;
     const auto error = [&](bool ofOnePixel) {
         double squares = 0;
         for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
             RayWave rays;
             std::vector<SampleId> ids;
             for (std::uint32_t i = 0; i < kSamples; ++i) {
-                rays.push(
-                    {point.place + point.normal * 0.1F, 0, -point.normal, std::numeric_limits<float>::max()});
+                rays.push({point.position + point.normal * 0.1F, 0, -point.normal,
+                           std::numeric_limits<float>::max()});
                 const auto x = static_cast<std::uint16_t>(pixel), y = static_cast<std::uint16_t>(i);
                 ids.push_back(ofOnePixel ? SampleId{x, 0, i} : SampleId{x, y, 0});
             }

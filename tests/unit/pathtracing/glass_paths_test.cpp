@@ -34,10 +34,10 @@ TEST(PathFurnace, PhongHasItsAlbedo) {
         b.scene.background = {1, 1, 1};
         const test::PathScene scene(b.finish());
         const Vec3 eye = test::atAngle(60);
-        for (const LightFinding finding :
-             {LightFinding::Both, LightFinding::NextEvent, LightFinding::ScatteredRays}) {
+        for (const SamplingStrategy strategy :
+             {SamplingStrategy::Both, SamplingStrategy::NextEvent, SamplingStrategy::ScatteredRays}) {
             test::PathLimits limits = test::bouncesAlone(0);
-            limits.finding = finding;
+            limits.strategy = strategy;
             const auto seen = scene.see(eye, -eye, 65536, limits);
             EXPECT_NEAR(seen.mean[0], albedo, 5 * seen.error[0] + 1e-4) << exponent;
         }
@@ -76,7 +76,7 @@ TEST(PathCaustics, ASolidBendsItsLightOnlyWhereTheyCount) {
     // A slab moves light a little nearer: somewhat brighter than straight through it.
     EXPECT_GT(straight.mean[0], 0.04);
     EXPECT_NEAR(bent.mean[0], straight.mean[0], 0.15 * straight.mean[0]);
-    limits.finding = LightFinding::ScatteredRays;
+    limits.strategy = SamplingStrategy::ScatteredRays;
     const auto without = scene.see({0, 0.1F, 0}, {0.2F, -1, 0}, 20000, limits);
     EXPECT_NEAR(without.mean[0], straight.mean[0], 5 * std::hypot(straight.error[0], without.error[0]))
         << "rays that are bent are dropped, and next event has all of the light";

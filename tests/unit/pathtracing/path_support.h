@@ -1,8 +1,8 @@
 /// Means of paths with their standard errors.
 #pragma once
 
-#include "rtcore/pathtracing/light_finding.h"
 #include "rtcore/pathtracing/path_integrator.h"
+#include "rtcore/pathtracing/sampling_strategy.h"
 
 #include "support/small_scene.h"
 
@@ -19,7 +19,7 @@ namespace test {
 
 /// Settings of paths, and what finds the light.
 struct PathLimits : rtcore::PathSettings {
-    rtcore::LightFinding finding = rtcore::LightFinding::Both;
+    rtcore::SamplingStrategy strategy = rtcore::SamplingStrategy::Both;
 };
 
 /// Of independent samples.
@@ -44,7 +44,7 @@ class PathScene {
         rtcore::PathIntegrator integrator;
         rtcore::RenderSettings with = settings;
         with.path = limits;
-        integrator.begin({traced.scene, traced.tracer, with, materials, lights, limits.finding});
+        integrator.begin({traced.scene, traced.tracer, with, materials, lights, limits.strategy});
         integrator.trace(rays, samples);
         std::vector<rtcore::Colour> radiance;
         for (std::size_t i = 0; i < samples.size(); ++i)
@@ -124,13 +124,13 @@ double lambertSum(const std::array<std::array<double, 3>, n>& corners, std::arra
 inline void expectLight(const PathScene& scene, rtcore::Vec3 eye, rtcore::Vec3 direction,
                         std::uint32_t samples, PathLimits limits, double expected, const std::string& what,
                         double more = 0) {
-    using rtcore::LightFinding;
-    for (const LightFinding finding :
-         {LightFinding::Both, LightFinding::NextEvent, LightFinding::ScatteredRays}) {
-        limits.finding = finding;
+    using rtcore::SamplingStrategy;
+    for (const SamplingStrategy strategy :
+         {SamplingStrategy::Both, SamplingStrategy::NextEvent, SamplingStrategy::ScatteredRays}) {
+        limits.strategy = strategy;
         const PathMean seen = scene.see(eye, direction, samples, limits);
         EXPECT_NEAR(seen.mean[0], expected, 5 * seen.error[0] + 1e-5 + more)
-            << what << ", found by " << static_cast<int>(finding);
+            << what << ", found by " << static_cast<int>(strategy);
     }
 }
 

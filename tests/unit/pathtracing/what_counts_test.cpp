@@ -108,7 +108,7 @@ TEST(WhatCounts, OnlyLightsThatAreOnAndInTheBoxStandForEmission) {
     const auto lit = [&](Light light) {
         flame.lights = {light};
         const test::PathScene scene(flame, test::exactSettings(), EmitterLight::Automatic);
-        return scene.lights.dark()[1] == 0;
+        return scene.lights.emitsNoLight()[1] == 0;
     };
     EXPECT_FALSE(lit(test::pointLight({0, 1.1F, 0}, 1)));
     EXPECT_TRUE(lit(test::pointLight({0, 1.3F, 0}, 1)));

@@ -282,7 +282,7 @@ TEST_F(ReplacedFile, IsKeptOnAnotherFileSystem) {
 
 TEST_F(ReplacedFile, IsKeptSoOftenAndNoMore) {
     putText(folder / "a.scn", "new");
-    for (int i = 1; i <= rtcore::kMostBackups; ++i)
+    for (int i = 1; i <= rtcore::kMaxBackups; ++i)
         putText(folder / ("a.scn~" + (i == 1 ? std::string() : std::to_string(i))), "kept");
     EXPECT_NE(refusalOf([&] { rtcore::keepBackup(folder / "a.scn"); }).find("99 old versions"),
               std::string::npos);

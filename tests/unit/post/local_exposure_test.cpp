@@ -63,13 +63,13 @@ TEST(LocalExposure, LeavesNoHaloAlongAnEdge) {
     const HdrImage image = twoHalves(400, 200, 20, 0.2F);
     const HdrImage seen = adjusted(image, 2, 1);
     for (const auto& [from, to] : {std::pair{100, 200}, {200, 300}}) {
-        double least = 1e9, most = -1e9;
+        double min = 1e9, max = -1e9;
         for (int x = from; x < to; ++x) {
             const double factor = log2Of(seen.at(x, 100)) - log2Of(image.at(x, 100));
-            least = std::min(least, factor);
-            most = std::max(most, factor);
+            min = std::min(min, factor);
+            max = std::max(max, factor);
         }
-        EXPECT_LT(most - least, 0.75) << from;
+        EXPECT_LT(max - min, 0.75) << from;
     }
 }
 

@@ -113,12 +113,12 @@ TEST(ToneCurves, ExposureScalesTheLight) {
 
 /// Degrees.
 double hueOf(const Rgb& c) {
-    const double most = std::max({c[0], c[1], c[2]}), least = std::min({c[0], c[1], c[2]});
-    double turn = (c[0] - c[1]) / (most - least) + 4;
-    if (c[0] == most)
-        turn = (c[1] - c[2]) / (most - least);
-    else if (c[1] == most)
-        turn = (c[2] - c[0]) / (most - least) + 2;
+    const double max = std::max({c[0], c[1], c[2]}), min = std::min({c[0], c[1], c[2]});
+    double turn = (c[0] - c[1]) / (max - min) + 4;
+    if (c[0] == max)
+        turn = (c[1] - c[2]) / (max - min);
+    else if (c[1] == max)
+        turn = (c[2] - c[0]) / (max - min) + 2;
     return 60 * turn;
 }
 

@@ -99,13 +99,13 @@ TEST(ToneMapLuminance, KeepsTheLuminanceOfAllColours) {
 }
 
 TEST(ToneMapLuminance, WhatIsInfinitelyBrightIsWhite) {
-    const float most = std::numeric_limits<float>::max();
+    const float max = std::numeric_limits<float>::max();
     for (const Colour c : {Colour{kInf, kInf, kInf},
                            {kInf, 0, 0},
                            {1, kInf, 0},
                            {0, kInf, 0},
                            {0, 0, kInf},
-                           {most, most, most}}) {
+                           {max, max, max}}) {
         EXPECT_EQ(toneMapLuminance(c, 1), kWhite) << c.r << ' ' << c.g << ' ' << c.b;
     }
 }

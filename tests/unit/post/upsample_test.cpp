@@ -96,16 +96,16 @@ TEST(Upsample, StaysWithinThePixelsAround) {
                 const int left = static_cast<int>(std::floor(u)) - 1,
                           top = static_cast<int>(std::floor(v)) - 1;
                 for (const auto channel : kChannels) {
-                    int least = 255, most = 0;
+                    int min = 255, max = 0;
                     for (int i = 0; i < 16; ++i) {
                         const int there = small.at(std::clamp(left + i % 4, 0, small.width - 1),
                                                    std::clamp(top + i / 4, 0, small.height - 1)).*
                                           channel;
-                        least = std::min(least, there);
-                        most = std::max(most, there);
+                        min = std::min(min, there);
+                        max = std::max(max, there);
                     }
-                    ASSERT_GE(image.at(x, y).*channel, least) << x << ", " << y;
-                    ASSERT_LE(image.at(x, y).*channel, most) << x << ", " << y;
+                    ASSERT_GE(image.at(x, y).*channel, min) << x << ", " << y;
+                    ASSERT_LE(image.at(x, y).*channel, max) << x << ", " << y;
                 }
                 ASSERT_EQ(image.at(x, y).a, 255);
             }
@@ -168,9 +168,9 @@ TEST(Upsample, StandsWhereTheScaleSays) {
     LdrImage small(10, 10), image(37, 37);
     small.at(4, 4) = {255, 255, 255};
     upsample(small, {4, 4}, 1, image);
-    int x = 0, y = 0, most = 0;
+    int x = 0, y = 0, max = 0;
     for (int i = 0; i < 37 * 37; ++i) {
-        if (image.at(i % 37, i / 37).g > most) most = image.at(x = i % 37, y = i / 37).g;
+        if (image.at(i % 37, i / 37).g > max) max = image.at(x = i % 37, y = i / 37).g;
     }
     EXPECT_TRUE(x >= 16 && x < 20 && y >= 16 && y < 20) << x << ", " << y;
 }

@@ -121,8 +121,8 @@ TEST(RenderFrame, AntialiasingIsTheMeanOfThePictureThatIsSoMuchLarger) {
             const Colour mean = sum / (n * n), got = averaged.radiance.at(x, y);
             // The two round directions differently: a ray at an edge may meet the other side.
             if (std::fabs(mean.g - got.g) > 1e-3F * (1 + mean.g)) ++different;
-            const int share = 255 * covered / (n * n);
-            if (averaged.covered[at(x, y, w)] != share) ++different;
+            const int fraction = 255 * covered / (n * n);
+            if (averaged.covered[at(x, y, w)] != fraction) ++different;
         }
     }
     EXPECT_LE(different, w * h / 100);
@@ -250,10 +250,10 @@ void expectPixelsOf(const Scene& scene, const RenderSettings& settings, float ro
                                          pixels, control, {found}, statistics));
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const Colour there = whole.radiance.at(pixels[i].x, pixels[i].y);
-            const float most = rounding * luminance(there);
-            ASSERT_NEAR(found[i].r, there.r, most) << i;
-            ASSERT_NEAR(found[i].g, there.g, most) << i;
-            ASSERT_NEAR(found[i].b, there.b, most) << i;
+            const float max = rounding * luminance(there);
+            ASSERT_NEAR(found[i].r, there.r, max) << i;
+            ASSERT_NEAR(found[i].g, there.g, max) << i;
+            ASSERT_NEAR(found[i].b, there.b, max) << i;
         }
         EXPECT_LT(statistics.total(), whole.statistics.total());
         if (threads == 1) first = found;
@@ -467,7 +467,7 @@ TEST(RenderFrame, SaysHowPanesTintWhatIsSeenThroughThem) {
     renderer.render({traced.scene, traced.tracer, camera, settings}, control, frame);
     const SeenPoint& seen = frame.seen[4 * 9 + 4];
     EXPECT_TRUE(seen.any);
-    EXPECT_TRUE(std::isinf(seen.mirroredLength));
+    EXPECT_TRUE(std::isinf(seen.specularDistance));
     const Colour light = frame.radiance.pixels[4 * 9 + 4];
     EXPECT_NEAR(light.r / seen.tint.r, 0.25F, 0.05F);
     EXPECT_NEAR(light.g / seen.tint.g, 0.5F, 0.05F);
@@ -499,13 +499,13 @@ TEST(RenderFrame, SaysWhatPixelsSeeThatAreNotRefined) {
 TEST(RenderFrame, SaysHowFarAwayMirroredLightSeemsToBe) {
     const SeenPoint flat = seenInMirror(0);
     EXPECT_NEAR(flat.position.z, -4, 1e-3);
-    EXPECT_NEAR(flat.mirroredLength, 4 + 5, 1e-2);
+    EXPECT_NEAR(flat.specularDistance, 4 + 5, 1e-2);
     EXPECT_NEAR(flat.tint.g, 0.5F, 1e-3F);
-    EXPECT_GT(flat.ownPart.g, 0.1F);
-    EXPECT_LT(flat.ownPart.g, 0.9F);
+    EXPECT_GT(flat.surfaceFraction.g, 0.1F);
+    EXPECT_LT(flat.surfaceFraction.g, 0.9F);
     // The mirror equation: 1 / image = 1 / 5 + 2 / radius. Below 0: it is bent.
     const SeenPoint ball = seenInMirror(0.5F);
-    EXPECT_NEAR(ball.mirroredLength, -(4 + 1 / (1.0F / 5 + 2 * 0.5F)), 0.02);
+    EXPECT_NEAR(ball.specularDistance, -(4 + 1 / (1.0F / 5 + 2 * 0.5F)), 0.02);
 }
 
 TEST(RenderFrame, StopsWhenItIsTold) {

@@ -175,8 +175,8 @@ TEST(ImageSums, WhatIsTooLargeIsClippedAndCounted) {
     sums.add(1, 0, {1e30F, 1, -1e30F});
     sums.add(2, 0, {262145, 262145, 262145});
     EXPECT_EQ(sums.clipped(), 2U);
-    const std::int64_t most = (std::int64_t{1} << 43) - 1;
-    EXPECT_EQ(sums.pixel(1, 0), (ImageSums::Pixel{{most, std::int64_t{1} << 25, -most}, 1}));
+    const std::int64_t max = (std::int64_t{1} << 43) - 1;
+    EXPECT_EQ(sums.pixel(1, 0), (ImageSums::Pixel{{max, std::int64_t{1} << 25, -max}, 1}));
     EXPECT_NEAR(test::meanOf(sums).at(1, 0).r, largest, 1);
     EXPECT_EQ(test::meanOf(sums).at(1, 0).g, 1);
 }
@@ -186,8 +186,8 @@ TEST(ImageSums, TheMostSamplesAtTheClampFit) {
     sums.add(0, 0, {1e30F, -1e30F, 1e30F});
     for (int doubling = 0; doubling < 20; ++doubling) sums.merge(ImageSums(sums));
     const ImageSums::Pixel full = sums.pixel(0, 0);
-    const std::int64_t most = ((std::int64_t{1} << 43) - 1) << 20;
-    EXPECT_EQ(full, (ImageSums::Pixel{{most, -most, most}, ImageSums::kMostSamples}));
+    const std::int64_t max = ((std::int64_t{1} << 43) - 1) << 20;
+    EXPECT_EQ(full, (ImageSums::Pixel{{max, -max, max}, ImageSums::kMaxSamples}));
     EXPECT_NEAR(test::meanOf(sums).at(0, 0).r, sums.largest(), 1);
 
     const ImageSums before = sums;

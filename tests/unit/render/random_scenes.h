@@ -66,12 +66,12 @@ class RandomScene {
 
   private:
     /// 0..most, and now and then odd where the scene is.
-    float number(float most) {
-        return odd_ && random_.index(40) == 0 ? oddNumber(random_) : random_.number(0, most);
+    float number(float max) {
+        return odd_ && random_.index(40) == 0 ? oddNumber(random_) : random_.number(0, max);
     }
-    rtcore::Colour colour(float most) {
-        const float r = number(most), g = number(most);
-        return {r, g, number(most)};
+    rtcore::Colour colour(float max) {
+        const float r = number(max), g = number(max);
+        return {r, g, number(max)};
     }
 
     rtcore::Material material(SceneBuilder& b) {

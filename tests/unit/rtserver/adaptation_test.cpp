@@ -50,17 +50,17 @@ TEST(Adaptation, DoesNotDependOnTheFrameRate) {
 TEST(Adaptation, IsNotSlowInTheEnd) {
     for (const double seconds : {0.1, 0.4, 20.0}) {
         const AdaptationSpeed speed{seconds, seconds};
-        const double least = std::min(0.12, 0.05 / seconds);
+        const double min = std::min(0.12, 0.05 / seconds);
         for (const double distance : {0.002, -0.002, 0.01, -0.03, 0.5}) {
             Adaptation once, often;
             for (Adaptation* const eye : {&once, &often}) eye->advance(1, 0, speed);
             const auto target = static_cast<float>(std::exp(distance));
-            const double slow = std::min(std::fabs(distance), least * seconds);
-            const double time = seconds * std::log(std::fabs(distance) / slow) + slow / least;
+            const double slow = std::min(std::fabs(distance), min * seconds);
+            const double time = seconds * std::log(std::fabs(distance) / slow) + slow / min;
             for (int i = 0; i < 10; ++i) often.advance(target, 0.09 * time, speed);
             once.advance(target, 0.9 * time, speed);
             EXPECT_NEAR(std::log(once.value()), std::log(often.value()), 1e-5);
-            EXPECT_NEAR(std::fabs(std::log(once.value()) - distance), 0.1 * time * least, 1e-5 + 0.0005);
+            EXPECT_NEAR(std::fabs(std::log(once.value()) - distance), 0.1 * time * min, 1e-5 + 0.0005);
             once.advance(target, 0.11 * time, speed);
             EXPECT_TRUE(once.settled());
             EXPECT_EQ(once.value(), target);

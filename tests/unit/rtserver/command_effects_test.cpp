@@ -70,7 +70,7 @@ TEST_F(Commands, ChangeUpAxisAndUnit) {
 TEST_F(Commands, TurnTheViewOfAModelThatBringsNone) {
     rtcore::LoadedScene room = test::makeRoom();
     room.ownCamera = false;
-    room.look = rtcore::Look::Headlight;
+    room.preset = rtcore::LightingPreset::Headlight;
     room.sceneFile.reset();
     room.camera = rtcore::defaultCamera(
         room.tree, room.scene.mesh(), rtcore::survey(room.tree, room.scene.mesh(), rtcore::Axes({0, 1, 0})));

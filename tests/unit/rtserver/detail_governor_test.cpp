@@ -27,7 +27,7 @@ double secondsOf(const FrameDetail& detail, const DetailGovernor::Work& work, do
 TEST(DetailGovernor, BeginsWithTheCoarsest) {
     DetailGovernor governor;
     EXPECT_EQ(governor.detail(kDear, kTarget), rtserver::kCoarsest);
-    EXPECT_EQ(governor.detail(kPlain, kTarget).scale, rtserver::kLeastScale);
+    EXPECT_EQ(governor.detail(kPlain, kTarget).scale, rtserver::kMinScale);
     governor.learn({}, kPlain, 1e-6);
     EXPECT_TRUE(governor.detail(kPlain, kTarget).whole());
     governor.forget();

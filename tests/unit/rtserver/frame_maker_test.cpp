@@ -163,7 +163,7 @@ TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
     for (int frame = 0; frame < 3; ++frame) test::draw(frames, state, {1, true, 0.05});
     rtserver::FrameMaker without(1);
     test::draw(without, state);
-    const auto most = [&](const std::vector<rtcore::Colour>& pixels) {
+    const auto brightest = [&](const std::vector<rtcore::Colour>& pixels) {
         float worst = 0;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const float truth = luminance(without.radiance().pixels[i]);
@@ -172,8 +172,8 @@ TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
         }
         return worst;
     };
-    EXPECT_GT(most(lit), 0.01F) << "near the light";
-    EXPECT_LT(most(frames.radiance().pixels), 0.3F * most(lit));
+    EXPECT_GT(brightest(lit), 0.01F) << "near the light";
+    EXPECT_LT(brightest(frames.radiance().pixels), 0.3F * brightest(lit));
     switchLight(document, 1, false);
     EXPECT_FALSE(frames.drawsLive(document));
 }

@@ -53,7 +53,7 @@ TEST(LiveGovernor, GivesSizeUpRatherThanFreshLight) {
 TEST(LiveGovernor, NeverGivesAllUp) {
     LiveGovernor governor;
     const FrameDetail detail = settled(governor, 1e-5, 1e-3);
-    EXPECT_EQ(detail.scale, rtserver::kLeastLiveScale);
+    EXPECT_EQ(detail.scale, rtserver::kMinLiveScale);
     EXPECT_GT(detail.newSamples, 0.001);
 }
 

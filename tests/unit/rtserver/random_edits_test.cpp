@@ -100,7 +100,7 @@ TEST_F(RandomEdits, AreSeenWithinAFewFrames) {
     const int edits = wanted != nullptr ? std::atoi(wanted) : 60;
     constexpr int kFrames = 8;
     // Of 10,000 one is above 0.12: a row of bright sky at the edge of the image that is not found at once.
-    constexpr double kMost = 0.2, kMostMean = 0.01;
+    constexpr double kMax = 0.2, kMaxMean = 0.01;
     state.frameSeconds = 0.03;
     document.assign({{"width", 100}, {"height", 70}});
     double sum = 0;
@@ -108,10 +108,10 @@ TEST_F(RandomEdits, AreSeenWithinAFewFrames) {
         edit();
         for (int frame = 0; frame < kFrames - 1; ++frame) drawNext(frame);
         const double wrong = error();
-        EXPECT_LT(wrong, kMost) << "after edit " << i;
+        EXPECT_LT(wrong, kMax) << "after edit " << i;
         sum += wrong;
     }
-    EXPECT_LT(sum / edits, kMostMean);
+    EXPECT_LT(sum / edits, kMaxMean);
     RecordProperty("meanError", std::to_string(sum / edits));
 }
 

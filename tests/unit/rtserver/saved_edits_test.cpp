@@ -145,12 +145,12 @@ TEST_F(SavedEdits, TheSunOfAFileGoesWithTheSkyOfTheFile) {
     answer("light power " + std::to_string(sun()) + " 1");
     rtcore::writeSceneFile(folder / "edited.scn", sceneFileOf(document));
     rtcore::LoadOptions evening;
-    evening.surroundings.sky.emplace().direction = {1, 0.1F, 0};
-    evening.surroundings.sky->date.reset();
+    evening.lighting.sky.emplace().direction = {1, 0.1F, 0};
+    evening.lighting.sky->date.reset();
     const rtcore::Scene own = rtcore::loadScene(folder / "room.scn", evening).scene;
     EXPECT_EQ(rtcore::loadScene(folder / "edited.scn", evening).scene.lights, own.lights);
     rtcore::LoadOptions map;
-    map.surroundings.environment = folder / "a.pfm";
+    map.lighting.environment = folder / "a.pfm";
     EXPECT_EQ(rtcore::loadScene(folder / "edited.scn", map).scene.lights.size(), own.lights.size() - 1);
 }
 

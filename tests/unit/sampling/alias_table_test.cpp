@@ -14,12 +14,12 @@
 namespace rtcore {
 namespace {
 
-std::uint32_t drawFrom(const AliasTable& table, std::uint32_t bits) {
-    return HWY_NAMESPACE::drawIndex<float>(table.rows(), bits);
+std::uint32_t sampleFrom(const AliasTable& table, std::uint32_t bits) {
+    return HWY_NAMESPACE::sampleIndex<float>(table.rows(), bits);
 }
 
 /// How many of the 2^32 numbers draw each index, by the rows alone.
-std::vector<std::uint64_t> drawnBy(const AliasTable& table, std::size_t rows) {
+std::vector<std::uint64_t> sampledBy(const AliasTable& table, std::size_t rows) {
     const AliasRows r = table.rows();
     std::vector<std::uint64_t> found(rows, 0);
     for (std::size_t i = 0; i < rows; ++i) {
@@ -40,7 +40,7 @@ TEST(AliasTable, ProbabilitiesAreTheFractionOfAllBits) {
         const std::size_t rows = std::size_t{1} << static_cast<unsigned>(32 - table.rows().shift);
         ASSERT_GE(rows, count);
         const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-        const std::vector<std::uint64_t> found = drawnBy(table, rows);
+        const std::vector<std::uint64_t> found = sampledBy(table, rows);
         for (std::size_t i = 0; i < rows; ++i) {
             const double exact = static_cast<double>(found[i]) * 0x1p-32;
             const double wanted = i < count ? weights[i] / total : 0;
@@ -51,19 +51,19 @@ TEST(AliasTable, ProbabilitiesAreTheFractionOfAllBits) {
     }
 }
 
-TEST(AliasTable, DrawsByItsProbabilities) {
+TEST(AliasTable, SamplesByItsProbabilities) {
     const std::vector<double> weights{0, 3, 1, 0, 0.5, 5.5, 1e-9};
     const AliasTable table(weights);
     std::vector<int> found(8, 0);
-    constexpr int kDraws = 100000;
-    for (std::uint32_t i = 0; i < kDraws; ++i) ++found[drawFrom(table, mixBits(i))];
+    constexpr int kSamples = 100000;
+    for (std::uint32_t i = 0; i < kSamples; ++i) ++found[sampleFrom(table, mixBits(i))];
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const double p = weights[i] / 10;
-        EXPECT_NEAR(found[i], p * kDraws, 5 * std::sqrt(p * (1 - p) * kDraws) + 0.5) << i;
+        EXPECT_NEAR(found[i], p * kSamples, 5 * std::sqrt(p * (1 - p) * kSamples) + 0.5) << i;
     }
     // Of evenly spread bits each index gets its part to a few.
     std::fill(found.begin(), found.end(), 0);
-    for (std::uint32_t i = 0; i < 1024; ++i) ++found[drawFrom(table, i << 22U)];
+    for (std::uint32_t i = 0; i < 1024; ++i) ++found[sampleFrom(table, i << 22U)];
     for (std::size_t i = 0; i < weights.size(); ++i) EXPECT_NEAR(found[i], weights[i] * 102.4, 8) << i;
 }
 
@@ -73,8 +73,8 @@ TEST(AliasTable, FarApartAndHugeWeights) {
     EXPECT_EQ(table.probability(3), 0x1p-32F);
     EXPECT_NEAR(table.probability(1), 0.5, 1e-7);
     EXPECT_EQ(AliasTable(std::vector<double>{7}).probability(0), 1);
-    EXPECT_EQ(drawFrom(AliasTable(std::vector<double>{7}), 0xFFFFFFFFU), 0U);
-    EXPECT_EQ(drawFrom(AliasTable(std::vector<double>{0, 7}), 0), 1U);
+    EXPECT_EQ(sampleFrom(AliasTable(std::vector<double>{7}), 0xFFFFFFFFU), 0U);
+    EXPECT_EQ(sampleFrom(AliasTable(std::vector<double>{0, 7}), 0), 1U);
 }
 
 TEST(AliasTable, EmptyWithoutProportions) {
@@ -91,7 +91,7 @@ TEST(AliasTable, LargeTablesStayExact) {
     std::vector<double> weights(1U << 16U);
     for (std::uint32_t i = 0; i < weights.size(); ++i) weights[i] = i % 7 == 0 ? 0 : unitFloat(mixBits(i));
     const AliasTable table(weights);
-    const std::vector<std::uint64_t> found = drawnBy(table, weights.size());
+    const std::vector<std::uint64_t> found = sampledBy(table, weights.size());
     for (std::size_t i = 0; i < weights.size(); ++i) {
         ASSERT_EQ(table.probability(static_cast<std::uint32_t>(i)), static_cast<float>(found[i]) * 0x1p-32F);
         ASSERT_EQ(found[i] == 0, weights[i] == 0);

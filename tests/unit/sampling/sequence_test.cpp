@@ -100,8 +100,8 @@ double greatestCorrelation(std::uint32_t count, A first, B second) {
         vu += (a.v - 0.5) * (b.u - 0.5);
         vv += (a.v - 0.5) * (b.v - 0.5);
     }
-    const double most = std::max({std::abs(uu), std::abs(uv), std::abs(vu), std::abs(vv)});
-    return most * 12 / count;
+    const double max = std::max({std::abs(uu), std::abs(uv), std::abs(vu), std::abs(vv)});
+    return max * 12 / count;
 }
 
 TEST(Sequence, UsesBouncesPixelsAndSeedsAreIndependent) {

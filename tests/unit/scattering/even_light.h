@@ -28,14 +28,14 @@ inline Vec3 viewerAt(float cosine) {
 }
 
 /// What of even light is reflected, by `count` directions drawn: the mean of f cos / density.
-template <typename Draw, typename Scatter>
-Vec3d drawnAlbedo(std::uint32_t count, Draw draw, Scatter scatter) {
+template <typename Sample, typename Scatter>
+Vec3d sampledAlbedo(std::uint32_t count, Sample sample, Scatter scatter) {
     Vec3d sum;
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto id = rtcore::SampleId{5, 6, i};
         const auto point = pointInSequence(id, 0, rtcore::SampleDimension::Direction, 0);
         const float lobe = pointInSequence(id, 0, rtcore::SampleDimension::Lobe, 0).u;
-        const Vec3 direction = draw(lobe, Square{point.u, point.v});
+        const Vec3 direction = sample(lobe, Square{point.u, point.v});
         const Scattered s = scatter(direction);
         const double cosine = dot(kTilted, direction);
         if (!(cosine > 0)) continue;
@@ -80,9 +80,9 @@ inline double chiSquareExcess(const std::vector<double>& found, const std::vecto
 
 /// chiSquareExcess() of 100000 directions against their density above the surface, in 12 x 24 parts of the
 /// hemisphere about kTilted; what falls rarely or below it counts together.
-template <typename Draw, typename Density>
-double excessOfDraws(Draw draw, Density density) {
-    constexpr int kDraws = 100000, kRings = 12, kSectors = 24, kFine = 12;
+template <typename Sample, typename Density>
+double excessOfSamples(Sample sample, Density density) {
+    constexpr int kSamples = 100000, kRings = 12, kSectors = 24, kFine = 12;
     constexpr double kFew = 10;
     const rtcore::Basis basis = rtcore::basisAround(kTilted);
     const auto part = [&](Vec3 d) -> std::size_t {
@@ -105,14 +105,14 @@ double excessOfDraws(Draw draw, Density density) {
                            basis.bitangent * static_cast<float>(sine * std::sin(azimuth)) +
                            kTilted * static_cast<float>(std::cos(angle));
             expected[static_cast<std::size_t>(i / kFine * kSectors + k / kFine)] +=
-                density(d) * sine * cell * turn * kDraws;
+                density(d) * sine * cell * turn * kSamples;
         }
     }
     Random random(3);
-    for (int i = 0; i < kDraws; ++i) {
+    for (int i = 0; i < kSamples; ++i) {
         const float lobe = random.number(0, 0.9999999F), u = random.number(0, 0.9999999F);
         const float v = random.number(0, 0.9999999F);
-        found[part(draw(lobe, Square{u, v}))] += 1;
+        found[part(sample(lobe, Square{u, v}))] += 1;
     }
     double certain = 0;
     for (std::size_t i = 0; i + 1 < expected.size(); ++i) {
@@ -122,7 +122,7 @@ double excessOfDraws(Draw draw, Density density) {
         }
         certain += expected[i];
     }
-    expected.back() = std::max(kDraws - certain, 0.0);
+    expected.back() = std::max(kSamples - certain, 0.0);
     if (expected.back() < kFew) expected.back() = 0;
     return chiSquareExcess(found, expected);
 }

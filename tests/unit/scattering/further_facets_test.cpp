@@ -322,9 +322,9 @@ TEST(FurtherFacets, DiscsAreAsBrightAsByWalks) {
     for (const Case& c : cases()) {
         const Sent sent = modelled(c.roughness, c.cosine);
         for (std::size_t k = 0; k < kColours; ++k) {
-            const double most = std::max(c.sent.ofDisc[0][k], c.sent.ofDisc[1][k]);
+            const double max = std::max(c.sent.ofDisc[0][k], c.sent.ofDisc[1][k]);
             for (std::size_t d = 0; d < kDiscs; ++d) {
-                EXPECT_NEAR(sent.ofDisc[d][k], c.sent.ofDisc[d][k], 0.02 * c.sent.ofDisc[d][k] + 0.002 * most)
+                EXPECT_NEAR(sent.ofDisc[d][k], c.sent.ofDisc[d][k], 0.02 * c.sent.ofDisc[d][k] + 0.002 * max)
                     << c.roughness << ", " << c.cosine << ", disc " << d << ", colour " << k;
             }
         }
@@ -343,8 +343,8 @@ TEST(FurtherFacets, AlbedosAreThoseOfWalks) {
 
 // Of any colour, for any roughness and viewer: and all that white metal lacks is put back.
 TEST(FurtherFacets, NothingIsNegativeOrLost) {
-    const auto expectAll = [](Vec3 v, float least, auto where) {
-        EXPECT_GE(std::min({v.x, v.y, v.z}), least) << where[0] << ", " << where[1];
+    const auto expectAll = [](Vec3 v, float min, auto where) {
+        EXPECT_GE(std::min({v.x, v.y, v.z}), min) << where[0] << ", " << where[1];
     };
     constexpr int kSteps = 40, kSide = 32;
     for (int i = 0; i <= kSteps; ++i) {
@@ -395,10 +395,11 @@ TEST(FurtherFacets, FloorUnderARectangle) {
         for (int i = 0; i < kSide * kSide; ++i) {
             const Vec3d at = middle + right * (kWidth * ((i % kSide + 0.5) / kSide - 0.5)) +
                              up * (kHeight * ((i / kSide + 0.5) / kSide - 0.5));
-            const Vec3d way = at - p.position, toLight = normalize(way);
+            const Vec3d offset = at - p.position, toLight = normalize(offset);
             const double cosine = -dot(toLight, axis);
             const auto s = formulas::scatterMetallic<float>(lobes, {0, 0, 1}, viewer, single(toLight));
-            sum += static_cast<double>(s.reflectance.x) * toLight.y * kIntensity * cosine / dot(way, way);
+            sum +=
+                static_cast<double>(s.reflectance.x) * toLight.y * kIntensity * cosine / dot(offset, offset);
         }
         EXPECT_NEAR(sum / (kSide * kSide) / p.radiance, 1, 0.02) << p.position.x << ", " << p.position.z;
     }

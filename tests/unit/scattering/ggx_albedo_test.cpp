@@ -38,10 +38,10 @@ TEST(GgxAlbedo, PerfectMirrorsWithTheFactorAreWhite) {
         for (int column = 1; column <= kSide; ++column) {
             const float root = static_cast<float>(column) / kSide, cosine = root * root;
             const Vec3 viewer = test::viewerAt(cosine);
-            const double truth = test::drawnAlbedo(
+            const double truth = test::sampledAlbedo(
                                      2048,
                                      [&](float, test::Square p) {
-                                         return formulas::drawGgx<float>(test::kTilted, viewer, alpha, p);
+                                         return formulas::sampleGgx<float>(test::kTilted, viewer, alpha, p);
                                      },
                                      [&](Vec3 d) {
                                          const auto s =

@@ -15,13 +15,13 @@ test::Scattered mirrored(Vec3 toViewer, Vec3 toLight, float alpha) {
     return {{s.lobe, s.lobe, s.lobe}, s.density};
 }
 
-double ggxAlbedoByDrawing(float cosine, float roughness, std::uint32_t count) {
+double ggxAlbedoBySampling(float cosine, float roughness, std::uint32_t count) {
     const Vec3 viewer = test::viewerAt(cosine);
     const float alpha = formulas::ggxAlpha<float>(roughness);
-    return test::drawnAlbedo(
+    return test::sampledAlbedo(
                count,
                [&](float, test::Square p) {
-                   return formulas::drawGgx<float>(test::kTilted, viewer, alpha, p);
+                   return formulas::sampleGgx<float>(test::kTilted, viewer, alpha, p);
                },
                [&](Vec3 d) { return mirrored(viewer, d, alpha); })
         .x;
@@ -43,20 +43,20 @@ TEST(Ggx, AlbedosOfPerfectMirrors) {
                              {1.0F, {0.3069, 0.3645, 0.4507, 0.5976, 0.7602}, 0.4092}};
     for (const Row& row : kRows) {
         for (std::size_t i = 0; i < 5; ++i) {
-            EXPECT_NEAR(ggxAlbedoByDrawing(kCosines[i], row.roughness, 16384), row.albedos[i], 6e-4)
+            EXPECT_NEAR(ggxAlbedoBySampling(kCosines[i], row.roughness, 16384), row.albedos[i], 6e-4)
                 << row.roughness << ", " << kCosines[i];
         }
         double mean = 0; // of 2 c dc
         constexpr int kSteps = 32;
         for (int i = 0; i < kSteps; ++i) {
             const double c = std::sqrt((i + 0.5) / kSteps);
-            mean += ggxAlbedoByDrawing(static_cast<float>(c), row.roughness, 1024) / kSteps;
+            mean += ggxAlbedoBySampling(static_cast<float>(c), row.roughness, 1024) / kSteps;
         }
         EXPECT_NEAR(mean, row.mean, 1.5e-3) << row.roughness;
     }
 }
 
-TEST(Ggx, DrawingAndQuadratureAgree) {
+TEST(Ggx, SamplingAndQuadratureAgree) {
     for (const float roughness : {0.5F, 0.7F, 1.0F}) {
         for (const float cosine : kCosines) {
             const Vec3 viewer = test::viewerAt(cosine);
@@ -64,7 +64,7 @@ TEST(Ggx, DrawingAndQuadratureAgree) {
             const double albedo = test::overHemisphere(128, [&](Vec3 d) {
                 return mirrored(viewer, d, alpha).reflectance.x * dot(d, test::kTilted);
             });
-            EXPECT_NEAR(albedo, ggxAlbedoByDrawing(cosine, roughness, 16384), 1e-3)
+            EXPECT_NEAR(albedo, ggxAlbedoBySampling(cosine, roughness, 16384), 1e-3)
                 << roughness << ", " << cosine;
         }
     }
@@ -74,9 +74,9 @@ TEST(Ggx, DirectionsFallByTheirDensity) {
     for (const float alpha : {0.1F, 0.25F, 1.0F}) {
         for (const float cosine : {1.0F, 0.7F, 0.2F}) {
             const Vec3 viewer = test::viewerAt(cosine);
-            const double excess = test::excessOfDraws(
+            const double excess = test::excessOfSamples(
                 [&](float, test::Square p) {
-                    return formulas::drawGgx<float>(test::kTilted, viewer, alpha, p);
+                    return formulas::sampleGgx<float>(test::kTilted, viewer, alpha, p);
                 },
                 [&](Vec3 d) { return mirrored(viewer, d, alpha).density; });
             EXPECT_LT(excess, 5) << alpha << ", " << cosine;
@@ -98,13 +98,13 @@ TEST(Ggx, TheDensityIsNeverThatOfMoreThanAll) {
 
 TEST(Ggx, NarrowLobesKeepTheirForm) {
     // Seen straight on, alpha^2 / (alpha^2 + tan^2) of the facets is even. Chi-square of 32 parts.
-    const float alpha = kLeastAlpha;
+    const float alpha = kMinAlpha;
     std::vector<double> found(32, 0), expected(32, 4096 / 32.0);
     test::Random random(4);
     for (int i = 0; i < 4096; ++i) {
         const Vec3 h =
-            formulas::drawFacet<float>(test::kTilted, test::kTilted, alpha,
-                                       {random.number(0, 0.9999999F), random.number(0, 0.9999999F)});
+            formulas::sampleFacet<float>(test::kTilted, test::kTilted, alpha,
+                                         {random.number(0, 0.9999999F), random.number(0, 0.9999999F)});
         const Vec3 across = cross(test::kTilted, h);
         const double sine2 = dot(across, across), tangent2 = sine2 / (1 - sine2);
         const double even = 1.0 * alpha * alpha / (alpha * alpha + tangent2);
@@ -125,15 +125,15 @@ TEST(Ggx, NarrowLobesKeepTheirForm) {
 }
 
 TEST(Ggx, WithoutFacetsBelowTheSurfaceNothingIsLost) {
-    EXPECT_NEAR(ggxAlbedoByDrawing(0.5F, 0, 4096), 1, 1e-4);
-    EXPECT_NEAR(ggxAlbedoByDrawing(1, 0, 4096), 1, 1e-4);
+    EXPECT_NEAR(ggxAlbedoBySampling(0.5F, 0, 4096), 1, 1e-4);
+    EXPECT_NEAR(ggxAlbedoBySampling(1, 0, 4096), 1, 1e-4);
 }
 
 TEST(Ggx, LightAndViewerMayBeExchanged) {
     test::Random random(5);
     for (int i = 0; i < 1000; ++i) {
         const Vec3 a = test::viewerAt(random.number(0.01F, 1)), b = random.unitVector();
-        if (dot(b, test::kTilted) < kLeastViewerCosine) continue;
+        if (dot(b, test::kTilted) < kMinViewerCosine) continue;
         const float alpha = random.number(0.01F, 1);
         const float there = mirrored(a, b, alpha).reflectance.x, back = mirrored(b, a, alpha).reflectance.x;
         ASSERT_NEAR(there, back, 1e-4F * there);
@@ -144,10 +144,10 @@ TEST(Ggx, ViewersBelowTheSurfaceAreLifted) {
     for (const float cosine : {-1.0F, -0.5F, 0.0F, 5e-4F}) {
         const Vec3 lifted = formulas::liftedViewer<float>(test::viewerAt(cosine), test::kTilted);
         EXPECT_NEAR(length(lifted), 1, 1e-5);
-        EXPECT_GT(dot(lifted, test::kTilted), 0.99F * kLeastViewerCosine) << cosine;
-        for (const float alpha : {kLeastAlpha, 0.1F, 1.0F}) {
+        EXPECT_GT(dot(lifted, test::kTilted), 0.99F * kMinViewerCosine) << cosine;
+        for (const float alpha : {kMinAlpha, 0.1F, 1.0F}) {
             for (const float u : {0.0F, 0.25F, 0.5F, 0.75F}) {
-                const Vec3 d = formulas::drawGgx<float>(test::kTilted, lifted, alpha, {u, 0.625F});
+                const Vec3 d = formulas::sampleGgx<float>(test::kTilted, lifted, alpha, {u, 0.625F});
                 EXPECT_NEAR(length(d), 1, 1e-4);
                 const test::Scattered s = mirrored(lifted, d, alpha);
                 EXPECT_TRUE(std::isfinite(s.reflectance.x) && std::isfinite(s.density));

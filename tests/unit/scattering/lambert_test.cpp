@@ -17,8 +17,10 @@ TEST(Lambert, TheDensityIsThatOfTheWholeHemisphere) {
 
 TEST(Lambert, DirectionsFallByTheirDensity) {
     const auto density = [](Vec3 d) { return formulas::lambertDensity<float>(dot(d, test::kTilted)); };
-    const auto draw = [](float, test::Square p) { return formulas::drawLambert<float>(test::kTilted, p); };
-    EXPECT_LT(test::excessOfDraws(draw, density), 5);
+    const auto sample = [](float, test::Square p) {
+        return formulas::sampleLambert<float>(test::kTilted, p);
+    };
+    EXPECT_LT(test::excessOfSamples(sample, density), 5);
 }
 
 TEST(Lambert, DirectionsAreAboveTheSurfaceAndOfUnitLength) {
@@ -26,7 +28,7 @@ TEST(Lambert, DirectionsAreAboveTheSurfaceAndOfUnitLength) {
     for (const Vec3 normal : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, test::kTilted}) {
         for (const float u : {0.0F, 0.5F, kAlmostOne}) {
             for (const float v : {0.0F, 0.5F, kAlmostOne}) {
-                const Vec3 d = formulas::drawLambert<float>(normal, {u, v});
+                const Vec3 d = formulas::sampleLambert<float>(normal, {u, v});
                 EXPECT_GT(dot(d, normal), 0) << u << ", " << v;
                 EXPECT_NEAR(length(d), 1, 1e-6);
             }

@@ -17,10 +17,10 @@ Lobes lobesOf(Vec3 base, float metallic, float roughness, float cosine) {
 }
 
 Vec3d albedoOf(const Lobes& lobes, Vec3 viewer, std::uint32_t count = 8192) {
-    return test::drawnAlbedo(
+    return test::sampledAlbedo(
         count,
         [&](float lobe, test::Square p) {
-            return formulas::drawMetallic<float>(lobes, test::kTilted, viewer, lobe, p);
+            return formulas::sampleMetallic<float>(lobes, test::kTilted, viewer, lobe, p);
         },
         [&](Vec3 d) { return formulas::scatterMetallic<float>(lobes, test::kTilted, viewer, d); });
 }
@@ -76,9 +76,9 @@ TEST(Metallic, DirectionsFallByTheDensityOfAllLobes) {
             for (const float cosine : {0.9F, 0.15F}) {
                 const Vec3 viewer = test::viewerAt(cosine);
                 const Lobes lobes = lobesOf({0.7F, 0.4F, 0.2F}, metallic, roughness, cosine);
-                const double excess = test::excessOfDraws(
+                const double excess = test::excessOfSamples(
                     [&](float lobe, test::Square p) {
-                        return formulas::drawMetallic<float>(lobes, test::kTilted, viewer, lobe, p);
+                        return formulas::sampleMetallic<float>(lobes, test::kTilted, viewer, lobe, p);
                     },
                     [&](Vec3 d) {
                         return formulas::scatterMetallic<float>(lobes, test::kTilted, viewer, d).density;
@@ -98,8 +98,8 @@ TEST(Metallic, NoWeightIsLarge) {
             const Lobes lobes = lobesOf({1, 1, 1}, 1, roughness, cosine);
             for (int i = 0; i < 4000; ++i) {
                 const float lobe = random.number(0, 0.9999999F), u = random.number(0, 0.9999999F);
-                const Vec3 d = formulas::drawMetallic<float>(lobes, test::kTilted, viewer, lobe,
-                                                             {u, random.number(0, 0.9999999F)});
+                const Vec3 d = formulas::sampleMetallic<float>(lobes, test::kTilted, viewer, lobe,
+                                                               {u, random.number(0, 0.9999999F)});
                 const auto s = formulas::scatterMetallic<float>(lobes, test::kTilted, viewer, d);
                 if (!(s.density > 0)) continue;
                 ASSERT_GE(s.reflectance.x, 0);
@@ -110,7 +110,7 @@ TEST(Metallic, NoWeightIsLarge) {
     }
 }
 
-TEST(Metallic, QuadratureAndDrawingAgree) {
+TEST(Metallic, QuadratureAndSamplingAgree) {
     const Vec3 viewer = test::viewerAt(0.4F);
     const Lobes lobes = lobesOf({0.7F, 0.4F, 0.2F}, 0.3F, 0.6F, 0.4F);
     const double albedo = test::overHemisphere(128, [&](Vec3 d) {

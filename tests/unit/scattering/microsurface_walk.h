@@ -23,15 +23,15 @@ class Microsurface {
     /// at which it is mirrored there.
     template <typename Meet>
     void walk(rtcore::Vec3d toViewer, Random& random, Meet meet) const {
-        constexpr int kMost = 200;
-        rtcore::Vec3d way = toViewer * -1.0;
+        constexpr int kMax = 200;
+        rtcore::Vec3d direction = toViewer * -1.0;
         double below = 1; // the fraction of the surface that lies lower
-        for (int facets = 0; facets < kMost && goOn(way, number(random), below); ++facets) {
-            const rtcore::Vec3d back = way * -1.0;
-            const rtcore::Vec3d facet = drawFacet(back, random);
+        for (int facets = 0; facets < kMax && goOn(direction, number(random), below); ++facets) {
+            const rtcore::Vec3d back = direction * -1.0;
+            const rtcore::Vec3d facet = sampleFacet(back, random);
             const double cosine = dot(back, facet);
             meet(back, below, cosine);
-            way = normalize(facet * (2 * cosine) - back);
+            direction = normalize(facet * (2 * cosine) - back);
         }
     }
 
@@ -62,14 +62,14 @@ class Microsurface {
         return (cosine + std::sqrt(cosine * cosine + (1 - cosine * cosine) * alpha_ * alpha_)) / 2;
     }
     /// To the next facet; false: it leaves.
-    bool goOn(rtcore::Vec3d way, double chance, double& below) const {
-        const double l = lambda(way.z);
-        if (way.z > 0 && (l <= 0 || chance > 1 - std::pow(below, l))) return false;
+    bool goOn(rtcore::Vec3d direction, double chance, double& below) const {
+        const double l = lambda(direction.z);
+        if (direction.z > 0 && (l <= 0 || chance > 1 - std::pow(below, l))) return false;
         below = std::clamp(below / std::pow(1 - chance, 1 / l), 1e-300, 1.0);
         return true;
     }
     /// Heitz 2018, also for what comes from below.
-    rtcore::Vec3d drawFacet(rtcore::Vec3d from, Random& random) const {
+    rtcore::Vec3d sampleFacet(rtcore::Vec3d from, Random& random) const {
         const rtcore::Vec3d view = normalize(rtcore::Vec3d{alpha_ * from.x, alpha_ * from.y, from.z});
         const double flat = view.x * view.x + view.y * view.y;
         const rtcore::Vec3d aside =

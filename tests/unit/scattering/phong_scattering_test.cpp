@@ -13,7 +13,7 @@ using PhongOfOne = formulas::PhongLobes<float>;
 
 /// As MaterialTable has them.
 PhongOfOne phongLobes(float kd, float ks, float shininess) {
-    const float phong = std::min(shininess / kLeastShininess, 1.0F), n = std::max(shininess, kLeastShininess);
+    const float phong = std::min(shininess / kMinShininess, 1.0F), n = std::max(shininess, kMinShininess);
     const float diffuse = kd / kPi;
     return {
         {diffuse, diffuse, diffuse}, {ks, ks, ks}, n, phong * (n + 2) / (2 * kPi), (1 - phong) / (2 * kPi)};
@@ -21,10 +21,10 @@ PhongOfOne phongLobes(float kd, float ks, float shininess) {
 
 double phongAlbedo(const PhongOfOne& lobes, float cosine, std::uint32_t count = 16384) {
     const Vec3 viewer = test::viewerAt(cosine);
-    return test::drawnAlbedo(
+    return test::sampledAlbedo(
                count,
                [&](float lobe, test::Square p) {
-                   return formulas::drawPhongScattering<float>(lobes, test::kTilted, viewer, lobe, p);
+                   return formulas::samplePhongScattering<float>(lobes, test::kTilted, viewer, lobe, p);
                },
                [&](Vec3 d) { return formulas::scatterPhong<float>(lobes, test::kTilted, viewer, d); })
         .x;
@@ -73,9 +73,9 @@ TEST(PhongScattering, DirectionsFallByTheDensityOfAllLobes) {
         for (const float cosine : {1.0F, 0.6F, 0.1F}) {
             const Vec3 viewer = test::viewerAt(cosine);
             for (const PhongOfOne& lobes : {phongLobes(0, 1, shininess), phongLobes(0.5F, 0.3F, shininess)}) {
-                const double excess = test::excessOfDraws(
+                const double excess = test::excessOfSamples(
                     [&](float lobe, test::Square p) {
-                        return formulas::drawPhongScattering<float>(lobes, test::kTilted, viewer, lobe, p);
+                        return formulas::samplePhongScattering<float>(lobes, test::kTilted, viewer, lobe, p);
                     },
                     [&](Vec3 d) {
                         return formulas::scatterPhong<float>(lobes, test::kTilted, viewer, d).density;

@@ -135,15 +135,15 @@ TEST(EnvironmentLight, SpreadsWhatIsBrightAndLosesNothing) {
     const EnvironmentLight& light = environment.light();
     const Colour mean = environment.meanRadiance();
     double sum = 0;
-    float most = 0;
+    float max = 0;
     const std::vector<Vec3> all = directions(100'000);
     for (const Vec3 d : all) {
         const Colour seen = spreadRadiance(light, d);
         sum += static_cast<double>(luminance(seen)) / static_cast<double>(all.size());
-        most = std::max(most, luminance(seen));
+        max = std::max(max, luminance(seen));
     }
     EXPECT_NEAR(sum, static_cast<double>(luminance(mean)), 0.01 * sum); // as the texels' edges cut the sun
-    EXPECT_LT(most, 6 * luminance(mean)) << "or few rays would make noise";
+    EXPECT_LT(max, 6 * luminance(mean)) << "or few rays would make noise";
     for (const Vec3 n : {kToSun, Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}}) {
         const Colour spread = spreadOpen(light, n) * light.correction(n), own = light.open(n);
         EXPECT_NEAR(spread.r, own.r, 0.02 * static_cast<double>(own.r));

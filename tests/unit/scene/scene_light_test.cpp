@@ -53,7 +53,7 @@ TEST(LightIds, FindTheirLight) {
 TEST(LightIds, OfNewLightsAreAboveAll) {
     EXPECT_EQ(nextLightId(sceneOf({})), 1);
     EXPECT_EQ(nextLightId(sceneOf({7, 3})), 8);
-    EXPECT_EQ(nextLightId(sceneOf({rtcore::kMostLightId, 1})), 2);
+    EXPECT_EQ(nextLightId(sceneOf({rtcore::kMaxLightId, 1})), 2);
     rtcore::Scene scene = sceneOf({7, 3});
     scene.removedLightId = 9;
     EXPECT_EQ(nextLightId(scene), 10);

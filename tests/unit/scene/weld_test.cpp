@@ -27,10 +27,10 @@ DisjointSets joinedByPairs(const std::vector<Vec3>& points, const Indices& which
     DisjointSets sets(points.size());
     for (const std::uint32_t i : which) {
         for (const std::uint32_t k : which) {
-            double most = 0;
+            double max = 0;
             for (int axis = 0; axis < 3; ++axis)
-                most = std::max(most, std::fabs(double{points[i][axis]} - double{points[k][axis]}));
-            if (most <= apart) sets.join(i, k);
+                max = std::max(max, std::fabs(double{points[i][axis]} - double{points[k][axis]}));
+            if (max <= apart) sets.join(i, k);
         }
     }
     return sets;

@@ -136,7 +136,7 @@ std::vector<float> seenBy(const TracedScene& s, int samples, int side) {
     return seen;
 }
 
-TEST(AreaLights, DrawTheSameInEveryFrameAndSomethingElseForEachPixel) {
+TEST(AreaLights, AreSampledAlikeInEveryFrameAndDifferentlyInEachPixel) {
     SceneBuilder b;
     b.square({}, {0, 1, 0}, 10, b.material(test::matte(1)));
     b.box({0, 1, -50}, {50, 1.001F, 50}, b.material(test::matte(1)));

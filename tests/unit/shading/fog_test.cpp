@@ -376,7 +376,7 @@ float shaftsOf(FoggedRays& wave, const Light& light, int samples, float shift) {
     std::fill_n(wave.fog.rays().scattered.x, wave.rays.size(), 0.0F);
     const std::vector<float> shifts(wave.rays.size() + kWaveBlock, shift);
     FogShafts shafts;
-    shafts.draw(wave.fog, light, {0, wave.rays.size()}, samples, shifts.data(), true);
+    shafts.sample(wave.fog, light, {0, wave.rays.size()}, samples, shifts.data(), true);
     shafts.addAll(wave.fog);
     return wave.fog.rays().scattered.x[0];
 }
@@ -386,7 +386,7 @@ TEST(FogShafts, AreEquiAngular) {
     FoggedRays wave({c});
     const std::vector<float> shifts(kWaveBlock, 0.25F);
     FogShafts shafts;
-    shafts.draw(wave.fog, c.light, {0, 1}, 1, shifts.data(), true);
+    shafts.sample(wave.fog, c.light, {0, 1}, 1, shifts.data(), true);
     ASSERT_EQ(shafts.rays().size(), 1U);
     EXPECT_NEAR(shafts.rays().ox[0], 3.645934, 1e-5);
     const Vec3 toLight = normalize(Vec3{5 - 3.645934F, 2, 0});

@@ -75,16 +75,16 @@ TEST(FresnelSchlick, KnownValueAndLimits) {
 }
 
 TEST(FresnelSchlick, DiffersFromTheExactCurveAsKnown) {
-    double least = 0, most = 0, leastAt = 0, mostAt = 0;
+    double min = 0, max = 0, minAt = 0, maxAt = 0;
     for (const double degrees : test::steps(0.0, 90.0 + 0.01 / 2, 0.01)) {
         const double difference = glassAt(degrees) - schlickAt(degrees);
-        if (difference < least) least = difference, leastAt = degrees;
-        if (difference > most) most = difference, mostAt = degrees;
+        if (difference < min) min = difference, minAt = degrees;
+        if (difference > max) max = difference, maxAt = degrees;
     }
-    EXPECT_NEAR(least, -0.035693, 2e-6);
-    EXPECT_NEAR(leastAt, 84.97, 0.3);
-    EXPECT_NEAR(most, 0.019626, 2e-6);
-    EXPECT_NEAR(mostAt, 62.33, 0.3);
+    EXPECT_NEAR(min, -0.035693, 2e-6);
+    EXPECT_NEAR(minAt, 84.97, 0.3);
+    EXPECT_NEAR(max, 0.019626, 2e-6);
+    EXPECT_NEAR(maxAt, 62.33, 0.3);
 }
 
 TEST(ThinWall, SumsAllReflectionsBetweenItsTwoFaces) {

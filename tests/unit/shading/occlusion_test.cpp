@@ -209,7 +209,7 @@ TEST(Occlusion, DarkensWhatMirrorsAndPanesShow) {
     EXPECT_NEAR(mirrored.mean, direct.mean, 0.01);
 }
 
-TEST(Occlusion, TakesTheSpecularShareToo) {
+TEST(Occlusion, TakesTheSpecularPartToo) {
     SceneBuilder b;
     Material m = test::matte(0.25F);
     m.specular = {0.5F, 0.5F, 0.5F};

@@ -94,7 +94,7 @@ double roughAlbedo(float shininess, double degrees) {
             2 * kPi * z * static_cast<double>(roughLobe(static_cast<float>(cosine), static_cast<float>(z)));
     }
     const auto n = static_cast<double>(shininess);
-    return n * lobeAlbedo(kLeastShininess, degrees) + (1 - n) * sum / kSteps;
+    return n * lobeAlbedo(kMinShininess, degrees) + (1 - n) * sum / kSteps;
 }
 
 /// The table of docs/shading.md.

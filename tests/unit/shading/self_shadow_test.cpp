@@ -10,14 +10,14 @@ namespace {
 using test::SceneBuilder;
 using test::TracedScene;
 
-/// Fraction of 41 x 41 points around `place`, over a width of 2 * `half`, on which the light of a light does
-/// not arrive.
-double darkShare(const TracedScene& s, Vec3 place, Vec3 normal, float half) {
+/// Fraction of 41 x 41 points around `position`, over a width of 2 * `half`, on which the light of a light
+/// does not arrive.
+double darkFraction(const TracedScene& s, Vec3 position, Vec3 normal, float half) {
     const auto [t, b] = basisAround(normal);
     int dark = 0, all = 0;
     for (int y = -20; y <= 20; ++y) {
         for (int x = -20; x <= 20; ++x) {
-            const Vec3 p = place + t * (half * static_cast<float>(x) / 20.3F) +
+            const Vec3 p = position + t * (half * static_cast<float>(x) / 20.3F) +
                            b * (half * static_cast<float>(y) / 19.7F);
             if (s.see(p + normal * half, p) == 0) ++dark;
             ++all;
@@ -33,7 +33,7 @@ TEST(SelfShadow, AFloorThatIsLargeBesideItsDistanceFromTheOrigin) {
             const auto [t, u] = basisAround(normal);
             b.square((t * 0.31F + u * 0.17F) * size, normal, size, b.material(test::matte(1)));
             b.scene.lights.push_back(test::pointLight(normal * 3 + t, 9));
-            EXPECT_EQ(darkShare(TracedScene(b.finish()), {}, normal, 1), 0) << size;
+            EXPECT_EQ(darkFraction(TracedScene(b.finish()), {}, normal, 1), 0) << size;
         }
     }
 }
@@ -41,11 +41,11 @@ TEST(SelfShadow, AFloorThatIsLargeBesideItsDistanceFromTheOrigin) {
 TEST(SelfShadow, AFloorFarFromTheOrigin) {
     const Vec3 normal = normalize({1, 2, 3});
     for (const float distance : {10.0F, 1e3F, 1e5F}) {
-        const Vec3 place{distance, -0.3F * distance, 0.7F * distance};
+        const Vec3 position{distance, -0.3F * distance, 0.7F * distance};
         SceneBuilder b;
-        b.square(place, normal, 5, b.material(test::matte(1)));
-        b.scene.lights.push_back(test::pointLight(place + normal * 3, 9));
-        EXPECT_EQ(darkShare(TracedScene(b.finish()), place, normal, 1), 0) << distance;
+        b.square(position, normal, 5, b.material(test::matte(1)));
+        b.scene.lights.push_back(test::pointLight(position + normal * 3, 9));
+        EXPECT_EQ(darkFraction(TracedScene(b.finish()), position, normal, 1), 0) << distance;
     }
 }
 

@@ -22,8 +22,8 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/lights/emitters-inl.h"
-#include "rtcore/lights/environment_draw-inl.h"
-#include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/lights/environment_sampler-inl.h"
+#include "rtcore/lights/light_direction-inl.h"
 #include "rtcore/math/octahedron-inl.h"
 #include "rtcore/math/triangle-inl.h"
 #include "rtcore/post/tone_map-inl.h"
@@ -56,7 +56,7 @@ enum class Formulas {
     Powers,
     Textures,
     Numbers,
-    LightDraws,
+    LightDirections,
     Directions,
     EmittingTriangles,
     Matte,
@@ -65,10 +65,10 @@ enum class Formulas {
     PhongPaths
 };
 inline constexpr Formulas kFormulas[] = {
-    Formulas::Scattering,        Formulas::Mirrors,  Formulas::Lights,      Formulas::AreaLights,
-    Formulas::Triangles,         Formulas::Pictures, Formulas::Shapes,      Formulas::Powers,
-    Formulas::Textures,          Formulas::Numbers,  Formulas::LightDraws,  Formulas::Directions,
-    Formulas::EmittingTriangles, Formulas::Matte,    Formulas::Microfacets, Formulas::Metals,
+    Formulas::Scattering,        Formulas::Mirrors,  Formulas::Lights,          Formulas::AreaLights,
+    Formulas::Triangles,         Formulas::Pictures, Formulas::Shapes,          Formulas::Powers,
+    Formulas::Textures,          Formulas::Numbers,  Formulas::LightDirections, Formulas::Directions,
+    Formulas::EmittingTriangles, Formulas::Matte,    Formulas::Microfacets,     Formulas::Metals,
     Formulas::PhongPaths};
 
 inline const AliasTable& someTable() {
@@ -83,18 +83,19 @@ inline HdrImage someTexels(int width, int height) {
     return image;
 }
 /// Of an image of the sphere, or of a cube's faces.
-inline EnvironmentDraw drawFrom(Environment environment) {
+inline EnvironmentSampler samplerOf(Environment environment) {
     environment.turn(33, {0, 0.6F, 0.8F});
-    EnvironmentDraw draws;
-    draws.prepare({&environment, {}, TexelFilter::Bilinear});
-    return draws;
+    EnvironmentSampler sampler;
+    sampler.prepare({&environment, {}, TexelFilter::Bilinear});
+    return sampler;
 }
 inline EnvironmentRows someDirections(bool cube) {
-    static const EnvironmentDraw ofSphere = drawFrom(Environment::fromEquirectangular(someTexels(5, 3), ""));
-    static const EnvironmentDraw ofCube = [] {
+    static const EnvironmentSampler ofSphere =
+        samplerOf(Environment::fromEquirectangular(someTexels(5, 3), ""));
+    static const EnvironmentSampler ofCube = [] {
         std::array<HdrImage, 6> faces;
         faces.fill(someTexels(3, 3));
-        return drawFrom(Environment::fromCube(faces, ""));
+        return samplerOf(Environment::fromCube(faces, ""));
     }();
     return (cube ? ofCube : ofSphere).rows();
 }
@@ -150,14 +151,14 @@ struct Results {
 
 /// Samples of a light, and how the ray of the direction `d` meets it.
 template <LightKind kind, typename F>
-HWY_INLINE void addDraws(Vec3Of<F> position, Vec3Of<F> d, F u, F v, Results<F>& out) {
+HWY_INLINE void addLightDirection(Vec3Of<F> position, Vec3Of<F> d, F u, F v, Results<F>& out) {
     const Light light = lightOf(kind);
-    const LightDraw<F> draw = drawLight<kind, F>(light, position, u, v);
-    out.add(draw.toLight), out.add(draw.free), out.add(draw.irradiance), out.add(draw.density);
+    const LightDirectionSample<F> sample = sampleLightDirection<kind, F>(light, position, u, v);
+    out.add(sample.toLight), out.add(sample.free), out.add(sample.irradiance), out.add(sample.density);
     const F distance = hitLight<kind, F>(light, position, d);
     out.add(distance);
     out.add(sampleDensity<kind, F>(light, position, d, distance));
-    out.add(drawDensity<kind, F>(light, position, d, distance));
+    out.add(lightDirectionDensity<kind, F>(light, position, d, distance));
 }
 
 /// What each kind of light sends to `position`; of area lights, the stratum with these u, v.
@@ -238,16 +239,16 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         addTaps<F>(tapsAt<true, F>(x[9], 37U, 0U), out);
         for (const std::uint32_t wrap : {0U, 1U, 2U}) addTaps<F>(tapsAt<false, F>(x[9], 37U, wrap), out);
         break;
-    case Formulas::LightDraws: // u, v in [0, 1)
-        addDraws<LightKind::Sphere, F>(a, b, x[14], x[15], out);
-        addDraws<LightKind::Rectangle, F>(a, b, x[14], x[15], out);
-        addDraws<LightKind::Spot, F>(a, b, x[14], x[15], out);
+    case Formulas::LightDirections: // u, v in [0, 1)
+        addLightDirection<LightKind::Sphere, F>(a, b, x[14], x[15], out);
+        addLightDirection<LightKind::Rectangle, F>(a, b, x[14], x[15], out);
+        addLightDirection<LightKind::Spot, F>(a, b, x[14], x[15], out);
         break;
     case Formulas::Directions: {
         for (const bool cube : {false, true}) {
-            const DirectionDraw<F> draw =
-                drawEnvironment<F>(someDirections(cube), bitsOf(x[9]), bitsOf(x[10]));
-            out.add(draw.direction), out.add(draw.density);
+            const EnvironmentSample<F> sample =
+                sampleEnvironment<F>(someDirections(cube), bitsOf(x[9]), bitsOf(x[10]));
+            out.add(sample.direction), out.add(sample.density);
             out.add(environmentDensity<F>(someDirections(cube), a));
         }
         out.add(octahedronDirection<F>(x[14], x[15]));
@@ -257,9 +258,9 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         break;
     }
     case Formulas::EmittingTriangles: {
-        const EmitterDraw<F> draw = drawEmitter<F>(someTriangles(), x[14], x[15], bitsOf(x[9]));
-        out.add(asNumber(draw.triangle)), out.add(draw.u), out.add(draw.v), out.add(draw.position);
-        out.add(draw.normal), out.add(draw.density);
+        const EmitterSample<F> sample = sampleEmitter<F>(someTriangles(), x[14], x[15], bitsOf(x[9]));
+        out.add(asNumber(sample.triangle)), out.add(sample.u), out.add(sample.v), out.add(sample.position);
+        out.add(sample.normal), out.add(sample.density);
         out.add(bySolidAngle<F>(x[10], x[11], x[12]));
         break;
     }
@@ -269,14 +270,14 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         const auto point = pointInSequence<F>(name, bitsOf(x[12]), use);
         out.add(point.u);
         out.add(point.v);
-        const auto index = drawIndex<F>(someTable().rows(), bitsOf(x[13]));
+        const auto index = sampleIndex<F>(someTable().rows(), bitsOf(x[13]));
         out.add(asNumber(index));
         out.add(probabilityOf<F>(someTable().rows(), index));
         break;
     }
     case Formulas::Matte:
         out.add(lambertDensity<F>(x[9]));
-        out.add(drawLambert<F>(a, {x[14], x[15]}));
+        out.add(sampleLambert<F>(a, {x[14], x[15]}));
         break;
     case Formulas::Microfacets: {
         const F alpha = ggxAlpha<F>(x[9]);
@@ -286,7 +287,7 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         out.add(scattering.lobe);
         out.add(scattering.density);
         out.add(scattering.fresnelCosine);
-        out.add(drawGgx<F>(a, viewer, alpha, {x[14], x[15]}));
+        out.add(sampleGgx<F>(a, viewer, alpha, {x[14], x[15]}));
         const auto albedo = ggxAlbedo<F>(ggxAlbedoTable(), x[10], x[9]);
         out.add(albedo.straight);
         out.add(albedo.grazing);
@@ -303,7 +304,7 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         const auto scattering = scatterMetallic<F>(lobes, b, c, a);
         out.add(scattering.reflectance);
         out.add(scattering.density);
-        out.add(drawMetallic<F>(lobes, b, c, x[13], {x[14], x[15]}));
+        out.add(sampleMetallic<F>(lobes, b, c, x[13], {x[14], x[15]}));
         break;
     }
     case Formulas::PhongPaths: { // cosines of unit vectors, as pow() asks for
@@ -315,8 +316,8 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         const auto scattering = scatterPhong<F>(lobes, broadcast<F>(Vec3{0, 0.6F, 0.8F}), toViewer, toLight);
         out.add(scattering.reflectance);
         out.add(scattering.density);
-        out.add(drawPhongScattering<F>(lobes, broadcast<F>(Vec3{0, 0.6F, 0.8F}), toViewer, x[13],
-                                       {x[14], x[15]}));
+        out.add(samplePhongScattering<F>(lobes, broadcast<F>(Vec3{0, 0.6F, 0.8F}), toViewer, x[13],
+                                         {x[14], x[15]}));
         break;
     }
     }

@@ -33,14 +33,14 @@ Sky skyTowards(Vec3 direction) {
 /// By a grid of directions.
 Vec3 brightestDirection(const Environment& environment) {
     Vec3 best{};
-    float most = -1;
+    float max = -1;
     for (float y = -0.995F; y < 1; y += 0.01F) {
         for (float angle = 0; angle < 6.283F; angle += 0.01F) {
             const float ring = std::sqrt(1 - y * y);
             const Vec3 direction{ring * std::cos(angle), y, ring * std::sin(angle)};
             const float seen = rtcore::luminance(environment.radiance(direction, TexelFilter::Bilinear));
-            if (seen > most) {
-                most = seen;
+            if (seen > max) {
+                max = seen;
                 best = direction;
             }
         }

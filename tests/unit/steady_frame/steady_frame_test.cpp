@@ -19,7 +19,7 @@
 namespace {
 
 std::atomic<std::uint64_t> allocations{0};
-std::atomic<std::size_t> bytesInUse{0}, mostBytes{0};
+std::atomic<std::size_t> bytesInUse{0}, maxBytes{0};
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
     allocations.fetch_add(1, std::memory_order_relaxed);
@@ -27,7 +27,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
     void* const memory = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
     if (memory == nullptr) throw std::bad_alloc();
     const std::size_t taken = ::malloc_usable_size(memory), now = bytesInUse.fetch_add(taken) + taken;
-    for (std::size_t most = mostBytes; now > most && !mostBytes.compare_exchange_weak(most, now);) {
+    for (std::size_t max = maxBytes; now > max && !maxBytes.compare_exchange_weak(max, now);) {
     }
     return memory;
 }
@@ -140,14 +140,14 @@ double bytesOfAWalk(const test::TracedScene& traced, double newSamples, RenderSe
         EXPECT_TRUE(renderer.render(view, control, frame));
     }
     const std::size_t before = bytesInUse;
-    mostBytes = before;
-    live.keep(LiveRenderer::planeOf(view), frame, 1);
+    maxBytes = before;
+    live.seed(LiveRenderer::planeOf(view), frame, 1);
     for (int i = 1; i < 4; ++i) {
         Camera camera = test::sampleCamera();
         camera.eye.x += 0.05F * static_cast<float>(i);
         EXPECT_TRUE(live.render({traced.scene, traced.tracer, camera, settings}, newSamples, control, frame));
     }
-    return static_cast<double>(mostBytes - before);
+    return static_cast<double>(maxBytes - before);
 }
 
 /// The same for each pixel, without what does not depend on their number.
@@ -165,13 +165,13 @@ TEST(SteadyFrame, LiveFramesKeepAsManyBytesAsTheySay) {
     test::SceneBuilder floor;
     floor.square({0, 0, 0}, {0, 1, 0}, 10, floor.material(test::matte(0.5F)));
     floor.scene.lights = {test::pointLight({0, 4, 0}, 20)};
-    const double few = bytesOfAPixel(floor.finish(), 0.01), most = bytesOfAPixel(test::sampleScene(), 1);
+    const double few = bytesOfAPixel(floor.finish(), 0.01), max = bytesOfAPixel(test::sampleScene(), 1);
     RecordProperty("few", std::to_string(few));
-    RecordProperty("most", std::to_string(most));
+    RecordProperty("most", std::to_string(max));
     EXPECT_LE(few, LiveRenderer::kBytesPerPixel);
     EXPECT_GT(few, 0.8 * LiveRenderer::kBytesPerPixel);
-    EXPECT_LE(most, LiveRenderer::kMostBytesPerPixel);
-    EXPECT_GT(most, 0.7 * LiveRenderer::kMostBytesPerPixel);
+    EXPECT_LE(max, LiveRenderer::kMaxBytesPerPixel);
+    EXPECT_GT(max, 0.7 * LiveRenderer::kMaxBytesPerPixel);
 }
 
 TEST(SteadyFrame, WithALensAndAdaptiveSamplesAllocatesNothing) {

@@ -12,16 +12,16 @@ namespace {
 using rtcore::CameraFile;
 using rtcore::parseCameraFile;
 
-const std::string kLeast = "version = 1\neye = [1, 2, 3]\nforward = [0, 0, -1]\n";
+const std::string kMin = "version = 1\neye = [1, 2, 3]\nforward = [0, 0, -1]\n";
 
 std::string problem(const std::string& text) {
     return test::badData([&] { parseCameraFile(text, "x.cam"); });
 }
 /// The problem of the least file with one line more, the fourth.
-std::string problemWith(const std::string& line) { return problem(kLeast + line); }
+std::string problemWith(const std::string& line) { return problem(kMin + line); }
 
 TEST(Cam, TheLeastFileHasDefaults) {
-    const CameraFile file = parseCameraFile(kLeast, "x.cam");
+    const CameraFile file = parseCameraFile(kMin, "x.cam");
     EXPECT_EQ(file.camera.eye, (rtcore::Vec3{1, 2, 3}));
     EXPECT_EQ(file.camera.forward, (rtcore::Vec3{0, 0, -1}));
     EXPECT_EQ(file.camera.up, (rtcore::Vec3{0, 1, 0}));
@@ -32,8 +32,8 @@ TEST(Cam, TheLeastFileHasDefaults) {
 
 TEST(Cam, EveryKeyIsRead) {
     const CameraFile file = parseCameraFile(
-        kLeast + "up=[1,0,0]\nfov=150\nwidth=320\nheight=240\nantialiasing=3\nbloom=9\nexposure=2\n"
-                 "lights=[true,false]\nenvironment=4\ntime=0.04\n",
+        kMin + "up=[1,0,0]\nfov=150\nwidth=320\nheight=240\nantialiasing=3\nbloom=9\nexposure=2\n"
+               "lights=[true,false]\nenvironment=4\ntime=0.04\n",
         "x.cam");
     EXPECT_EQ(file.camera.up, (rtcore::Vec3{1, 0, 0}));
     EXPECT_EQ(file.camera.horizontalFov, 150.0F);
@@ -68,7 +68,7 @@ TEST(Cam, ErrorsNameTheirPlace) {
 }
 
 TEST(Cam, NamesLightsByTheirIdsInVersionTwo) {
-    const std::string second = "version = 2" + kLeast.substr(kLeast.find('\n'));
+    const std::string second = "version = 2" + kMin.substr(kMin.find('\n'));
     const CameraFile file = parseCameraFile(second + "lightsOn = [4, 1]\nlightsOff = [7]\n", "x.cam");
     EXPECT_EQ(file.lightsOn, (std::vector<int>{4, 1}));
     EXPECT_EQ(file.lightsOff, (std::vector<int>{7}));
@@ -96,8 +96,8 @@ TEST(Cam, IsOfVersionOneWithoutIds) {
 TEST(Cam, SyntaxErrorsNameTheirPlace) {
     EXPECT_EQ(problem("version = 1\neye = = 3\n").substr(0, 10), "x.cam:2:7:");
     EXPECT_EQ(problem("version = 1\nversion = 1\n").substr(0, 8), "x.cam:2:");
-    EXPECT_EQ(problem(kLeast + "fov = 1e999").substr(0, 8), "x.cam:4:");
-    EXPECT_EQ(problem(kLeast + "width = 99999999999999999999").substr(0, 8), "x.cam:4:");
+    EXPECT_EQ(problem(kMin + "fov = 1e999").substr(0, 8), "x.cam:4:");
+    EXPECT_EQ(problem(kMin + "width = 99999999999999999999").substr(0, 8), "x.cam:4:");
 }
 
 TEST(Cam, WhatIsMissingIsNamed) {
@@ -145,11 +145,11 @@ TEST(Cam, LooksStraightUpAndDownWithoutAnUp) {
 
 TEST(Cam, OrthographicCamerasHaveAWidth) {
     const rtcore::Camera camera =
-        parseCameraFile(kLeast + "orthographicWidth = 4.5\naspect = 1.25\n", "x.cam").camera;
+        parseCameraFile(kMin + "orthographicWidth = 4.5\naspect = 1.25\n", "x.cam").camera;
     EXPECT_EQ(camera.kind, rtcore::CameraKind::Orthographic);
     EXPECT_EQ(camera.orthographicWidth, 4.5F);
     EXPECT_EQ(camera.aspect, 1.25F);
-    EXPECT_EQ(parseCameraFile(kLeast, "x.cam").camera.kind, rtcore::CameraKind::Perspective);
+    EXPECT_EQ(parseCameraFile(kMin, "x.cam").camera.kind, rtcore::CameraKind::Perspective);
     EXPECT_EQ(problemWith("fov = 60\northographicWidth = 1"),
               "x.cam:4:7: fov and orthographicWidth are both given; leave one out");
     for (const char* wrong : {"orthographicWidth = 0", "orthographicWidth = -1", "orthographicWidth = 1e19",
@@ -159,8 +159,8 @@ TEST(Cam, OrthographicCamerasHaveAWidth) {
 
 TEST(Cam, LineEndsAndByteOrderMarkDoNotMatter) {
     std::string windows = "\xEF\xBB\xBF";
-    for (const char c : kLeast) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-    EXPECT_EQ(parseCameraFile(windows, "x.cam"), parseCameraFile(kLeast, "x.cam"));
+    for (const char c : kMin) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    EXPECT_EQ(parseCameraFile(windows, "x.cam"), parseCameraFile(kMin, "x.cam"));
     EXPECT_EQ(problem(windows + "fow = 1\r\n").substr(0, 11), "x.cam:4:1: ");
     EXPECT_EQ(problem("\xEF\xBB\xBFversion = 3").substr(0, 12), "x.cam:1:11: ");
 }
@@ -177,12 +177,12 @@ CameraFile randomCamera(test::Random& random) {
     file.camera.forward = {random.number(), random.number(), 0};
     file.camera.up = {0, random.number(), random.number()};
     if (random.flag()) {
-        file.camera.horizontalFov = 0.001F + 179.9F * random.share();
+        file.camera.horizontalFov = 0.001F + 179.9F * random.fraction();
     } else {
         file.camera.kind = rtcore::CameraKind::Orthographic;
-        file.camera.orthographicWidth = 0.001F + 1000 * random.share();
+        file.camera.orthographicWidth = 0.001F + 1000 * random.fraction();
     }
-    if (random.flag()) file.camera.aspect = 0.1F + random.share();
+    if (random.flag()) file.camera.aspect = 0.1F + random.fraction();
     if (random.flag()) file.width = 1 + static_cast<int>(random.below(32768));
     if (random.flag()) file.height = 1 + static_cast<int>(random.below(32768));
     if (random.flag()) file.antialiasing = 1 + static_cast<int>(random.below(16));

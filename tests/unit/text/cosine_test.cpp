@@ -27,7 +27,7 @@ TEST(Cosine, EveryCosineComesBackBitForBit) {
     test::Random random(31);
     for (int i = 0; i < 3000; ++i) {
         const float cosine =
-            (random.flag() ? 1.0F : -1.0F) * (i % 3 == 0 ? 1 - random.share() * 1e-5F : random.share());
+            (random.flag() ? 1.0F : -1.0F) * (i % 3 == 0 ? 1 - random.fraction() * 1e-5F : random.fraction());
         if (std::fabs(cosine) < 1e-7F) continue;
         EXPECT_EQ(cosineOfDegrees(degreesOfCosine(cosine)), cosine) << cosine;
     }
@@ -43,7 +43,7 @@ TEST(Cosine, RoundAnglesStayRound) {
 TEST(HalfSine, ComesBackBitForBitAndRoundAnglesStayRound) {
     test::Random random(32);
     for (int i = 0; i < 2000; ++i) {
-        const float sine = std::pow(10.0F, -12 * random.share());
+        const float sine = std::pow(10.0F, -12 * random.fraction());
         EXPECT_EQ(rtcore::sineOfHalf(rtcore::degreesOfHalfSine(sine)), sine) << sine;
     }
     for (const double degrees : {0.0, 0.001, 0.53, 0.533, 5.0, 45.0, 90.0, 180.0})

@@ -140,7 +140,7 @@ TEST(FormatsDocument, DescribesTheBspThatIsWritten) {
     says("\nVersion " + version + ". All numbers");
     says("\n| 12 | 4 | version: " + version + " |\n");
     says("\n| 16 | 4 | size of this head: " + std::to_string(sizeof(rtcore::BspHead)) + " |\n");
-    says("number of sections, at most " + std::to_string(rtcore::kMostBspSections));
+    says("number of sections, at most " + std::to_string(rtcore::kMaxBspSections));
     says("Entry of the table, " + std::to_string(sizeof(rtcore::BspSectionEntry)) + " bytes");
     for (std::uint32_t older = 2; older < rtcore::kBspVersion; ++older)
         says("\n**Version " + std::to_string(older) + "** is still read.");

@@ -18,8 +18,8 @@ using rtcore::SceneFile;
 using rtcore::Vec3;
 using test::Random;
 
-Colour share(Random& random, float most) {
-    return {most * random.share(), most * random.share(), most * random.share()};
+Colour fraction(Random& random, float max) {
+    return {max * random.fraction(), max * random.fraction(), max * random.fraction()};
 }
 Colour positive(Random& random) { return {random.positive(), random.positive(), random.positive()}; }
 Vec3 point(Random& random) { return {random.number(), random.number(), random.number()}; }
@@ -51,14 +51,14 @@ rtcore::LightDescription randomLight(Random& random) {
         light.height = random.positive();
     }
     light.intensity = positive(random);
-    if (traits.disc && random.flag()) light.discSine = random.share();
+    if (traits.disc && random.flag()) light.discSine = random.fraction();
     if (isAreaLight(light.kind)) light.mirrored = random.flag() ? 1 : 0;
     if (traits.beam == rtcore::Beam::Cone) {
-        light.cosOuter = random.share() - 0.5F;
-        light.cosInner = light.cosOuter + 0.1F + 0.4F * random.share();
+        light.cosOuter = random.fraction() - 0.5F;
+        light.cosInner = light.cosOuter + 0.1F + 0.4F * random.fraction();
     }
     light.on = random.flag() ? 1 : 0;
-    if (random.flag()) result.temperature = 1700 + 23000 * random.share();
+    if (random.flag()) result.temperature = 1700 + 23000 * random.fraction();
     return result;
 }
 
@@ -69,17 +69,17 @@ rtcore::MaterialOverride randomMaterial(Random& random) {
     } else {
         m.pattern = awkwardName(random);
     }
-    if (random.flag()) m.diffuse = share(random, 0.5F);
-    if (random.flag()) m.specular = share(random, 0.5F);
-    if (random.flag()) m.transmission = share(random, 1);
+    if (random.flag()) m.diffuse = fraction(random, 0.5F);
+    if (random.flag()) m.specular = fraction(random, 0.5F);
+    if (random.flag()) m.transmission = fraction(random, 1);
     if (random.flag()) m.emission = positive(random);
-    if (random.flag()) m.reflectivity = share(random, 1);
-    if (random.flag()) m.shininess = 100'000 * random.share();
-    if (random.flag()) m.opacity = random.share();
+    if (random.flag()) m.reflectivity = fraction(random, 1);
+    if (random.flag()) m.shininess = 100'000 * random.fraction();
+    if (random.flag()) m.opacity = random.fraction();
     if (random.flag()) m.attenuationDistance = random.positive();
-    if (random.flag()) m.indexOfRefraction = 1 + 4 * random.share();
-    if (random.flag()) m.roughness = random.share();
-    if (random.flag()) m.metallic = random.share();
+    if (random.flag()) m.indexOfRefraction = 1 + 4 * random.fraction();
+    if (random.flag()) m.roughness = random.fraction();
+    if (random.flag()) m.metallic = random.fraction();
     if (random.flag()) m.textures = random.flag();
     if (random.flag()) m.flipTextures = random.flag();
     if (random.flag()) m.fresnel = random.flag();
@@ -101,7 +101,7 @@ rtcore::EnvironmentFile randomEnvironment(Random& random) {
     if (shell) environment.parts = {awkwardName(random), awkwardName(random)};
     if (random.flag()) environment.name = awkwardName(random);
     environment.intensity = random.positive();
-    if (random.flag()) environment.rotation = 720 * random.share() - 360;
+    if (random.flag()) environment.rotation = 720 * random.fraction() - 360;
     return environment;
 }
 
@@ -119,20 +119,22 @@ rtcore::Sky randomSky(Random& random) {
                                    .day = 1 + static_cast<int>(random.below(days)),
                                    .second = static_cast<int>(random.below(86401)),
                                    .timeZone = static_cast<double>(random.below(30)) - 14.75,
-                                   .latitude = 180 * static_cast<double>(random.share()) - 90,
-                                   .longitude = 360 * static_cast<double>(random.share()) - 180};
+                                   .latitude = 180 * static_cast<double>(random.fraction()) - 90,
+                                   .longitude = 360 * static_cast<double>(random.fraction()) - 180};
     }
-    sky.north = 720 * random.share() - 360;
-    sky.turbidity = 2 + 8 * random.share();
+    sky.north = 720 * random.fraction() - 360;
+    sky.turbidity = 2 + 8 * random.fraction();
     sky.strength = random.positive();
-    sky.ground = random.share() < 0.5F;
+    sky.ground = random.fraction() < 0.5F;
     sky.studio = random.flag();
     return sky;
 }
 
 rtcore::Camera randomSceneCamera(Random& random) {
-    return {
-        point(random), {1, 0.1F * random.share(), 0}, {0, 1, random.share()}, 0.1F + 179 * random.share()};
+    return {point(random),
+            {1, 0.1F * random.fraction(), 0},
+            {0, 1, random.fraction()},
+            0.1F + 179 * random.fraction()};
 }
 
 SceneFile randomScene(Random& random) {
@@ -140,14 +142,14 @@ SceneFile randomScene(Random& random) {
     s.model = "/m/" + awkwardName(random);
     if (random.flag()) s.settings = "/s/" + awkwardName(random);
     if (random.flag()) s.output = "/o/" + awkwardName(random);
-    s.metresPerUnit = 1e-6F + random.share();
+    s.metresPerUnit = 1e-6F + random.fraction();
     s.up = random.flag() ? Vec3{0, 0, 1} : Vec3{-1, 0, 0};
     s.background = positive(random);
     s.ambient = positive(random);
     s.modelLights = random.flag();
     s.defaultLight = random.flag();
     s.flipTextures = random.flag();
-    s.creaseAngle = 180 * random.share();
+    s.creaseAngle = 180 * random.fraction();
     if (random.flag()) {
         s.camera = randomSceneCamera(random);
     } else if (random.flag()) {
@@ -170,11 +172,11 @@ SceneFile randomScene(Random& random) {
     s.fog.scaleHeight = random.positive();
     s.fog.groundHeight = random.number();
     s.fog.colour = positive(random);
-    s.fog.albedo = {random.share(), random.share(), random.share()};
+    s.fog.albedo = {random.fraction(), random.fraction(), random.fraction()};
     s.fog.surroundings = random.positive();
     s.fog.emission = positive(random);
     s.walk = {random.positive(), random.positive(), random.positive(), random.positive(), random.positive()};
-    if (random.flag()) s.live = {{"width", 17}, {"exposure.key", 0.1F + random.share()}};
+    if (random.flag()) s.live = {{"width", 17}, {"exposure.key", 0.1F + random.fraction()}};
     if (random.flag()) s.still = {{"shadows", false}, {"toneMapping", std::string("channels")}};
     return s;
 }

@@ -16,10 +16,10 @@ using rtcore::parseSceneFile;
 using rtcore::SceneFile;
 using rtcore::Vec3;
 
-const std::string kLeastScene = "version = 1\nmodel = \"nave.glb\"\n";
+const std::string kMinimalScene = "version = 1\nmodel = \"nave.glb\"\n";
 
 SceneFile parse(const std::string& more, const std::string& path = "x.scn") {
-    return parseSceneFile(kLeastScene + more, path);
+    return parseSceneFile(kMinimalScene + more, path);
 }
 /// The problem of the least scene with more lines, from the third on.
 std::string sceneProblem(const std::string& more) {

@@ -114,7 +114,7 @@ std::vector<SettingAssignment> randomAssignments(test::Random& random) {
     rtcore::RenderSettings s;
     s.width = 1 + static_cast<int>(random.below(32768));
     s.shadows = random.flag();
-    s.minContribution = random.share();
+    s.minContribution = random.fraction();
     s.ambientOcclusion.distance = random.positive();
     s.exposure.value = random.positive();
     s.exposure.mode = random.flag() ? rtcore::ExposureMode::Fixed : rtcore::ExposureMode::Automatic;

@@ -57,10 +57,10 @@ class Random {
     std::size_t below(std::size_t end) { return static_cast<std::size_t>(bits()) % end; }
     bool flag() { return below(2) == 1; }
     /// In [0, 1).
-    float share() { return static_cast<float>(bits() >> 8U) * 0x1p-24F; }
+    float fraction() { return static_cast<float>(bits() >> 8U) * 0x1p-24F; }
     /// Any size from 1e-12 to 1e12.
     float positive() {
-        float value = 1 + share();
+        float value = 1 + fraction();
         for (int i = static_cast<int>(below(80)) - 40; i != 0; i += i < 0 ? 1 : -1)
             value *= i < 0 ? 0.5F : 2.0F;
         return value;

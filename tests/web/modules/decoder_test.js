@@ -24,7 +24,7 @@ export async function aJpegOfStripsIsDecodedInParts({ file, size }) {
     (await decode(bytes, "image/jpeg")).drawOn(context, ...size);
     equal(typeof ImageDecoder, "function");
     equal(stripsOf(bytes).strips.map(({ top }) => top), [0, 400]);
-    atMost(read().reduce((most, value, i) => Math.max(most, Math.abs(value - expected[i])), 0), 8);
+    atMost(read().reduce((max, value, i) => Math.max(max, Math.abs(value - expected[i])), 0), 8);
 
     const start = bytes.slice(0, 3000);
     equal(await decode(start, "image/jpeg").then(() => "decoded", () => "refused"), "refused");

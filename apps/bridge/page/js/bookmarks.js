@@ -1,8 +1,8 @@
 /** Bookmarks of this browser, by instance and scene: name, view, a small picture. */
 import { forGood } from "./storage.js";
 
-export const MOST = 200;
-const MOST_NAME = 40;
+export const MAX_BOOKMARKS = 200;
+const MAX_NAME = 40;
 /** What no name needs, and what would rule the text around it: controls, ends of lines, marks of direction. */
 const CONTROLS = /[\p{Cc}\p{Bidi_Control}\u2028\u2029]/gu;
 
@@ -14,9 +14,9 @@ export function checked(list) {
     const number = (value) => typeof value === "number" && Number.isFinite(value);
     return list.filter((one) => one && typeof one.name === "string" && Array.isArray(one.view) && one.view.length === 10
         && one.view.every(number))
-        .map(({ name, view, image }) => ({ name: name.replace(CONTROLS, "").slice(0, MOST_NAME), view,
+        .map(({ name, view, image }) => ({ name: name.replace(CONTROLS, "").slice(0, MAX_NAME), view,
             image: typeof image === "string" && /^data:image\/(jpeg|png);base64,[\w+/=]+$/.test(image) ? image
-                : "" })).slice(0, MOST);
+                : "" })).slice(0, MAX_BOOKMARKS);
 }
 
 export function load(instance, scene) {

@@ -31,11 +31,11 @@ class Pixels {
 
     close() {
         spare.push(this.image);
-        if (spare.length > MOST_SPARE) spare.shift();
+        if (spare.length > MAX_SPARE) spare.shift();
     }
 }
 
-const MOST_SPARE = 2, spare = []; // memory for the next images of the same size
+const MAX_SPARE = 2, spare = []; // memory for the next images of the same size
 
 function roomOf({ width, height }) {
     const same = spare.findIndex((image) => image.width === width && image.height === height);

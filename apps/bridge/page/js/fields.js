@@ -75,7 +75,7 @@ function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
     return { box, show };
 }
 
-const MOST_EVEN = 5000, MANY_ORDERS = 1000, MOST_FACTOR = 1e7, POSITIONS = 500;
+const MAX_EVEN = 5000, MANY_ORDERS = 1000, MAX_FACTOR = 1e7, POSITIONS = 500;
 
 /**
  * A slider over a range: even, or by even factors where it is of many orders; null where its ends are too far apart.
@@ -83,7 +83,7 @@ const MOST_EVEN = 5000, MANY_ORDERS = 1000, MOST_FACTOR = 1e7, POSITIONS = 500;
 function sliderOver({ min, max, whole }) {
     if (min === undefined || max === undefined) return null;
     const factors = min > 0 && max / min >= MANY_ORDERS, factor = max / min;
-    if (factors ? factor > MOST_FACTOR : max - min > MOST_EVEN) return null;
+    if (factors ? factor > MAX_FACTOR : max - min > MAX_EVEN) return null;
     const box = make("input", factors ? { type: "range", min: 0, max: POSITIONS, step: 1 }
         : { type: "range", min, max, step: whole ? 1 : (max - min) / POSITIONS });
     const fine = (value) => (whole ? Math.round(value) : Number(value.toPrecision(3)));
@@ -157,8 +157,8 @@ const encode = (linear) => (linear <= 0.0031308 ? 12.92 * linear : 1.055 * linea
 const decode = (code) => (code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4);
 /** A linear colour as a screen shows it, as bright as it can be where `scaled`. */
 export function screenColour(linear, scaled = false) {
-    const most = scaled ? Math.max(...linear, 1e-30) : 1;
-    const code = (part) => Math.round(255 * encode(Math.min(1, Math.max(0, part / most))));
+    const largest = scaled ? Math.max(...linear, 1e-30) : 1;
+    const code = (part) => Math.round(255 * encode(Math.min(1, Math.max(0, part / largest))));
     return "#" + linear.map((part) => code(part).toString(16).padStart(2, "0")).join("");
 }
 export const linearColour = (screen) => [1, 3, 5].map((at) => decode(parseInt(screen.slice(at, at + 2), 16) / 255));

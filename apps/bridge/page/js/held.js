@@ -2,9 +2,9 @@
  * The state of all input: which keys are held, whoever holds them (keyboard, thumb, gamepad), and how far the view is
  * to turn. Sent as a whole, so that a lost message cannot leave a key down; repeated while anything is held.
  */
-import { inputMessage, MOST_HELD } from "./wire.js";
+import { inputMessage, MAX_HELD } from "./wire.js";
 
-const LEAST_MS = 8, REPEAT_MS = 200;
+const MIN_MS = 8, REPEAT_MS = 200;
 
 export class Held {
     /** @param {(message: ArrayBuffer) => boolean} send false: it cannot be sent now */
@@ -41,7 +41,7 @@ export class Held {
     get keys() {
         const all = new Set();
         for (const keys of this.sources.values()) for (const key of keys) all.add(key);
-        return [...all].slice(0, MOST_HELD);
+        return [...all].slice(0, MAX_HELD);
     }
 
     /** Everything is let go, and told at once. */
@@ -53,7 +53,7 @@ export class Held {
     }
 
     wake() {
-        const wait = this.lastSent + LEAST_MS - performance.now();
+        const wait = this.lastSent + MIN_MS - performance.now();
         if (wait <= 0) this.flush();
         else this.flushIn(wait);
     }

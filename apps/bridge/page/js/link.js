@@ -1,7 +1,7 @@
 /**
  * The talk with the bridge: identifies, comes back by itself after a loss, and knows which requests are under way.
  */
-const FIRST_WAIT = 250, MOST_WAIT = 5000, REQUEST_MS = 30000;
+const FIRST_WAIT = 250, MAX_WAIT = 5000, REQUEST_MS = 30000;
 /** Close codes after which another try would end the same way. */
 const FINAL = new Set([4002, 4003, 4004, 4005, 4010]);
 
@@ -80,7 +80,7 @@ export class Link extends EventTarget {
             // Many pages that lose one bridge shall not come back in one moment.
             const wait = Math.max(code === 4008 ? 1000 : 0, this.wait * (0.5 + Math.random() / 2));
             this.timer = setTimeout(() => this.connect(), wait);
-            this.wait = Math.min(MOST_WAIT, this.wait * 2);
+            this.wait = Math.min(MAX_WAIT, this.wait * 2);
         }
         this.tell("lost", { code, reason, final: this.ended });
     }

@@ -5,7 +5,7 @@
 import { decode } from "./decoder.js";
 import { FRAME, STILL, payloadOf } from "./wire.js";
 
-const MOST_DECODES = 2, MOST_STILL = 1 << 28;
+const MAX_DECODES = 2, MAX_STILL = 1 << 28;
 const media = ["image/jpeg", "image/png"];
 
 export class Painter {
@@ -38,7 +38,7 @@ export class Painter {
 
     collect(header, part, received) {
         if (header.offset === 0) {
-            if (header.total > MOST_STILL) return;
+            if (header.total > MAX_STILL) return;
             this.still = { header, bytes: new Uint8Array(header.total), filled: 0 };
         }
         const still = this.still;
@@ -56,7 +56,7 @@ export class Painter {
     }
 
     queue(image) {
-        if (this.decodes < MOST_DECODES) return void this.begin(image);
+        if (this.decodes < MAX_DECODES) return void this.begin(image);
         if (this.waiting) this.skip(this.waiting);
         this.waiting = image;
     }

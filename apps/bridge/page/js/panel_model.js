@@ -3,7 +3,7 @@ import { button, make, refill } from "./dom.js";
 import { colour, group, numeric, toggle } from "./fields.js";
 import { number, of, t } from "./texts.js";
 
-const MOST_SHOWN = 300; // rows of a list; the field above it finds the others
+const MAX_SHOWN = 300; // rows of a list; the field above it finds the others
 
 /** Fields of a material: key, label, range of a number or "colour" or "switch". */
 const fieldsOf = () => [
@@ -100,8 +100,8 @@ export function modelPanel(app) {
         const fits = (row) => wanted === "" || nameOf(row).toLowerCase().includes(wanted);
         for (const [what, item] of [["parts", partItem], ["materials", materialItem]]) {
             const rows = what === "materials" && picked ? lists[what] : lists[what].filter(fits);
-            refill(places[what], [...rows.slice(0, MOST_SHOWN).map(item),
-                ...(rows.length > MOST_SHOWN ? [make("li", {}, make("span", { className: "dim" }, t("more")))] : [])]);
+            refill(places[what], [...rows.slice(0, MAX_SHOWN).map(item),
+                ...(rows.length > MAX_SHOWN ? [make("li", {}, make("span", { className: "dim" }, t("more")))] : [])]);
         }
     }
 

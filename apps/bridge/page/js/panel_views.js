@@ -1,5 +1,5 @@
 /** Views: walk or fly, field of view, bookmarks of the scene and of this browser, a link to what is seen. */
-import { MOST, cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
+import { MAX_BOOKMARKS, cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
 import { button, make, refill } from "./dom.js";
 import { choice, numeric } from "./fields.js";
 import { copyView } from "./share.js";
@@ -30,12 +30,12 @@ export function viewsPanel(app) {
         return kept;
     };
 
-    const tellFull = () => app.notices.show("bookmarks", t("bookmarkMost", MOST), { warn: true });
+    const tellFull = () => app.notices.show("bookmarks", t("bookmarkMost", MAX_BOOKMARKS), { warn: true });
 
     function add() {
         const list = stored();
         if (!app.status.eye) return;
-        if (list.length >= MOST) return tellFull();
+        if (list.length >= MAX_BOOKMARKS) return tellFull();
         list.push({ name: name.value.trim() || t("bookmarkNew", list.length + 1), view: viewOf(app.status),
             image: app.picture.thumbnail(160, 90) });
         name.value = "";
@@ -51,7 +51,7 @@ export function viewsPanel(app) {
             read = checked(JSON.parse(await file.text()).bookmarks);
         } catch { /* told below */ }
         if (read.length === 0) return app.notices.show("bookmarks", t("importBad"), { warn: true });
-        const before = stored(), taken = read.slice(0, MOST - before.length);
+        const before = stored(), taken = read.slice(0, MAX_BOOKMARKS - before.length);
         if (!keep([...before, ...taken])) return;
         if (taken.length < read.length) tellFull();
         else app.notices.show("bookmarks", counted("importGood", taken.length));

@@ -1,8 +1,8 @@
 /** Binary messages, as docs/bridge.md ("Binary") lays them out; all little-endian. */
 
 export const FRAME = 1, STILL = 2;
-export const MOST_HELD = 16, MOST_TAPS = 8;
-const HEADER = 40, MOST_TURN = 360000, MOST_DECODE = 65535;
+export const MAX_HELD = 16, MAX_TAPS = 8;
+const HEADER = 40, MAX_TURN = 360000, MAX_DECODE = 65535;
 
 /**
  * @param {ArrayBuffer} buffer
@@ -30,13 +30,13 @@ export function readHeader(buffer) {
 
 export const payloadOf = (buffer) => new Uint8Array(buffer, HEADER);
 
-const clamp = (value, most) => Math.max(-most, Math.min(most, value));
+const clamp = (value, max) => Math.max(-max, Math.min(max, value));
 
 /** After a frame (`type` FRAME) or a part of a still was drawn or taken. `ms`: from receipt to then. */
 export function ackMessage(type, stream, number, ms) {
     const view = new DataView(new ArrayBuffer(16));
     view.setUint8(0, type === FRAME ? 1 : 4);
-    view.setUint16(2, Math.min(MOST_DECODE, Math.round(ms * 10)), true);
+    view.setUint16(2, Math.min(MAX_DECODE, Math.round(ms * 10)), true);
     view.setUint32(4, stream, true);
     view.setBigUint64(8, number, true);
     return view.buffer;
@@ -44,13 +44,13 @@ export function ackMessage(type, stream, number, ms) {
 
 /** `right`, `up`: 1/1000 degree; `taps`, `held`: key codes. */
 export function inputMessage(sequence, right, up, taps, held) {
-    const keys = held.slice(0, MOST_HELD), pressed = taps.slice(0, MOST_TAPS);
+    const keys = held.slice(0, MAX_HELD), pressed = taps.slice(0, MAX_TAPS);
     const bytes = new Uint8Array(16 + keys.length + pressed.length);
     const view = new DataView(bytes.buffer);
     bytes.set([2, keys.length, pressed.length]);
     view.setUint32(4, sequence, true);
-    view.setInt32(8, clamp(right, MOST_TURN), true);
-    view.setInt32(12, clamp(up, MOST_TURN), true);
+    view.setInt32(8, clamp(right, MAX_TURN), true);
+    view.setInt32(12, clamp(up, MAX_TURN), true);
     bytes.set(keys, 16);
     bytes.set(pressed, 16 + keys.length);
     return bytes.buffer;

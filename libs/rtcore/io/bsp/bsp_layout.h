@@ -41,7 +41,7 @@ enum class BspSection : std::uint32_t {
 struct BspSectionKind {
     std::string_view name;     ///< at most 12 bytes
     std::uint32_t elementSize; ///< as it is written
-    std::uint32_t leastSize;   ///< as the first file with this section had it; there are no smaller ones
+    std::uint32_t minSize;     ///< as the first file with this section had it; there are no smaller ones
 };
 
 /// In the order of BspSection.
@@ -72,9 +72,9 @@ inline constexpr std::size_t kBspSections = kBspSectionKinds.size();
 inline constexpr std::array<std::uint8_t, 8> kBspMagic{0x89, 'R', 'T', 'K', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint32_t kBspByteOrder = 0x01020304;
 inline constexpr std::uint32_t kBspVersion = 4;
-inline constexpr std::uint64_t kBspAlignment = 64;      ///< of sections: a cache line
-inline constexpr std::uint32_t kMostBspSections = 1024; ///< known or not
-inline constexpr std::size_t kMostBspWarningBytes = 64 * 1024;
+inline constexpr std::uint64_t kBspAlignment = 64;     ///< of sections: a cache line
+inline constexpr std::uint32_t kMaxBspSections = 1024; ///< known or not
+inline constexpr std::size_t kMaxBspWarningBytes = 64 * 1024;
 
 struct BspSectionEntry {
     std::array<char, 12> name; ///< behind its end zeros

@@ -30,8 +30,8 @@ class Reader {
         BspContent content;
         content.identity = table_.identity;
         content.model = readModel();
-        content.warnings = linesOf(readText(BspSection::Warnings, kMostBspWarningBytes));
-        content.origin = readOrigin(readText(BspSection::Origin, kMostOriginBytes));
+        content.warnings = linesOf(readText(BspSection::Warnings, kMaxBspWarningBytes));
+        content.origin = readOrigin(readText(BspSection::Origin, kMaxOriginBytes));
         KdTree tree{view<KdNode>(BspSection::Nodes), view<std::uint32_t>(BspSection::References),
                     table_.bounds, nullptr};
         if (const auto problem = checkModel(content.model)) fail("section " + *problem);
@@ -65,7 +65,7 @@ class Reader {
     /// they lack has its default.
     template <typename T>
     std::span<const T> copy(BspSection section, const BspSectionEntry& entry, const std::byte* from) {
-        if (entry.elementSize < kindOf(section).leastSize)
+        if (entry.elementSize < kindOf(section).minSize)
             fail("section " + std::string(kindOf(section).name) + " has elements of the wrong size");
         auto copies = std::make_shared<std::vector<T>>(entry.count, T{});
         const std::size_t known = std::min<std::size_t>(entry.elementSize, sizeof(T));
@@ -108,13 +108,13 @@ class Reader {
     }
 
     /// Lines of printable text.
-    std::string_view readText(BspSection section, std::size_t most) {
+    std::string_view readText(BspSection section, std::size_t max) {
         const std::span<const char> text = view<char>(section);
         const bool printable = std::all_of(text.begin(), text.end(), [](char c) {
             const auto code = static_cast<unsigned char>(c);
             return c == '\n' || (code >= 0x20 && code != 0x7F);
         });
-        if (!printable || text.size() > most || (!text.empty() && text.back() != '\n'))
+        if (!printable || text.size() > max || (!text.empty() && text.back() != '\n'))
             fail("section " + std::string(kindOf(section).name) + " is no text");
         return {text.data(), text.size()};
     }

@@ -31,7 +31,7 @@ BspSectionEntry entryOf(BspSection section, const BspSectionEntry2& old) {
     BspSectionEntry entry{};
     const std::string_view name = kindOf(section).name;
     std::copy(name.begin(), name.end(), entry.name.begin());
-    entry.elementSize = kindOf(section).leastSize;
+    entry.elementSize = kindOf(section).minSize;
     entry.offset = old.offset;
     entry.count = old.count;
     return entry;
@@ -75,7 +75,7 @@ class TableReader {
 
     /// The end of the head and of the table.
     std::uint64_t readNamedSections() {
-        require(head_.headSize == sizeof(BspHead) && head_.sectionCount <= kMostBspSections,
+        require(head_.headSize == sizeof(BspHead) && head_.sectionCount <= kMaxBspSections,
                 "header: of the wrong size");
         checkHead(head_.headCrc);
         require(head_.reserved == decltype(head_.reserved){}, "header: its reserved fields are not zero");
@@ -155,9 +155,9 @@ class TableReader {
         const Box3 bounds{{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
         if (bounds == Box3{}) return bounds;
         // A builder may widen the box by a few units in the last place.
-        constexpr float most = kLargestNumber * 1.001F;
+        constexpr float max = kLargestNumber * 1.001F;
         for (int a = 0; a < 3; ++a) {
-            require(bounds.lo[a] >= -most && bounds.lo[a] <= bounds.hi[a] && bounds.hi[a] <= most,
+            require(bounds.lo[a] >= -max && bounds.lo[a] <= bounds.hi[a] && bounds.hi[a] <= max,
                     "header: the bounds are no box");
         }
         return bounds;

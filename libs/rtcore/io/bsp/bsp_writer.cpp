@@ -37,7 +37,7 @@ std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree
 std::string linesOf(std::span<const std::string> warnings) {
     std::string lines;
     for (const std::string& warning : warnings) {
-        if (lines.size() + warning.size() >= kMostBspWarningBytes) break;
+        if (lines.size() + warning.size() >= kMaxBspWarningBytes) break;
         for (const char c : warning) {
             const auto code = static_cast<unsigned char>(c);
             lines += code < 0x20 || code == 0x7F ? '?' : c;

@@ -18,7 +18,7 @@ using Finding = std::optional<std::string>;
 constexpr float kRounding = 1e-3F;
 
 /// Of images of one pixel by as many as there may be.
-constexpr float kLeastAspect = 1.0F / kMaxImageSide;
+constexpr float kMinAspect = 1.0F / kMaxImageSide;
 
 bool within(float value, float lo, float hi) { return value >= lo && value <= hi; } // false for NaN
 bool within(Colour c, float lo, float hi) {
@@ -106,8 +106,7 @@ const char* problemOf(const Camera& c, const Model& model) {
     if (c.kind > CameraKind::Orthographic) return "it is of no known kind";
     if (c.kind == CameraKind::Orthographic && !(c.orthographicWidth > 0)) return "its width is not above 0";
     if (!within(c.orthographicWidth, 0, kLargestNumber)) return "its width is out of range";
-    if (c.aspect != 0 && !within(c.aspect, kLeastAspect, 1 / kLeastAspect))
-        return "its aspect is out of range";
+    if (c.aspect != 0 && !within(c.aspect, kMinAspect, 1 / kMinAspect)) return "its aspect is out of range";
     return c.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
 }
 

@@ -121,10 +121,10 @@ Finding checkMesh(const Model& model) {
     if (!indicesBelow(mesh.shading, mesh.normals.size(), model.materials.size())) {
         return "shading: an element names a normal or a material that does not exist";
     }
-    constexpr float most = kLargestNumber;
-    if (Finding f = checkNumbers("vertices", floatsOf(mesh.vertices), 4, -most, most)) return f;
-    if (Finding f = checkNumbers("texcoords", floatsOf(mesh.texcoords), 2, -most, most)) return f;
-    if (Finding f = checkNumbers("colours", floatsOf(mesh.colours), 3, 0, most)) return f;
+    constexpr float max = kLargestNumber;
+    if (Finding f = checkNumbers("vertices", floatsOf(mesh.vertices), 4, -max, max)) return f;
+    if (Finding f = checkNumbers("texcoords", floatsOf(mesh.texcoords), 2, -max, max)) return f;
+    if (Finding f = checkNumbers("colours", floatsOf(mesh.colours), 3, 0, max)) return f;
     if (Finding f = checkNumbers("alphas", floatsOf(mesh.alphas), 1, 0, 1)) return f;
     return checkNormals(mesh.normals);
 }

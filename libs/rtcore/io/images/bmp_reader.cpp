@@ -17,8 +17,8 @@ struct Field {
     std::uint8_t of(std::uint32_t pixel) const {
         if (mask == 0) return 0;
         const auto shift = static_cast<unsigned>(std::countr_zero(mask));
-        const std::uint64_t most = mask >> shift, value = (pixel & mask) >> shift;
-        return static_cast<std::uint8_t>((value * 255 + most / 2) / most);
+        const std::uint64_t max = mask >> shift, value = (pixel & mask) >> shift;
+        return static_cast<std::uint8_t>((value * 255 + max / 2) / max);
     }
 };
 

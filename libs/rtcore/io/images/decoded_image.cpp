@@ -112,8 +112,8 @@ void checkImageSize(const std::string& name, std::int64_t width, std::int64_t he
 }
 
 void checkPlausible(const std::string& name, std::size_t pixels, std::size_t bytes,
-                    std::size_t mostPixelsPerByte) {
-    if (pixels / mostPixelsPerByte > bytes) {
+                    std::size_t maxPixelsPerByte) {
+    if (pixels / maxPixelsPerByte > bytes) {
         badImage(name, fmt::format("the file is too short for the {} pixels that its header names", pixels));
     }
 }

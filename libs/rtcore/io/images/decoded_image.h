@@ -41,6 +41,6 @@ void makeOpaqueIfAllClear(LdrImage& image);
 void checkImageSize(const std::string& name, std::int64_t width, std::int64_t height);
 /// Throws FileError BadData when `pixels` cannot come out of `bytes`: a header that lies.
 void checkPlausible(const std::string& name, std::size_t pixels, std::size_t bytes,
-                    std::size_t mostPixelsPerByte);
+                    std::size_t maxPixelsPerByte);
 
 } // namespace rtcore

@@ -14,7 +14,7 @@ namespace rtcore {
 namespace {
 
 constexpr int kQuality = 95;
-constexpr int kMostScans = 500; // a progressive file of many empty scans would take hours
+constexpr int kMaxScans = 500; // a progressive file of many empty scans would take hours
 
 /// libjpeg's own handler ends the process. This one returns to the last setjmp, so every function that calls
 /// the library has only trivial variables. (`base` comes first: the library hands back a pointer to it.)
@@ -39,7 +39,7 @@ void onMessage(j_common_ptr info, int level) {
 }
 
 void onProgress(j_common_ptr info) {
-    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > kMostScans) {
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > kMaxScans) {
         info->err->msg_code = JERR_BAD_PROGRESSION;
         onError(info);
     }

@@ -15,15 +15,14 @@ class PnmReader {
         kind_ = static_cast<unsigned>(in_.u8() - '0');
         const unsigned width = number(), height = number();
         checkImageSize(in_.name(), width, height);
-        most_ = isBitmap() ? 1 : number();
-        if (most_ < 1 || most_ > 65535)
-            badImage(in_.name(), "the largest value of a PNM must lie in 1..65535");
+        max_ = isBitmap() ? 1 : number();
+        if (max_ < 1 || max_ > 65535) badImage(in_.name(), "the largest value of a PNM must lie in 1..65535");
         // number() has taken the one blank that stands before binary pixels.
         const std::size_t pixels = std::size_t{width} * height;
         checkPlausible(in_.name(), pixels, size_, isBitmap() ? 8 : 1);
         const int w = static_cast<int>(width), h = static_cast<int>(height);
-        return most_ < 256 ? DecodedImage(readPixels<Rgba8, 255>(w, h))
-                           : DecodedImage(readPixels<Rgba16, 65535>(w, h));
+        return max_ < 256 ? DecodedImage(readPixels<Rgba8, 255>(w, h))
+                          : DecodedImage(readPixels<Rgba16, 65535>(w, h));
     }
 
   private:
@@ -36,7 +35,7 @@ class PnmReader {
         Image<Pixel> image(w, h);
         const auto sample = [&](int x) {
             using Channel = decltype(Pixel{}.r);
-            return static_cast<Channel>((next(x) * full + most_ / 2) / most_);
+            return static_cast<Channel>((next(x) * full + max_ / 2) / max_);
         };
         for (int y = 0; y < h; ++y) {
             for (int x = 0; x < w; ++x) {
@@ -50,7 +49,7 @@ class PnmReader {
         return image;
     }
 
-    /// The next sample, at most `most_`; x says where a row of packed bits starts anew.
+    /// The next sample, at most `max_`; x says where a row of packed bits starts anew.
     unsigned next(int x) {
         unsigned value = 0;
         if (kind_ == 1) {
@@ -62,9 +61,9 @@ class PnmReader {
             value = number();
         } else {
             value = in_.u8();
-            if (most_ > 255) value = value << 8U | in_.u8();
+            if (max_ > 255) value = value << 8U | in_.u8();
         }
-        if (value > most_)
+        if (value > max_)
             badImage(in_.name(), "a sample is larger than the largest value that the PNM names");
         return value;
     }
@@ -103,7 +102,7 @@ class PnmReader {
 
     ByteReader in_;
     std::size_t size_;
-    unsigned kind_ = 0, most_ = 0, bits_ = 0;
+    unsigned kind_ = 0, max_ = 0, bits_ = 0;
 };
 
 } // namespace

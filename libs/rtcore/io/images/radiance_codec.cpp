@@ -16,7 +16,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-constexpr int kFewestForRuns = 8, kMostForRuns = 32767;
+constexpr int kFewestForRuns = 8, kMaxForRuns = 32767;
 
 Colour decodePixel(Rgbe p, float scale) {
     if (p[3] == 0) return {};
@@ -29,12 +29,12 @@ Rgbe encodePixel(Colour c) {
     const auto positive = [](float v) {
         return v > 0 ? std::min(v, std::numeric_limits<float>::max()) : 0.0F;
     };
-    const float r = positive(c.r), g = positive(c.g), b = positive(c.b), most = std::max({r, g, b});
-    if (most < 1e-38F) return {0, 0, 0, 0};
+    const float r = positive(c.r), g = positive(c.g), b = positive(c.b), max = std::max({r, g, b});
+    if (max < 1e-38F) return {0, 0, 0, 0};
     int exponent = 0;
-    std::frexp(most, &exponent);
+    std::frexp(max, &exponent);
     // Rounding may carry the largest mantissa to 256, which is 128 of the next exponent.
-    if (std::ldexp(most, 8 - exponent) >= 255.5F) ++exponent;
+    if (std::ldexp(max, 8 - exponent) >= 255.5F) ++exponent;
     exponent = std::min(exponent, 127);
     const auto mantissa = [&](float v) {
         return static_cast<std::uint8_t>(std::min(std::ldexp(v, 8 - exponent) + 0.5F, 255.0F));
@@ -127,7 +127,7 @@ void readRow(ByteReader& in, std::vector<Rgbe>& row) {
     const Rgbe first = takePixel(in);
     const std::size_t named = static_cast<std::size_t>(first[2]) << 8U | first[3];
     const bool runs = first[0] == 2 && first[1] == 2 && first[2] < 128 && row.size() >= kFewestForRuns &&
-                      row.size() <= kMostForRuns;
+                      row.size() <= kMaxForRuns;
     if (!runs) return readOldRuns(in, row, first);
     if (named != row.size()) badImage(in.name(), "damaged Radiance image: a row of another width");
     readNewRuns(in, row);
@@ -157,7 +157,7 @@ void appendRuns(Bytes& bytes, const std::vector<Rgbe>& row, std::size_t channel)
 }
 
 void appendRow(Bytes& bytes, const std::vector<Rgbe>& row) {
-    if (row.size() < kFewestForRuns || row.size() > kMostForRuns) {
+    if (row.size() < kFewestForRuns || row.size() > kMaxForRuns) {
         for (const Rgbe& p : row) {
             for (const std::uint8_t v : p) append8(bytes, v);
         }

@@ -132,8 +132,8 @@ ImportLimits importLimits(const fs::path& path, const ImportOptions& options) {
 
 ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     refuseNoModel(path);
-    const ImportLimits most = importLimits(path, options);
-    const ProcessLimits limits{.memory = most.memory, .silence = most.seconds, .stop = options.stop};
+    const ImportLimits max = importLimits(path, options);
+    const ProcessLimits limits{.memory = max.memory, .silence = max.seconds, .stop = options.stop};
     const fs::path importer = importerProgram();
     std::error_code error;
     if (!fs::exists(importer, error)) {

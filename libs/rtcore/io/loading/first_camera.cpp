@@ -1,6 +1,6 @@
 #include "rtcore/io/loading/first_camera.h"
 
-#include "rtcore/look/seen_places.h"
+#include "rtcore/look/visible_points.h"
 #include "rtcore/survey/default_view.h"
 
 #include <algorithm>
@@ -38,17 +38,17 @@ class FirstCamera {
     /// Whether one who does not know the model sees it by that camera: not so near that most of an object is
     /// beyond the image.
     bool isFirstView(const Camera& camera) {
-        constexpr float kLeastPart = 0.5F;
+        constexpr float kMinPart = 0.5F;
         const Mesh& mesh = out_.scene.model.mesh;
         const Axes axes = axesOf(out_.scene);
         const Box3& bounds = loading_.surveyed().subject.bounds;
-        if (!showsModel(seenPlaces(out_.tree, mesh, camera), bounds)) return false;
+        if (!showsModel(visiblePoints(out_.tree, mesh, camera), bounds)) return false;
         const bool object = !loading_.surveyed().inside() && !loading_.surveyed().isStage();
         if (!object || isIndoors(out_.tree, mesh, axes, camera.eye)) return true;
-        std::vector<SeenPlace> model =
-            seenPlaces(out_.tree, mesh, defaultCamera(out_.tree, mesh, loading_.surveyed()));
-        std::erase_if(model, [&](const SeenPlace& place) { return !bounds.contains(place.position); });
-        return partInImage(model, camera) >= kLeastPart;
+        std::vector<VisiblePoint> model =
+            visiblePoints(out_.tree, mesh, defaultCamera(out_.tree, mesh, loading_.surveyed()));
+        std::erase_if(model, [&](const VisiblePoint& place) { return !bounds.contains(place.position); });
+        return partInImage(model, camera) >= kMinPart;
     }
 
     /// All but the one that is shown, under their names.
@@ -77,14 +77,14 @@ class FirstCamera {
 
 } // namespace
 
-void decideUpAndUnit(Loading& loading) {
-    UpAndUnit frame;
+void decideModelUnits(Loading& loading) {
+    ModelUnits frame;
     if (loading.out.sceneFile) {
         frame.up = frame.otherUp = loading.out.scene.up;
         frame.metresPerUnit = loading.out.scene.metresPerUnit;
         frame.upSaid = frame.unitSaid = Said::ByScene;
     } else {
-        frame = guessUpAndUnit(loading.out.origin, loading.out.tree, loading.out.scene.model);
+        frame = guessModelUnits(loading.out.origin, loading.out.tree, loading.out.scene.model);
     }
     frame = withUserSays(frame, loading.options.import.up, loading.options.import.metresPerUnit);
     // A camera of the model's or the scene's own knows what is up, unless the user knows better.

@@ -6,7 +6,7 @@
 namespace rtcore {
 
 /// The options win over a .scn, that over the model's file, that over a guess.
-void decideUpAndUnit(Loading& loading);
+void decideModelUnits(Loading& loading);
 
 /// One of the model's own that shows it, or else one that does; the others become bookmarks.
 void chooseCamera(Loading& loading);

@@ -1,7 +1,7 @@
 #include "rtcore/io/loading/first_light.h"
 
 #include "rtcore/io/loading/modelled_sky.h"
-#include "rtcore/look/seen_places.h"
+#include "rtcore/look/visible_points.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -28,7 +28,7 @@ class FirstLight {
             if (hasLight() && !surrounded && !surroundings.look && !ownLightsReach())
                 return lightBeside(surroundings.usual);
         }
-        if (surroundings.look) return lightByLook(*surroundings.look, true);
+        if (surroundings.look) return lightByPreset(*surroundings.look, true);
         if (hasLight() || (surrounded && out_.sceneFile)) {
             if (!out_.sceneFile) loading_.take(exposureOf(surroundings.usual));
             if (surrounded) loading_.take({{"skyLight.on", true}});
@@ -36,23 +36,24 @@ class FirstLight {
         } else if (surrounded) {
             giveGround();
             addRoomLights(scene, out_.tree, loading_.surveyed());
-            loading_.take(settingsOf(Look::Sky, loading_.surveyed()));
+            loading_.take(settingsOf(LightingPreset::Sky, loading_.surveyed()));
         } else if (out_.sceneFile) {
             addHeadlight(scene, out_.tree.bounds, out_.camera);
-            out_.look = Look::Headlight;
+            out_.look = LightingPreset::Headlight;
         } else {
-            lightByLook(surroundings.usual);
+            lightByPreset(surroundings.usual);
         }
     }
 
     /// Adds a light beside the viewer where none reaches what is seen.
     void lightTheDark() {
         Scene& scene = out_.scene;
-        if (out_.sceneFile || out_.look == Look::Headlight || loading_.options.surroundings.look || shines())
+        if (out_.sceneFile || out_.look == LightingPreset::Headlight || loading_.options.surroundings.look ||
+            shines())
             return;
         const Mesh& mesh = scene.model.mesh;
         const KdTree shown = visibleTree(out_.tree, scene);
-        const std::vector<SeenPlace> places = seenPlaces(shown, mesh, out_.camera);
+        const std::vector<VisiblePoint> places = visiblePoints(shown, mesh, out_.camera);
         if (places.empty() || isOpen(shown, mesh, places) ||
             lightReaches(shown, mesh, lightsOf(scene.lights), places, kPlainAmbient))
             return;
@@ -61,10 +62,10 @@ class FirstLight {
     }
 
   private:
-    void lightByLook(Look look, bool last = false) {
+    void lightByPreset(Look look, bool last = false) {
         Scene& scene = out_.scene;
-        const LookLights lights = lookLights(look, out_.tree, scene.model.mesh, loading_.surveyed(),
-                                             out_.camera, loading_.options.surroundings.sky);
+        const PresetLighting lights = presetLighting(look, out_.tree, scene.model.mesh, loading_.surveyed(),
+                                                     out_.camera, loading_.options.surroundings.sky);
         lightBy(scene, lights);
         out_.look = look;
         loading_.take(settingsOf(look, loading_.surveyed()), last);
@@ -87,7 +88,7 @@ class FirstLight {
     bool ownLightsReach() const {
         const Scene& scene = out_.scene;
         const KdTree shown = visibleTree(out_.tree, scene);
-        const std::vector<SeenPlace> places = seenPlaces(shown, scene.model.mesh, out_.camera);
+        const std::vector<VisiblePoint> places = visiblePoints(shown, scene.model.mesh, out_.camera);
         return scene.lights.empty() || places.empty() ||
                lightReaches(shown, scene.model.mesh, lightsOf(scene.lights), places, kPlainAmbient);
     }
@@ -97,7 +98,7 @@ class FirstLight {
     void lightBeside(Look look) {
         Scene& scene = out_.scene;
         const std::vector<SceneLight> own = std::exchange(scene.lights, {});
-        lightByLook(look);
+        lightByPreset(look);
         for (SceneLight& each : scene.lights) each.ofSky = false;
         scene.lights.insert(scene.lights.end(), own.begin(), own.end());
         loading_.warn({"its own lights reach nothing that is seen; other light was added"});

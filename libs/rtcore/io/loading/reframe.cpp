@@ -11,21 +11,21 @@ namespace rtcore {
 
 namespace {
 
-LookLights lightsOfLook(const LoadedScene& loaded, const Scene& scene) {
+PresetLighting lightingOfPreset(const LoadedScene& loaded, const Scene& scene) {
     // A sky by date stands wherever its place is.
     const std::optional<Sky> sky = scene.sky && scene.sky->date ? scene.sky : std::nullopt;
     const Mesh& mesh = scene.model.mesh;
     const Survey found = survey(loaded.tree, mesh, axesOf(scene));
-    return lookLights(*loaded.look, loaded.tree, mesh, found, loaded.camera, sky);
+    return presetLighting(*loaded.look, loaded.tree, mesh, found, loaded.camera, sky);
 }
 
-bool isLitByItsLook(const LoadedScene& loaded, const Scene& scene) {
-    return loaded.look && isLitBy(scene, lightsOfLook(loaded, scene));
+bool isLitByItsPreset(const LoadedScene& loaded, const Scene& scene) {
+    return loaded.look && isLitBy(scene, lightingOfPreset(loaded, scene));
 }
 
 /// Lights that are switched off stay so.
 void lightAnew(const LoadedScene& loaded, Scene& scene) {
-    LookLights look = lightsOfLook(loaded, scene);
+    PresetLighting look = lightingOfPreset(loaded, scene);
     look.background = scene.background;
     look.ambient = scene.ambient;
     const std::vector<SceneLight> before = scene.lights;
@@ -38,10 +38,10 @@ void lightAnew(const LoadedScene& loaded, Scene& scene) {
 
 } // namespace
 
-void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& camera) {
+void applyModelUnits(LoadedScene& loaded, const ModelUnits& frame, Scene& scene, Camera& camera) {
     const bool turned = frame.up != scene.up;
-    const bool lit = turned && isLitByItsLook(loaded, scene);
-    loaded.frame = frame;
+    const bool lit = turned && isLitByItsPreset(loaded, scene);
+    loaded.units = frame;
     scene.up = frame.up;
     scene.metresPerUnit = frame.metresPerUnit;
     if (!turned) return;

@@ -29,7 +29,7 @@ void setSun(Scene& scene, const SunDescription& sun, std::optional<std::size_t> 
 
 } // namespace
 
-void takeSurroundings(Loading& loading) {
+void takeLightingOptions(Loading& loading) {
     Scene& scene = loading.out.scene;
     const Surroundings& wanted = loading.options.surroundings;
     const int active = scene.activeEnvironment;

@@ -6,6 +6,6 @@
 namespace rtcore {
 
 /// Those of the options, in place of what the scene has. Settings of files win over that a sky lights.
-void takeSurroundings(Loading& loading);
+void takeLightingOptions(Loading& loading);
 
 } // namespace rtcore

@@ -25,7 +25,7 @@ std::optional<int> readInteger(StrictTable& table, std::string_view key, std::st
 
 void readLightIds(StrictTable& root, CameraFile& file) {
     const auto read = [&](std::string_view key) {
-        const auto ids = root.integers(key, 1, kMostLightId);
+        const auto ids = root.integers(key, 1, kMaxLightId);
         if (ids) root.needVersion(kByIds, key);
         if (ids && file.lights) root.fail(key, "lights and " + std::string(key) + " are both given");
         return ids.value_or(std::vector<int>());

@@ -31,7 +31,7 @@ Fog readFog(StrictTable& table) {
     fog.scaleHeight = table.number("scaleHeight", kPositive).value_or(fog.scaleHeight);
     fog.groundHeight = table.number("groundHeight", kAnyNumber).value_or(fog.groundHeight);
     fog.colour = table.colour("colour", kNotNegative).value_or(fog.colour);
-    fog.albedo = table.colour("albedo", kShare).value_or(fog.albedo);
+    fog.albedo = table.colour("albedo", kUnitRange).value_or(fog.albedo);
     fog.surroundings = table.number("surroundings", kNotNegative).value_or(fog.surroundings);
     fog.emission = table.colour("emission", kNotNegative).value_or(fog.emission);
     table.finish();
@@ -96,7 +96,7 @@ class SceneReader {
         readDefaultLight();
         if (auto table = root_.table("sky")) {
             root_.needVersion(2, "sky");
-            scene_.sun.id = table->integer("sunId", 1, kMostLightId).value_or(0);
+            scene_.sun.id = table->integer("sunId", 1, kMaxLightId).value_or(0);
             scene_.sun.on = table->boolean("sunOn").value_or(true);
             scene_.sky = readSky(*table);
         }

@@ -16,7 +16,7 @@ constexpr auto kKinds = [] {
     for (std::size_t i = 0; i < kLightKinds; ++i) names[i] = kLightTraits[i].name;
     return names;
 }();
-constexpr Limits kTemperature{.minimum = kLeastTemperature, .maximum = kMostTemperature};
+constexpr Limits kTemperature{.minimum = kMinTemperature, .maximum = kMaxTemperature};
 constexpr Limits kDiscAngle{.minimum = 0, .maximum = 180};
 constexpr Limits kHalfAngle{.minimum = 0, .maximum = 180};
 
@@ -84,7 +84,7 @@ void putLight(Scene& scene, std::size_t i, const LightDescription& description) 
 }
 
 LightDescription readLight(StrictTable& table) {
-    const auto id = table.integer("id", 1, kMostLightId);
+    const auto id = table.integer("id", 1, kMaxLightId);
     if (id) table.needVersion(2, "id");
     const auto temperature = table.number("temperature", kTemperature);
     if (temperature) table.needVersion(2, "temperature");

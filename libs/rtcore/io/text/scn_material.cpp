@@ -21,26 +21,26 @@ struct MaterialKey {
     std::variant<std::optional<Colour> Override::*, std::optional<float> Override::*,
                  std::optional<bool> Override::*>
         member;
-    Limits limits = kShare;  ///< of numbers and of each part of a colour
-    bool alsoNumber = false; ///< a colour that may be one number, which is grey
-    int version = 1;         ///< of files that have it
+    Limits limits = kUnitRange; ///< of numbers and of each part of a colour
+    bool alsoNumber = false;    ///< a colour that may be one number, which is grey
+    int version = 1;            ///< of files that have it
 };
 
 std::vector<MaterialKey> makeKeys() {
     std::vector<MaterialKey> keys{{"diffuse", &Override::diffuse},
                                   {"specular", &Override::specular},
                                   {"shininess", &Override::shininess, {.minimum = 0, .maximum = 100'000}},
-                                  {"roughness", &Override::roughness, kShare, false, 2},
-                                  {"metallic", &Override::metallic, kShare, false, 2},
-                                  {"reflectivity", &Override::reflectivity, kShare, true},
+                                  {"roughness", &Override::roughness, kUnitRange, false, 2},
+                                  {"metallic", &Override::metallic, kUnitRange, false, 2},
+                                  {"reflectivity", &Override::reflectivity, kUnitRange, true},
                                   {"fresnel", &Override::fresnel},
                                   {"transmission", &Override::transmission}};
     for (const MaterialNumber& each : kMaterialNumbers)
         keys.push_back(
             {each.key, each.change, {.minimum = each.minimum, .maximum = each.maximum}, false, each.version});
     keys.insert(keys.end(), {{"emission", &Override::emission, kNotNegative},
-                             {"textures", &Override::textures, kShare, false, 2},
-                             {"flipTextures", &Override::flipTextures, kShare, false, 2}});
+                             {"textures", &Override::textures, kUnitRange, false, 2},
+                             {"flipTextures", &Override::flipTextures, kUnitRange, false, 2}});
     return keys;
 }
 

@@ -14,7 +14,7 @@ constexpr Limits kHour{.minimum = 0, .maximum = 24};
 constexpr Limits kTimeZone{.minimum = -15, .maximum = 15};
 constexpr Limits kLatitude{.minimum = -90, .maximum = 90};
 constexpr Limits kLongitude{.minimum = -180, .maximum = 180};
-constexpr Limits kTurbidity{.minimum = kLeastTurbidity, .maximum = kMostTurbidity};
+constexpr Limits kTurbidity{.minimum = kMinTurbidity, .maximum = kMaxTurbidity};
 constexpr Limits kNorth{.minimum = -360, .maximum = 360};
 constexpr std::array<std::string_view, 5> kDateKeys{"date", "hour", "timeZone", "latitude", "longitude"};
 

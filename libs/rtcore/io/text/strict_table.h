@@ -24,7 +24,7 @@ struct Limits {
 inline constexpr Limits kAnyNumber{};
 inline constexpr Limits kNotNegative{.minimum = 0};
 inline constexpr Limits kPositive{.minimum = 0, .minimumExcluded = true};
-inline constexpr Limits kShare{.minimum = 0, .maximum = 1};
+inline constexpr Limits kUnitRange{.minimum = 0, .maximum = 1};
 
 /// Use: ask for every key that the format knows, call finish(), then check what must be there.
 /// An absent key is nullopt. All functions throw FileError BadData. Keeps references to what it was made

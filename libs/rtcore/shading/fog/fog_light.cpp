@@ -44,12 +44,12 @@ struct Panels {
     /// The widest of one of the three panels: for all rays alike, so that the bits do not depend on the
     /// length of vectors.
     float width(std::size_t panel) const {
-        float most = 0;
+        float max = 0;
         for (std::size_t i = 0; i < kWaveBlock; ++i) {
             const float wide = edge[panel + 1][i] - edge[panel][i];
-            most = wide > most ? wide : most;
+            max = wide > max ? wide : max;
         }
-        return most;
+        return max;
     }
     bool changeMuch() const {
         for (const float c : change) {

@@ -31,7 +31,7 @@ HWY_INLINE void forBeam(Beam beam, Use&& use) {
 }
 
 /// Where closer counts as this close.
-inline float leastApart(const Light& light) {
+inline float minApart(const Light& light) {
     if (!traitsOf(light).sides) return light.radius;
     return light.radius + 0.25F * (light.width + light.height);
 }
@@ -46,7 +46,7 @@ struct LightPath {
         foot = dot(offset, direction);
         const Float3 across = offset - direction * foot;
         const Float nearest = sqrt(dot(offset, offset)) * 1e-4F;
-        apart = max(sqrt(dot(across, across)), max(max(nearest, leastApart(light)), 1e-9F));
+        apart = max(sqrt(dot(across, across)), max(max(nearest, minApart(light)), 1e-9F));
         if constexpr (exponential) {
             height = fogHeight<Float>(medium, origin);
             density = fastExp(-height);

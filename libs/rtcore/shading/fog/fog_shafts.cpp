@@ -53,8 +53,8 @@ HWY_INLINE Float stratum(const float* shift, int j, float perSample) {
 }
 
 template <bool exponential, Beam beam>
-HWY_INLINE void drawLocal(const FogMedium& medium, const Light& light, const FogRays& a, std::size_t i, int j,
-                          const ShaftOrder& order, ShaftSamples& out) {
+HWY_INLINE void sampleLocal(const FogMedium& medium, const Light& light, const FogRays& a, std::size_t i,
+                            int j, const ShaftOrder& order, ShaftSamples& out) {
     Float from = load(a.from + i), to = load(a.to + i);
     const Float3 origin = loadAt(a.origin, i);
     const Float3 direction = loadAt(a.direction, i);
@@ -92,8 +92,8 @@ HWY_INLINE Float distanceOf(Float length, Float height, Float slope) {
 }
 
 template <bool exponential>
-HWY_INLINE void drawSun(const FogMedium& medium, const Light& light, const FogRays& a, std::size_t i, int j,
-                        const ShaftOrder& order, ShaftSamples& out) {
+HWY_INLINE void sampleSun(const FogMedium& medium, const Light& light, const FogRays& a, std::size_t i, int j,
+                          const ShaftOrder& order, ShaftSamples& out) {
     const float rise = -dot(medium.up, light.direction);
     if (exponential && !(rise > 1e-6F)) return;
     const Float distance = load(a.distance + i);
@@ -121,8 +121,8 @@ HWY_INLINE void drawSun(const FogMedium& medium, const Light& light, const FogRa
 }
 
 template <bool exponential>
-HWY_INLINE void drawAll(const FogMedium& medium, const Light& light, const FogRays& a,
-                        const ShaftOrder& order, ShaftSamples& out) {
+HWY_INLINE void sampleAll(const FogMedium& medium, const Light& light, const FogRays& a,
+                          const ShaftOrder& order, ShaftSamples& out) {
     const LightTraits& traits = traitsOf(light);
     // Samples of neighbours in one stratum are stored side by side: their shadow rays are coherent.
     for (std::size_t block = order.first; block < order.last; block += kWaveBlock) {
@@ -130,21 +130,21 @@ HWY_INLINE void drawAll(const FogMedium& medium, const Light& light, const FogRa
         for (int j = 0; j < order.samples; ++j) {
             for (std::size_t i = block; i < end; i += lanes()) {
                 if (!traits.position) {
-                    drawSun<exponential>(medium, light, a, i, j, order, out);
+                    sampleSun<exponential>(medium, light, a, i, j, order, out);
                     continue;
                 }
                 forBeam(traits.beam, [&]<Beam beam>() HWY_ATTR {
-                    drawLocal<exponential, beam>(medium, light, a, i, j, order, out);
+                    sampleLocal<exponential, beam>(medium, light, a, i, j, order, out);
                 });
             }
         }
     }
 }
 
-std::size_t drawShafts(const FogMedium& medium, const Light& light, const FogRays& a, const ShaftOrder& order,
-                       ShaftSamples out) {
-    medium.exponential ? drawAll<true>(medium, light, a, order, out)
-                       : drawAll<false>(medium, light, a, order, out);
+std::size_t sampleShafts(const FogMedium& medium, const Light& light, const FogRays& a,
+                         const ShaftOrder& order, ShaftSamples out) {
+    medium.exponential ? sampleAll<true>(medium, light, a, order, out)
+                       : sampleAll<false>(medium, light, a, order, out);
     return out.count;
 }
 
@@ -155,7 +155,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(drawShafts);
+HWY_EXPORT(sampleShafts);
 
 std::size_t FogShafts::raysAtOnce(int samples) {
     constexpr std::size_t kSamples = 32768;
@@ -163,8 +163,8 @@ std::size_t FogShafts::raysAtOnce(int samples) {
     return std::max(rays / kWaveBlock * kWaveBlock, kWaveBlock);
 }
 
-void FogShafts::draw(const FogWave& fog, const Light& light, Rays rays, int samples, const float* shift,
-                     bool counted) {
+void FogShafts::sample(const FogWave& fog, const Light& light, Rays rays, int samples, const float* shift,
+                       bool counted) {
     const std::size_t padded = (rays.count + kWaveBlock - 1) / kWaveBlock * kWaveBlock;
     const std::size_t room = padded * static_cast<std::size_t>(samples) + kWaveBlock;
     rays_.resize(room);
@@ -177,7 +177,7 @@ void FogShafts::draw(const FogWave& fog, const Light& light, Rays rays, int samp
     const ShaftSamples to{rays_.origins(), rays_.directions(), rays_.tMax.data(),
                           value_.data(),   of_.data(),         0};
     const ShaftOrder order{rays.first, rays.first + rays.count, shift, samples, counted};
-    rays_.resize(HWY_DYNAMIC_DISPATCH(drawShafts)(medium, light, fog.rays(), order, to));
+    rays_.resize(HWY_DYNAMIC_DISPATCH(sampleShafts)(medium, light, fog.rays(), order, to));
 }
 
 void FogShafts::addAll(const FogWave& fog) const {

@@ -28,8 +28,8 @@ class FogShafts {
     /// where in its strata they lie. Point and spot lights: equi-angular (Kulla and Fajardo 2012);
     /// directional ones: by the transmittance back to the ray's origin. `counted`: the fog between light and
     /// sample is included; else the caller that traces the rays includes it.
-    void draw(const FogWave& fog, const Light& light, Rays rays, int samples, const float* shift,
-              bool counted);
+    void sample(const FogWave& fog, const Light& light, Rays rays, int samples, const float* shift,
+                bool counted);
 
     /// Towards the light, from the samples that matter; directions of unit length.
     const RayWave& rays() const { return rays_; }

@@ -12,7 +12,7 @@ namespace {
 /// Rays traced at once: a stream's worth. How many of them belong to one point depends on the settings
 /// alone, so that its sum has the same order in every wave.
 constexpr std::size_t kRays = 16384;
-constexpr std::size_t kMostAtOnce = 256;
+constexpr std::size_t kMaxAtOnce = 256;
 
 /// Points whose weight in their sample is above this get all rays, half of them more than
 /// half of it, and so on.
@@ -71,9 +71,9 @@ void HemisphereWave::light(SurfaceWave& surfaces, RayStatistics& statistics, con
 void HemisphereWave::trace(const std::vector<Point>& points, const std::vector<HemispherePoint>& pattern,
                            SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop) {
     if (points.empty()) return;
-    const std::size_t atOnce = std::min(pattern.size(), kMostAtOnce);
-    const std::size_t most = kRays / atOnce;
-    const std::size_t groups = (points.size() + most - 1) / most;
+    const std::size_t atOnce = std::min(pattern.size(), kMaxAtOnce);
+    const std::size_t max = kRays / atOnce;
+    const std::size_t groups = (points.size() + max - 1) / max;
     const std::size_t size = (points.size() + groups - 1) / groups;
     for (std::size_t begin = 0; begin < points.size(); begin += size) {
         const std::span group(&points[begin], std::min(size, points.size() - begin));
@@ -124,8 +124,8 @@ void HemisphereWave::aim(std::span<const Point> points, std::span<const Hemisphe
     std::fill_n(rays_.tMax.begin(), count, reach_);
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         if (kind_ == OcclusionPattern::Random) {
-            draw(points, static_cast<std::uint32_t>(first + i));
-            aimEach(frames_, drawn_.data(), rays_, i * points.size());
+            samplePoints(points, static_cast<std::uint32_t>(first + i));
+            aimEach(frames_, samples_.data(), rays_, i * points.size());
         } else {
             aimAlike(frames_, pattern[i], rays_, i * points.size());
         }
@@ -134,11 +134,11 @@ void HemisphereWave::aim(std::span<const Point> points, std::span<const Hemisphe
 }
 
 /// A direction for each point that has nothing to do with its others.
-void HemisphereWave::draw(std::span<const Point> points, std::uint32_t ray) {
-    drawn_.resize(points.size());
+void HemisphereWave::samplePoints(std::span<const Point> points, std::uint32_t ray) {
+    samples_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::uint32_t bits = mixBits(points[i].name + 0x9E3779B9U * ray);
-        drawn_[i] = hemispherePoint({unitFloat(bits), unitFloat(mixBits(bits + 0x85EBCA6BU))});
+        samples_[i] = hemispherePoint({unitFloat(bits), unitFloat(mixBits(bits + 0x85EBCA6BU))});
     }
 }
 

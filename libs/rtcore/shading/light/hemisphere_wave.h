@@ -74,7 +74,7 @@ class HemisphereWave {
                SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop);
     void place(std::span<const Point> points, float ring, const SurfaceWave& surfaces);
     void aim(std::span<const Point> points, std::span<const HemispherePoint> pattern, std::size_t first);
-    void draw(std::span<const Point> points, std::uint32_t ray);
+    void samplePoints(std::span<const Point> points, std::uint32_t ray);
 
     const MaterialTable* materials_ = nullptr;
     bool on_ = false;
@@ -86,7 +86,7 @@ class HemisphereWave {
     WaveMemory memory_;
     HemisphereFrames frames_;
     RayWave rays_;
-    std::vector<HemispherePoint> drawn_;
+    std::vector<HemispherePoint> samples_;
 };
 
 } // namespace rtcore

@@ -49,10 +49,10 @@ HWY_INLINE LightSample<Float> sampleOf(const Light& light, Float3 position, Floa
                                        const Stratum<Float>& stratum, bool mirrored) {
     if constexpr (kind == LightKind::Rectangle && area) {
         if (mirrored) {
-            const LightDraw<Float> draw =
+            const LightDirectionSample<Float> sample =
                 sampleRectangleForSurface<Float>(light, position, normal, stratum.u, stratum.v);
-            const Float solidAngle = selectOrZero(draw.density > 0.0F, 1.0F / draw.density);
-            return {draw.toLight, draw.free, draw.irradiance * stratum.weight,
+            const Float solidAngle = selectOrZero(sample.density > 0.0F, 1.0F / sample.density);
+            return {sample.toLight, sample.free, sample.irradiance * stratum.weight,
                     solidAngle * (stratum.ofAll / kPi)};
         }
     }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kTexels = 3 << 17;                 ///< of a light, at most: 256 x 256 for each side
 constexpr std::size_t kAllTexels = std::size_t{1} << 22; ///< of all lights, 12 bytes each
-constexpr std::size_t kMostLights = 1000;
+constexpr std::size_t kMaxLights = 1000;
 constexpr int kBlock = 8;            ///< rays of neighbours are traced together
 constexpr float kOffSurface = 0.75F; ///< texels: the middle of one is no further away than 0.71
 constexpr float kRounding = 1.0001F;
@@ -137,7 +137,7 @@ bool ShadowMap::fill(ShadowTracer& shadows, const std::atomic<bool>& cancel) {
 
 std::unique_ptr<const ShadowMaps> ShadowMaps::make(const Scene& scene, const RayTracer& tracer,
                                                    const std::atomic<bool>& cancel) {
-    if (scene.lights.size() > kMostLights) return nullptr;
+    if (scene.lights.size() > kMaxLights) return nullptr;
     auto maps = std::make_unique<ShadowMaps>();
     const RenderSettings settings;
     MaterialTable materials;

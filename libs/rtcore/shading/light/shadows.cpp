@@ -13,7 +13,7 @@ namespace rtcore {
 namespace {
 
 /// Light that passed this many surfaces counts as lost; it bounds the work of a hostile model.
-constexpr int kMostSurfaces = 256;
+constexpr int kMaxSurfaces = 256;
 
 } // namespace
 
@@ -99,7 +99,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
     ends_.assign(rays.size(), {});
     travelled_.assign(rays.size(), 0);
     startLayers(rays);
-    for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
+    for (int layer = 0; layer < kMaxSurfaces && !current_.empty(); ++layer) {
         tracer_->intersect(kind_, current_, hits_);
         next_.clear();
         nextIndex_.clear();
@@ -127,7 +127,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
 
 /// The rays that remain, surface after surface.
 void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics) {
-    for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
+    for (int layer = 0; layer < kMaxSurfaces && !current_.empty(); ++layer) {
         if (layer > 0) statistics.count(kind_, current_.size());
         tracer_->intersect(kind_, current_, hits_);
         next_.clear();

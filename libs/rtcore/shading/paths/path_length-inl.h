@@ -16,9 +16,9 @@ namespace HWY_NAMESPACE {
 /// Whether what mirrors or refracts there does it as a plane does.
 template <typename F>
 HWY_INLINE auto isFlat(Vec3Of<F> shadingNormal, Vec3Of<F> geometricNormal) {
-    constexpr float kMost = 1e-6F;
+    constexpr float kMax = 1e-6F;
     const Vec3Of<F> off = shadingNormal - geometricNormal;
-    return dot(off, off) < kMost;
+    return dot(off, off) < kMax;
 }
 
 /// That of a ray that begins `t` further on; `straight`: it is not bent there by anything curved.

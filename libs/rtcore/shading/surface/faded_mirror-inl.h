@@ -19,9 +19,9 @@ namespace HWY_NAMESPACE {
 /// where it is a mirror, nothing from kMirrorsBelow on.
 template <typename F>
 HWY_INLINE F fadedMirror(F roughness) {
-    constexpr float kNarrow = 0.0316F; // its square is kLeastAlpha
+    constexpr float kNarrow = 0.0316F; // its square is kMinAlpha
     const F faded = clamp<F>((kMirrorsBelow - roughness) / (kMirrorsBelow - kNarrow), 0.0F, 1.0F);
-    return select(roughness * roughness < kLeastAlpha, F(1), faded);
+    return select(roughness * roughness < kMinAlpha, F(1), faded);
 }
 
 } // namespace HWY_NAMESPACE

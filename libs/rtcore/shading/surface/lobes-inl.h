@@ -58,12 +58,11 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
 /// Of points that are not metallic; undefined of others.
 HWY_INLINE PhongLobes<Float> phongOf(const PointLobes& points) {
     const Float3 diffuse = loadAt(points.s.diffuseBrdf, points.i);
-    if (!points.anyGlossy) return {diffuse, Float3{}, Float(kLeastShininess), Float(0), Float(0)};
+    if (!points.anyGlossy) return {diffuse, Float3{}, Float(kMinShininess), Float(0), Float(0)};
     const Rows row(points.rows, points.s.material + points.i, points.glossy);
     Float3 specular = selectOrZero(points.glossy, row.get(&MaterialRow::specular));
     if (points.s.tint.x != nullptr) specular = specular * loadAt(points.s.tint, points.i);
-    return {diffuse, specular,
-            select(points.glossy, row.get(&MaterialRow::shininess), Float(kLeastShininess)),
+    return {diffuse, specular, select(points.glossy, row.get(&MaterialRow::shininess), Float(kMinShininess)),
             selectOrZero(points.glossy, row.get(&MaterialRow::lobeScale)),
             selectOrZero(points.glossy, row.get(&MaterialRow::roughScale))};
 }
@@ -149,13 +148,13 @@ HWY_INLINE LobeSample sampleLobes(const PointLobes& points, Float lobe, SquarePo
     LobeSample sample{Float3{}, points.used};
     if (any(without(points.used, points.metallic))) {
         const PhongLobes<Float> lobes = phongOf(points);
-        sample.direction = drawPhongScattering<Float>(lobes, normal, toViewer, lobe, point);
+        sample.direction = samplePhongScattering<Float>(lobes, normal, toViewer, lobe, point);
         sample.matte = !(lobe < phongProbability<Float>(lobes, dot(normal, toViewer)));
     }
     if (points.anyMetallic) {
         const MetallicLobes<Float> lobes = metalOf(points);
         const Float3 viewer = liftedViewer<Float>(toViewer, normal);
-        const Float3 direction = drawMetallic<Float>(lobes, normal, viewer, lobe, point);
+        const Float3 direction = sampleMetallic<Float>(lobes, normal, viewer, lobe, point);
         sample.direction = select(points.metallic, direction, sample.direction);
         // What metal scatters further is sampled as matte surfaces are, and is none.
         const Mask matte = without(!(lobe < glossProbability<Float>(lobes)), isZero(lobes.diffuse));

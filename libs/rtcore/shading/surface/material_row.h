@@ -37,7 +37,7 @@ struct alignas(64) MaterialRow {
     float diffuseBrdf[3] = {}; ///< f_r of the diffuse lobe, albedo / pi; kMetallic: base colour / pi
     std::uint32_t traits = 0;
     float specular[3] = {}; ///< kMetallic: reflectance of what is no metal, straight on
-    float shininess = 0;    ///< of the Phong lobe, at least kLeastShininess
+    float shininess = 0;    ///< of the Phong lobe, at least kMinShininess
     float lobeScale = 0;    ///< of the Phong lobe, (n + 2) / 2 pi times its fraction
     float roughScale = 0;   ///< of the rough lobe, its fraction over 2 pi
     float mirrorScale = 0;
@@ -65,7 +65,7 @@ inline std::uint32_t traitsOf(const Material& m, const Mesh& mesh, const RenderS
         if (settings.reflections && covers && smooth) result |= traits::kSharp;
     } else if (!isBlack(m.specular)) {
         if (m.shininess > 0) result |= traits::kGlossy;
-        if (m.shininess < kLeastShininess) result |= traits::kRough;
+        if (m.shininess < kMinShininess) result |= traits::kRough;
     }
     if (colours || used(m.diffuseTexture)) result |= traits::kColoured;
     const bool varies = used(m.alphaTexture) || used(m.normalTexture) || used(m.emissionTexture) ||
@@ -101,8 +101,8 @@ inline MaterialRow rowOf(const Material& m, const Mesh& mesh, const RenderSettin
     put(m.mirror, row.mirror);
     row.mirrorScale = m.mirrorScale;
     put(m.specular, row.specular);
-    const float phong = std::min(m.shininess / kLeastShininess, 1.0F);
-    row.shininess = std::max(m.shininess, kLeastShininess);
+    const float phong = std::min(m.shininess / kMinShininess, 1.0F);
+    row.shininess = std::max(m.shininess, kMinShininess);
     row.lobeScale = phong * (row.shininess + 2) / (2 * pi);
     row.roughScale = (1 - phong) / (2 * pi);
     row.roughness = m.roughness;

@@ -31,7 +31,7 @@ namespace HWY_NAMESPACE {
 
 /// The fraction of the gloss that a mirrored ray is to show.
 HWY_INLINE Float mirroredGloss(Mirroring mirroring, Float roughness) {
-    if (mirroring == Mirroring::Exact) return selectOrZero(roughness * roughness < kLeastAlpha, Float(1));
+    if (mirroring == Mirroring::Exact) return selectOrZero(roughness * roughness < kMinAlpha, Float(1));
     return fadedMirror<Float>(roughness);
 }
 
@@ -58,7 +58,7 @@ void completeMetallic(const LobeTask& task, const MetallicSources& from, const S
             const Float3 mirrored = glossFactor<Float>(lobes.straight, lobes.grazing, cosine) * fraction;
             storeAt(select(mirrors, weight * mirrored, loadAt(s.specular, i)), s.specular, i);
             store(select(mirrors, traits | traits::kSpecular, traits), s.traits + i);
-            const Mask narrow = sharp & (roughness * roughness < kLeastAlpha);
+            const Mask narrow = sharp & (roughness * roughness < kMinAlpha);
             lobes.straight = select(narrow, Float3{}, lobes.straight);
             lobes.grazing = select(narrow, Float3{}, lobes.grazing);
         }

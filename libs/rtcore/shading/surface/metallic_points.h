@@ -12,7 +12,7 @@ namespace rtcore {
 enum class Mirroring : std::uint8_t {
     Faded, ///< all that are smooth, the fainter the rougher (kMirrorsBelow): so they show their surroundings
            ///< where the lobe is only asked what it does with the light of lights
-    Exact, ///< those alone whose lobe is so narrow that it is a mirror (kLeastAlpha); the others are sampled
+    Exact, ///< those alone whose lobe is so narrow that it is a mirror (kMinAlpha); the others are sampled
 };
 
 /// What the lobes of a wave's points are made of, and for what.

@@ -62,7 +62,7 @@ bool hasMesh(const aiScene& scene, unsigned number) {
 
 /// Iterative, with a limit that only a graph with cycles reaches.
 NodeWalk walkNodes(const aiScene& scene) {
-    constexpr std::size_t kMostNodes = 4'000'000;
+    constexpr std::size_t kMaxNodes = 4'000'000;
     NodeWalk walk;
     std::size_t visited = 0;
     std::vector<std::pair<const aiNode*, Affine>> open;
@@ -70,7 +70,7 @@ NodeWalk walkNodes(const aiScene& scene) {
     while (!open.empty()) {
         const auto [node, parent] = open.back();
         open.pop_back();
-        if (++visited > kMostNodes) refuse("its node graph has no end; repair the file");
+        if (++visited > kMaxNodes) refuse("its node graph has no end; repair the file");
         const Affine toWorld = parent * affineOf(node->mTransformation);
         if (scene.mNumLights + scene.mNumCameras > 0)
             walk.transforms.try_emplace(node->mName.C_Str(), toWorld);

@@ -107,10 +107,10 @@ bool convert(const aiLight& light, const Affine& toWorld, const FormatQuirks& qu
 /// Of the image that was framed. Without one in the file the vertical angle is meant for images of any
 /// shape: 4:3 is ours.
 float aspectOf(const aiCamera& camera) {
-    constexpr float kMost = 1000;
+    constexpr float kMax = 1000;
     const float aspect = camera.mAspect;
     if (!(aspect > 0) || !std::isfinite(aspect)) return 4.0F / 3;
-    return std::clamp(aspect, 1 / kMost, kMost);
+    return std::clamp(aspect, 1 / kMax, kMax);
 }
 
 /// The horizontal angle in degrees. Assimp documents it as half of the angle; its importers give all of it.

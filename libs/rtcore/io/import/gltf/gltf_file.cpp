@@ -41,8 +41,8 @@ const Json& member(const Json& object, const char* name) {
 }
 
 std::uint64_t countOf(const Json& accessors, const Json& index) {
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 32U;
-    return std::min(accessors.at(index.get<std::size_t>()).at("count").get<std::uint64_t>(), kMost);
+    constexpr std::uint64_t kMax = std::uint64_t{1} << 32U;
+    return std::min(accessors.at(index.get<std::size_t>()).at("count").get<std::uint64_t>(), kMax);
 }
 
 std::uint64_t trianglesOf(const Json& primitive, const Json& accessors) {

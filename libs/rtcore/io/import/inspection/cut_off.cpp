@@ -49,8 +49,8 @@ class Ends {
     /// A zip archive may end in a comment of 65,535 bytes.
     static constexpr std::uint64_t kTail = 65557;
 
-    std::string text(std::uint64_t at, std::size_t most) const {
-        std::string room(most, '\0');
+    std::string text(std::uint64_t at, std::size_t max) const {
+        std::string room(max, '\0');
         room.resize(file_.readAt(at, std::as_writable_bytes(std::span(room))));
         return room;
     }
@@ -107,9 +107,9 @@ std::uint64_t lengthOfFbx(const Ends& file) {
     if (!file.head.starts_with("Kaydara FBX Binary  \0"sv)) return 0;
     const std::size_t wide = file.number(23, 4) >= kWideSince ? 8 : 4;
     const std::uint64_t emptyNode = 3 * wide + 1;
-    constexpr int kMostNodes = 1000; // programs write a dozen
+    constexpr int kMaxNodes = 1000; // programs write a dozen
     std::uint64_t at = kFirst;
-    for (int nodes = 0; nodes < kMostNodes; ++nodes) {
+    for (int nodes = 0; nodes < kMaxNodes; ++nodes) {
         if (at + emptyNode > file.size) return at + emptyNode;
         const std::uint64_t end = file.number(at, wide);
         if (end <= at) return 0;

@@ -32,8 +32,8 @@ Box3 boundsOfAll(std::span<const Vertex> vertices) {
 
 /// Without the outermost twentieth on each side of each axis.
 Box3 bulkOf(std::span<const Vertex> vertices) {
-    constexpr std::size_t kMostSamples = 20'000;
-    const std::size_t step = vertices.size() / kMostSamples + 1;
+    constexpr std::size_t kMaxSamples = 20'000;
+    const std::size_t step = vertices.size() / kMaxSamples + 1;
     Vec3 lo, hi;
     std::vector<float> values;
     for (int axis = 0; axis < 3; ++axis) {

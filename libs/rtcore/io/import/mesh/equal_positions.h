@@ -15,8 +15,8 @@ namespace rtcore {
 /// What positions are compared as: coordinates nearer to 0 than 1e-30 are 0. In a model that is large enough
 /// to be traced it makes no difference, and numbers that a processor is slow with do not come up.
 inline Vec3 withoutTraces(Vec3 p) {
-    constexpr float kLeastCoordinate = 1e-30F;
-    const auto clean = [](float v) { return std::fabs(v) < kLeastCoordinate ? 0.0F : v; };
+    constexpr float kMinCoordinate = 1e-30F;
+    const auto clean = [](float v) { return std::fabs(v) < kMinCoordinate ? 0.0F : v; };
     return {clean(p.x), clean(p.y), clean(p.z)};
 }
 

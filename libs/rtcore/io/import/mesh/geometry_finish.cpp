@@ -26,11 +26,11 @@ void refuseEmpty(const ImportReport& report, std::size_t meshes, const ModelBuff
 
 /// Smaller models would vanish in the rounding of products of their coordinates.
 void refuseTooSmall(const Box3& bounds) {
-    constexpr float kLeastSize = 1e-12F;
+    constexpr float kMinSize = 1e-12F;
     if (bounds.empty()) return;
     const Vec3 size = bounds.size();
     const float largest = std::max({size.x, size.y, size.z});
-    if (largest == 0 || largest >= kLeastSize) return;
+    if (largest == 0 || largest >= kMinSize) return;
     refuseMesh(
         fmt::format("it is only {:g} units large, too small to be traced; scale it up by a factor of {:.0e}",
                     largest, 1 / std::max(double{largest}, 1e-45)));
@@ -41,8 +41,8 @@ void refuseTooSmall(const Box3& bounds) {
 void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_t memoryLimit,
                    MeshAssembler& assembler) {
     constexpr std::uint64_t kBytesPerTriangle = 100;
-    const std::uint64_t most = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
-    if (triangles > most || vertices / 4 > most) {
+    const std::uint64_t max = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
+    if (triangles > max || vertices / 4 > max) {
         refuseMesh(fmt::format(
             "with all instances it has {} faces, more than fit into the memory that it may use; raise "
             "the limit or simplify the model",

@@ -18,7 +18,7 @@ namespace rtcore {
 namespace {
 
 /// Corners are numbered in 32 bits.
-constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;
 /// Not worth the threads.
 constexpr std::size_t kFewTriangles = 20'000;
 /// Triangles that are only copied.
@@ -72,7 +72,7 @@ void IndexTable::insert(std::uint64_t hash, std::uint32_t element) {
 }
 
 void MeshAssembler::reserve(std::size_t vertices, std::size_t triangles) {
-    if (triangles > kMostTriangles) {
+    if (triangles > kMaxTriangles) {
         throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
     }
     reserveLarge(out_.triangles, triangles);
@@ -261,7 +261,7 @@ void MeshAssembler::addFurther(const SourceMesh& mesh, const std::vector<Use>& u
 }
 
 void MeshAssembler::add(const SourceMesh& mesh) {
-    if (mesh.triangles.size() > kMostTriangles - out_.triangles.size()) {
+    if (mesh.triangles.size() > kMaxTriangles - out_.triangles.size()) {
         throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
     }
     if (entriesAreVertices_ && !isPlain(mesh)) makeEntries();

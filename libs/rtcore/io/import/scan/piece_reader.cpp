@@ -19,12 +19,12 @@ constexpr std::uint64_t kBytesBetweenWords = std::uint64_t{64} << 20;
 PieceReader::PieceReader(const InputFile& file, std::uint64_t offset, const std::function<void()>& alive)
     : file_(file), alive_(alive), offset_(offset), told_(offset), buffer_(kPiece) {}
 
-std::span<const std::byte> PieceReader::ahead(std::size_t least) {
-    if (end_ - at_ < least) {
+std::span<const std::byte> PieceReader::ahead(std::size_t min) {
+    if (end_ - at_ < min) {
         std::memmove(buffer_.data(), buffer_.data() + at_, end_ - at_);
         end_ -= at_;
         at_ = 0;
-        if (buffer_.size() < least) buffer_.resize(least);
+        if (buffer_.size() < min) buffer_.resize(min);
         const std::size_t got = file_.readAt(offset_, std::span(buffer_).subspan(end_));
         end_ += got;
         offset_ += got;

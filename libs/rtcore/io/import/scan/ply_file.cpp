@@ -20,8 +20,8 @@ void refuseCutOff(const PlyElement& element, std::uint64_t read) {
 }
 
 void refuseMoreThanFile(const PlySource& source, const PlyElement& element, std::size_t size) {
-    const std::uint64_t most = size > 0 ? source.in.left() / size : element.count;
-    if (element.count > most) {
+    const std::uint64_t max = size > 0 ? source.in.left() / size : element.count;
+    if (element.count > max) {
         refuseDamaged(fmt::format("its head promises {} elements '{}', for which it has no room",
                                   element.count, element.name));
     }

@@ -115,7 +115,7 @@ std::size_t PlyElement::fixedSize() const {
 std::optional<PlyHeader> readPlyHeader(std::string_view head) {
     constexpr std::string_view kMagic = "ply\n";
     if (!head.starts_with(kMagic)) return {};
-    const std::string_view text = head.substr(0, kMostPlyHeader);
+    const std::string_view text = head.substr(0, kMaxPlyHeader);
     HeaderReader reader;
     for (std::size_t at = kMagic.size();;) {
         const std::size_t end = text.find('\n', at);

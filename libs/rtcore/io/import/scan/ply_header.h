@@ -38,10 +38,10 @@ struct PlyHeader {
     std::vector<PlyElement> elements; ///< in the order of the file, no name twice
 };
 
-inline constexpr std::size_t kMostPlyHeader = 262'144;
+inline constexpr std::size_t kMaxPlyHeader = 262'144;
 
 /// `head` is the beginning of a file. Nothing when that is no PLY file or its head has more than
-/// kMostPlyHeader bytes, words that the format does not have, or the name of a texture.
+/// kMaxPlyHeader bytes, words that the format does not have, or the name of a texture.
 std::optional<PlyHeader> readPlyHeader(std::string_view head);
 
 /// Whether `text`, the beginning of a file, begins as a PLY file of any kind does, and ends before its head

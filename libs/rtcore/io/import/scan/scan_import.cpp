@@ -47,7 +47,7 @@ bool isNamedStl(const std::filesystem::path& path) {
 std::optional<Scan> readScan(const std::filesystem::path& path, const std::function<void()>& alive) {
     if (!std::filesystem::is_regular_file(path)) return {};
     InputFile file(path);
-    const std::span<const std::byte> head = file.head(kMostPlyHeader);
+    const std::span<const std::byte> head = file.head(kMaxPlyHeader);
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     const auto header = readPlyHeader(text);
     if (header && isScan(*header))

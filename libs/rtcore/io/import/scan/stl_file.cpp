@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t kTitle = 80;
 constexpr std::size_t kHead = kTitle + 4;
-constexpr std::size_t kFacet = 50;        ///< a normal, three corners, an attribute
-constexpr std::size_t kCorners = 12;      ///< bytes before them
-constexpr std::size_t kAttribute = 48;    ///< bytes before it
-constexpr std::uint32_t kMost = 1U << 30; ///< facets whose corners can be numbered
+constexpr std::size_t kFacet = 50;       ///< a normal, three corners, an attribute
+constexpr std::size_t kCorners = 12;     ///< bytes before them
+constexpr std::size_t kAttribute = 48;   ///< bytes before it
+constexpr std::uint32_t kMax = 1U << 30; ///< facets whose corners can be numbered
 
 std::uint16_t attributeOf(const std::byte* facet) {
     return static_cast<std::uint16_t>(std::to_integer<unsigned>(facet[kAttribute]) |
@@ -48,7 +48,7 @@ std::optional<std::uint32_t> facetsOf(const InputFile& file) {
     const std::string_view title(reinterpret_cast<const char*>(head.data()), kTitle);
     const bool coloured = title.find("COLOR=") != std::string_view::npos;
     const bool fits = file.size() == kHead + std::uint64_t{count} * kFacet;
-    if (coloured || !fits || count == 0 || count > kMost) return {};
+    if (coloured || !fits || count == 0 || count > kMax) return {};
     return count;
 }
 

@@ -1,4 +1,4 @@
-#include "common/settings/surroundings_options.h"
+#include "common/settings/lighting_options.h"
 
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/strict_table.h"
@@ -69,21 +69,21 @@ rtcore::Sky readSkyOption(std::string_view text) {
     throw UsageError("option '--sky': '" + std::string(text) + "': " + reason);
 }
 
-rtcore::Surroundings readSurroundings(const Arguments& arguments) {
-    rtcore::Surroundings surroundings;
-    surroundings.usual = rtcore::Look::Sky;
+rtcore::LightingOptions readLightingOptions(const Arguments& arguments) {
+    rtcore::LightingOptions lighting;
+    lighting.usual = rtcore::LightingPreset::Sky;
     if (arguments.has("sky") && arguments.has("environment"))
         throw UsageError("--sky and --environment exclude each other");
     if (const auto look = arguments.text("look")) {
-        surroundings.look = rtcore::lookNamed(*look);
+        lighting.preset = rtcore::lightingPresetNamed(*look);
         if (arguments.has("environment")) throw UsageError("--look and --environment exclude each other");
-        if (arguments.has("sky") && surroundings.look != rtcore::Look::Sky)
+        if (arguments.has("sky") && lighting.preset != rtcore::LightingPreset::Sky)
             throw UsageError("--sky and --look=" + *look + " exclude each other");
     }
     if (const auto file = arguments.text("environment"))
-        surroundings.environment = std::filesystem::absolute(*file);
-    if (const auto sky = arguments.text("sky")) surroundings.sky = readSkyOption(*sky);
-    return surroundings;
+        lighting.environment = std::filesystem::absolute(*file);
+    if (const auto sky = arguments.text("sky")) lighting.sky = readSkyOption(*sky);
+    return lighting;
 }
 
 } // namespace app

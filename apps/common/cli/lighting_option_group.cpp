@@ -1,10 +1,10 @@
-#include "common/cli/surroundings_option_group.h"
+#include "common/cli/lighting_option_group.h"
 
-#include "rtcore/look/look_name.h"
+#include "rtcore/look/lighting_preset_name.h"
 
 namespace app {
 
-OptionGroup surroundingsOptionGroup() {
+OptionGroup lightingOptionGroup() {
     return {"Surroundings",
             {{.name = "environment",
               .value = ValueKind::Text,
@@ -26,7 +26,7 @@ OptionGroup surroundingsOptionGroup() {
                       "walls and floor, and three soft lights that mirrors show; `headlight`: one light "
                       "beside the viewer. Without this "
                       "option a model that brings no light gets `sky`, and a scene file keeps what it says",
-              .choices = {rtcore::kLookNames.begin(), rtcore::kLookNames.end()}}}};
+              .choices = {rtcore::kLightingPresetNames.begin(), rtcore::kLightingPresetNames.end()}}}};
 }
 
 } // namespace app

@@ -9,7 +9,7 @@
 
 namespace rtcore {
 
-/// What vector code reads, see environment_draw-inl.h. Images are cut into cells at the middles of their
+/// What vector code reads, see environment_sampler-inl.h. Images are cut into cells at the middles of their
 /// texels, so that a bilinear lookup is one bilinear function in each of them; those at edges are half as
 /// wide. Rows count through all images.
 struct EnvironmentRows {
@@ -32,7 +32,7 @@ struct EnvironmentRows {
 /// as bright as between the corners. Negative light counts by its size.
 ///
 /// Immutable once prepared; safe from many threads. 8 bytes for each texel.
-class EnvironmentDraw {
+class EnvironmentSampler {
   public:
     /// Takes some 10^-8 s for each texel, on one thread; the same on every machine. Black light makes it
     /// empty, and so do texels that are not finite.
@@ -48,7 +48,7 @@ class EnvironmentDraw {
   private:
     void takeImages(const Environment& environment, double mean);
     float heightOf(int row) const;
-    void shareOut();
+    void setProbabilities();
 
     bool cube_ = false;
     int columns_ = 0, rows_ = 0;

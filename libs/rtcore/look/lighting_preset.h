@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/look/look_name.h"
+#include "rtcore/look/lighting_preset_name.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/settings_table.h"
@@ -18,15 +18,15 @@
 namespace rtcore {
 
 /// Nothing where no look has that name.
-std::optional<Look> lookNamed(std::string_view name);
+std::optional<LightingPreset> lightingPresetNamed(std::string_view name);
 
-/// Of the light of Look::Headlight.
+/// Of the light of LightingPreset::Headlight.
 inline constexpr const char* kHeadlightName = "default";
 
 /// What a model has that no scene file describes.
 inline constexpr Colour kPlainBackground{0.03F, 0.036F, 0.048F}, kPlainAmbient{0.15F, 0.15F, 0.15F};
 
-struct LookLights {
+struct PresetLighting {
     std::optional<Sky> sky;
     std::vector<SceneLight> lights; ///< without the sun, and without ids
     Colour background = kPlainBackground, ambient = kPlainAmbient;
@@ -34,26 +34,26 @@ struct LookLights {
 
 /// Seen by `camera`. `sky`: the one to be shown; otherwise one whose sun shows the model well (sunOfView()).
 /// The same for the same input. Some 0.05 s.
-LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Survey& survey,
-                      const Camera& camera, const std::optional<Sky>& sky = {});
+PresetLighting presetLighting(LightingPreset preset, const KdTree& tree, const Mesh& mesh,
+                              const Survey& survey, const Camera& camera, const std::optional<Sky>& sky = {});
 
 /// In place of all lights of the scene, of its sky and of the environment that is shown; environments of
 /// files stay there to be chosen.
-void lightBy(Scene& scene, const LookLights& look);
+void lightBy(Scene& scene, const PresetLighting& preset);
 
 /// Settings for it, in the walk and in stills.
-std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey);
+std::vector<SettingAssignment> settingsOf(LightingPreset preset, const Survey& survey);
 /// Those of them that suit other light of its kind, too: how it is exposed, and what is made of it.
-std::vector<SettingAssignment> exposureOf(Look look);
+std::vector<SettingAssignment> exposureOf(LightingPreset preset);
 
 /// Whether the scene is lit by that: nothing was edited but what is switched on.
-bool isLitBy(const Scene& scene, const LookLights& look);
+bool isLitBy(const Scene& scene, const PresetLighting& preset);
 
-/// The light of Look::Headlight, behind the lights that the scene has.
+/// The light of LightingPreset::Headlight, behind the lights that the scene has.
 void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera);
 
-/// Whether Look::Sky has a ground below the model: what one stands neither in, as in a room, nor before, as
-/// before a stage, and what has no ground of its own, unless that takes too much memory.
+/// Whether LightingPreset::Sky has a ground below the model: what one stands neither in, as in a room, nor
+/// before, as before a stage, and what has no ground of its own, unless that takes too much memory.
 bool wantsGround(const Mesh& mesh, const Survey& survey);
 
 /// The radiance of an even background that lights what an object's own lights leave in the dark, where that

@@ -13,31 +13,31 @@
 namespace rtcore {
 
 /// A point of a surface, a little before it, and the surface's unit normal there to the viewer's side.
-struct SeenPlace {
+struct VisiblePoint {
     Vec3 position, normal;
 };
 
 /// kSeenAcross x kSeenDown rays, in an image of 16:9; those that hit nothing are left out.
 inline constexpr int kSeenAcross = 32, kSeenDown = 18;
-std::vector<SeenPlace> seenPlaces(const KdTree& tree, const Mesh& mesh, const Camera& camera);
+std::vector<VisiblePoint> visiblePoints(const KdTree& tree, const Mesh& mesh, const Camera& camera);
 
 /// Whether the camera shows some of what is in the box: at least a hundredth of its image. One that an
 /// exporter left somewhere does not.
-bool showsModel(std::span<const SeenPlace> places, const Box3& box);
+bool showsModel(std::span<const VisiblePoint> points, const Box3& box);
 
 /// How much of them is in the camera's image, whatever is before it: 0 to 1. Of cameras that are neither
 /// perspective nor orthographic 1.
-float partInImage(std::span<const SeenPlace> places, const Camera& camera);
+float partInImage(std::span<const VisiblePoint> points, const Camera& camera);
 
 /// What the lights that are on bring to each of the places; W/m^2 of the brightest channel.
 std::vector<float> irradianceAt(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
-                                std::span<const SeenPlace> places);
+                                std::span<const VisiblePoint> points);
 
 /// Whether one of the lights that are on can be noticed beside `ambient` at some of the places.
 bool lightReaches(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
-                  std::span<const SeenPlace> places, Colour ambient);
+                  std::span<const VisiblePoint> points, Colour ambient);
 
 /// Whether the model is open to what surrounds it at some of the places.
-bool isOpen(const KdTree& tree, const Mesh& mesh, std::span<const SeenPlace> places);
+bool isOpen(const KdTree& tree, const Mesh& mesh, std::span<const VisiblePoint> points);
 
 } // namespace rtcore

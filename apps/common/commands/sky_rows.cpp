@@ -1,7 +1,7 @@
 // Rows for the sky, environment maps and ready-made light.
 #include "common/commands/command_rows.h"
 
-#include "rtcore/look/look_name.h"
+#include "rtcore/look/lighting_preset_name.h"
 
 namespace app {
 
@@ -9,7 +9,7 @@ using enum ArgumentType;
 using enum CommandEffect;
 using enum Runner;
 
-std::vector<CommandSpec> surroundingCommands() {
+std::vector<CommandSpec> skyCommands() {
     return {
         {.id = CommandId::Environment,
          .name = "environment",
@@ -115,7 +115,7 @@ std::vector<CommandSpec> surroundingCommands() {
          .help = "white at the horizon, into which a light ground fades"},
         {.id = CommandId::Look,
          .name = "look",
-         .arguments = {choiceOf(rtcore::kLookNames)},
+         .arguments = {choiceOf(rtcore::kLightingPresetNames)},
          .step = "light of the scene",
          .browser = BrowserUse::Edit,
          .sets = {"skyLight.on", "ambientOcclusion.on", "ambientOcclusion.distance", "path.filter",

@@ -1,4 +1,4 @@
-#include "rtcore/live/sample_picture.h"
+#include "rtcore/live/reconstruction.h"
 
 #include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
@@ -8,13 +8,13 @@
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "rtcore/live/sample_picture.cpp"
+#define HWY_TARGET_INCLUDE "rtcore/live/reconstruction.cpp"
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/live/live_samples-inl.h"
 
-#ifndef RTCORE_LIVE_SAMPLE_PICTURE_TYPES
-#define RTCORE_LIVE_SAMPLE_PICTURE_TYPES
+#ifndef RTCORE_LIVE_RECONSTRUCTION_TYPES
+#define RTCORE_LIVE_RECONSTRUCTION_TYPES
 namespace rtcore {
 
 /// A part of a row of a layer's samples, ready to be weighed. Each array can be read one before its first
@@ -31,10 +31,10 @@ struct WeighedRow {
     static_assert((kPixels + kRoom) / kGroup < 63);
     static constexpr std::size_t kArray = kPixels + 2 * kRoom, kArrays = 9 + 9 + 3;
 
-    WeighedLayer own, mirrored;
+    WeighedLayer surface, specular;
     float* tint[3]; ///< of own's samples; 0 where they do not mirror
     /// A bit for each kGroup pixels, from that before the first on: whether one of them mirrors. Where all
-    /// are 0, `mirrored` and `tint` are undefined.
+    /// are 0, `specular` and `tint` are undefined.
     std::uint64_t mirroring = 0;
 
     /// Bits of `mirroring` of pixels from `first` to `last`, counted from the one before the first.
@@ -45,8 +45,8 @@ struct WeighedRow {
     /// `values`: kArrays * kArray of them.
     explicit WeighedRow(float* values) {
         float* next = values + kRoom;
-        for (auto* arrays :
-             {&own.light, &own.across, &own.down, &mirrored.light, &mirrored.across, &mirrored.down, &tint}) {
+        for (auto* arrays : {&surface.light, &surface.across, &surface.down, &specular.light,
+                             &specular.across, &specular.down, &tint}) {
             for (float*& array : *arrays) {
                 array = next;
                 next += kArray;
@@ -71,7 +71,7 @@ struct ShownPixels {
 };
 struct Missing {
     bool light = false;
-    std::size_t mirrored = 0; ///< vectors
+    std::size_t specular = 0; ///< vectors
 };
 
 } // namespace rtcore
@@ -85,8 +85,8 @@ namespace {
 
 /// Of a sample so many pixels off, across or down.
 HWY_INLINE Float weightAt(Float distance) {
-    constexpr float kLeast = 1e-4F; // of what is further away than a pixel, where nothing else is
-    const Float falling = max(1.0F - distance * distance, kLeast);
+    constexpr float kMin = 1e-4F; // of what is further away than a pixel, where nothing else is
+    const Float falling = max(1.0F - distance * distance, kMin);
     return falling * falling;
 }
 
@@ -100,9 +100,9 @@ HWY_INLINE void weigh(const LivePoints& points, Float3 light, Mask known, const 
     store(light.y, to.light[1] + at);
     store(light.z, to.light[2] + at);
     for (int side = -1; side <= 1; ++side) {
-        const auto way = static_cast<float>(side);
-        store(selectOrZero(known, weightAt(dx - way)), to.across[side + 1] + at);
-        store(selectOrZero(known, weightAt(dy - way)), to.down[side + 1] + at);
+        const auto shift = static_cast<float>(side);
+        store(selectOrZero(known, weightAt(dx - shift)), to.across[side + 1] + at);
+        store(selectOrZero(known, weightAt(dy - shift)), to.down[side + 1] + at);
     }
 }
 
@@ -123,35 +123,36 @@ HWY_INLINE std::uint64_t groupsAt(std::ptrdiff_t at) {
 }
 
 /// Returns WeighedRow::mirroring.
-std::uint64_t weighOwn(const LiveSamples& own, int y, const Columns& columns, const WeighedRow& to) {
-    const ImagePlane& plane = own.plane();
-    const std::size_t row = own.index(0, y);
+std::uint64_t weighSurface(const LiveSamples& surface, int y, const Columns& columns, const WeighedRow& to) {
+    const ImagePlane& plane = surface.plane();
+    const std::size_t row = surface.index(0, y);
     std::uint64_t mirroring = 0;
-    forEachColumn(
-        columns, static_cast<std::size_t>(plane.width), [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
-            const LivePoints points(own.points[row + x]);
-            weigh(points, radianceOf(own.lights[row + x]), points.state != 0U, plane, x, y, to.own, at);
-            if (any(points.has(LiveSamples::kMirrors))) mirroring |= groupsAt(at);
-        });
+    forEachColumn(columns, static_cast<std::size_t>(plane.width),
+                  [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
+                      const LivePoints points(surface.points[row + x]);
+                      weigh(points, radianceOf(surface.lights[row + x]), points.state != 0U, plane, x, y,
+                            to.surface, at);
+                      if (any(points.has(LiveSamples::kMirrors))) mirroring |= groupsAt(at);
+                  });
     return mirroring;
 }
 
-/// After weighOwn() of the same columns.
-void weighMirrored(const LiveLayers& samples, int y, const Columns& columns, const WeighedRow& to) {
-    const ImagePlane& plane = samples.own.plane();
-    const std::size_t row = samples.own.index(0, y);
+/// After weighSurface() of the same columns.
+void weighSpecular(const LiveLayers& samples, int y, const Columns& columns, const WeighedRow& to) {
+    const ImagePlane& plane = samples.surface.plane();
+    const std::size_t row = samples.surface.index(0, y);
     const auto weighVector = [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
         if ((to.mirroring & groupsAt(at)) == 0) {
-            for (float* const array : to.mirrored.across) store(Float(0.0F), array + at);
+            for (float* const array : to.specular.across) store(Float(0.0F), array + at);
             for (float* const array : to.tint) store(Float(0.0F), array + at);
             return;
         }
         const std::size_t i = row + x;
-        const Uint own = statesOf(samples.own.points[i]);
-        const Mask mirrors = (own & LiveSamples::kMirrors) != 0U;
-        const LivePoints points(samples.mirrored.points[i]);
-        weigh(points, radianceOf(samples.mirrored.lights[i]), (mirrors | (own == 0U)) & (points.state != 0U),
-              plane, x, y, to.mirrored, at);
+        const Uint surface = statesOf(samples.surface.points[i]);
+        const Mask mirrors = (surface & LiveSamples::kMirrors) != 0U;
+        const LivePoints points(samples.specular.points[i]);
+        weigh(points, radianceOf(samples.specular.lights[i]),
+              (mirrors | (surface == 0U)) & (points.state != 0U), plane, x, y, to.specular, at);
         const Float3 tint = selectOrZero(mirrors, tintOf(samples.tints[i]));
         store(tint.x, to.tint[0] + at);
         store(tint.y, to.tint[1] + at);
@@ -196,13 +197,13 @@ struct Means {
     Mask seen; ///< where there are samples
     Float weights, samples;
 };
-HWY_INLINE Means ownMeans(const WeighedRow* const rows[3], std::size_t x) {
+HWY_INLINE Means surfaceMeans(const WeighedRow* const rows[3], std::size_t x) {
     Float3 sum{};
     Float weights = 0.0F, samples = 0.0F;
     forEachAround(
-        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
+        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.surface; },
         [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
-            sum += load3(row.own.light, at) * weight;
+            sum += load3(row.surface.light, at) * weight;
             weights += weight;
             samples += selectOrZero(weight > 0.0F, Float(1.0F));
         });
@@ -219,26 +220,27 @@ HWY_INLINE Float knownOf(const Means& means) {
 
 /// What is mirrored at these pixels, tinted by the samples there. `lacking`: their tint where it is not
 /// known.
-HWY_INLINE Float3 mirroredMeans(const WeighedRow* const rows[3], std::size_t x, const Means& own,
+HWY_INLINE Float3 specularMeans(const WeighedRow* const rows[3], std::size_t x, const Means& surface,
                                 Float3& lacking) {
-    Float3 tint{}, mirrored{};
+    Float3 tint{}, specular{};
     Float known = 0.0F;
     forEachAround(
-        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
+        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.surface; },
         [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
             if (row.mirroring != 0) tint += load3(row.tint, at) * weight;
         });
     forEachAround(
-        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.mirrored; },
+        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.specular; },
         [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
             if (row.mirroring == 0) return;
-            mirrored += load3(row.mirrored.light, at) * weight;
+            specular += load3(row.specular.light, at) * weight;
             known += weight;
         });
-    const Mask tinted = own.seen & (max(tint.x, max(tint.y, tint.z)) > 0.0F), there = tinted & (known > 0.0F);
-    tint = tint / own.weights;
+    const Mask tinted = surface.seen & (max(tint.x, max(tint.y, tint.z)) > 0.0F),
+               there = tinted & (known > 0.0F);
+    tint = tint / surface.weights;
     lacking = selectOrZero(tinted & !there, tint);
-    return selectOrZero(there, mirrored / known * tint);
+    return selectOrZero(there, specular / known * tint);
 }
 
 /// The light of `count` pixels.
@@ -247,21 +249,21 @@ Missing weighedMeans(const WeighedRow* const rows[3], std::size_t count, const S
     const std::uint64_t mirroring = rows[0]->mirroring | rows[1]->mirroring | rows[2]->mirroring;
     for (std::size_t x = 0; x < count; x += lanes()) {
         const Mask inside = toFloat(toInt(iota(x))) < static_cast<float>(count);
-        Means own = ownMeans(rows, x);
-        const Float known = knownOf(own);
+        Means surface = surfaceMeans(rows, x);
+        const Float known = knownOf(surface);
         missing.light = missing.light || any(inside & (known < 1.0F));
         store(known, to.known + x);
         if ((mirroring & WeighedRow::groupsOf(x, x + lanes() + 1)) != 0) {
             Float3 lacking;
-            own.light += mirroredMeans(rows, x, own, lacking);
+            surface.light += specularMeans(rows, x, surface, lacking);
             if (any(inside & (max(lacking.x, max(lacking.y, lacking.z)) > 0.0F))) {
                 store(lacking.x, to.tints[0] + x);
                 store(lacking.y, to.tints[1] + x);
                 store(lacking.z, to.tints[2] + x);
-                to.lacking[missing.mirrored++] = static_cast<std::uint32_t>(x);
+                to.lacking[missing.specular++] = static_cast<std::uint32_t>(x);
             }
         }
-        storePixels(selectOrZero(own.seen, own.light), std::min(lanes(), count - x), to.light + x);
+        storePixels(selectOrZero(surface.seen, surface.light), std::min(lanes(), count - x), to.light + x);
     }
     return missing;
 }
@@ -277,14 +279,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(weighOwn);
-HWY_EXPORT(weighMirrored);
+HWY_EXPORT(weighSurface);
+HWY_EXPORT(weighSpecular);
 HWY_EXPORT(weighedMeans);
 HWY_EXPORT(lanesOfMeans);
 
 /// Rows of a part, from column to column. Returns whether light is missing.
-bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, const Columns& columns,
-                                Rows& rows, Frame& frame) {
+bool Reconstruction::showColumns(const LiveLayers& samples, int first, int last, const Columns& columns,
+                                 Rows& rows, Frame& frame) {
     constexpr std::size_t kKept = 4; // the row, that above, that below, and one of no weight beyond the image
     constexpr std::size_t kRow = WeighedRow::kArrays * WeighedRow::kArray;
     rows.values.resize(kKept * kRow + 3 * WeighedRow::kArray);
@@ -293,7 +295,7 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
     float* const values = rows.values.data();
     WeighedRow weighed[kKept] = {WeighedRow(values), WeighedRow(values + kRow), WeighedRow(values + 2 * kRow),
                                  WeighedRow(values + 3 * kRow)};
-    const ImagePlane& plane = samples.own.plane();
+    const ImagePlane& plane = samples.surface.plane();
     const auto width = static_cast<std::size_t>(plane.width);
     const auto rowAt = [&](int y) {
         return &weighed[y < 0 || y >= plane.height ? kKept - 1 : static_cast<std::size_t>(y) % (kKept - 1)];
@@ -307,11 +309,11 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
     const auto weigh = [&](int y) {
         if (y < 0 || y >= plane.height) return;
         WeighedRow& row = *rowAt(y);
-        row.mirroring = HWY_DYNAMIC_DISPATCH(weighOwn)(samples.own, y, columns, row);
-        weighNoneBeside(row.own);
+        row.mirroring = HWY_DYNAMIC_DISPATCH(weighSurface)(samples.surface, y, columns, row);
+        weighNoneBeside(row.surface);
         if (row.mirroring == 0) return;
-        HWY_DYNAMIC_DISPATCH(weighMirrored)(samples, y, columns, row);
-        weighNoneBeside(row.mirrored);
+        HWY_DYNAMIC_DISPATCH(weighSpecular)(samples, y, columns, row);
+        weighNoneBeside(row.specular);
     };
     float* const tints = values + kKept * kRow;
     weigh(first - 1);
@@ -320,7 +322,7 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
     for (int y = first; y < last; ++y) {
         weigh(y + 1);
         const WeighedRow* const around[] = {rowAt(y - 1), rowAt(y), rowAt(y + 1)};
-        const std::size_t row = samples.own.index(0, y) + columns.first;
+        const std::size_t row = samples.surface.index(0, y) + columns.first;
         const ShownPixels shown{&frame.radiance.pixels[row],
                                 rows.known.data(),
                                 rows.lacking.data(),
@@ -330,7 +332,7 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
         missing = missing || here.light;
         std::copy_n(rows.known.data(), count, &known_[row]);
         const std::size_t lanes = HWY_DYNAMIC_DISPATCH(lanesOfMeans)();
-        for (std::size_t k = 0; k < here.mirrored; ++k) {
+        for (std::size_t k = 0; k < here.specular; ++k) {
             for (std::size_t x = rows.lacking[k]; x < std::min(rows.lacking[k] + lanes, count); ++x) {
                 const Colour tint{shown.tints[0][x], shown.tints[1][x], shown.tints[2][x]};
                 if (!isBlack(tint)) rows.missing.push_back({row + x, tint});
@@ -340,12 +342,12 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
     return missing;
 }
 
-void SamplePicture::show(const LiveLayers& samples, int threads, Frame& frame) {
-    const ImagePlane& plane = samples.own.plane();
+void Reconstruction::show(const LiveLayers& samples, int threads, Frame& frame) {
+    const ImagePlane& plane = samples.surface.plane();
     rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(threads)));
     for (Rows& rows : rows_) rows.missing.clear();
     std::atomic<bool> missing = false;
-    known_.resize(samples.own.size());
+    known_.resize(samples.surface.size());
     const auto width = static_cast<std::size_t>(plane.width);
     forEachRows(plane.height, SampleMeans::kSide, threads, [&](int first, int last) {
         Rows& rows = rows_[static_cast<std::size_t>(threadNumber())];
@@ -361,17 +363,17 @@ void SamplePicture::show(const LiveLayers& samples, int threads, Frame& frame) {
 }
 
 /// Where no mirrored light is known, that of what mirrors around.
-void SamplePicture::addMissing(const LiveLayers& samples, int threads, Frame& frame) {
-    const ImagePlane& plane = samples.own.plane();
-    const auto mirroredAt = [&](int x, int y) -> SampleMeans::Weighed {
-        const std::size_t i = samples.own.index(x, y);
-        const bool mayMirror = samples.own.mirrors(i) || !samples.own.known(i);
-        if (!mayMirror || !samples.mirrored.known(i)) return {};
-        return {samples.mirrored.light(i), 1};
+void Reconstruction::addMissing(const LiveLayers& samples, int threads, Frame& frame) {
+    const ImagePlane& plane = samples.surface.plane();
+    const auto specularAt = [&](int x, int y) -> SampleMeans::Weighed {
+        const std::size_t i = samples.surface.index(x, y);
+        const bool mayMirror = samples.surface.mirrors(i) || !samples.surface.known(i);
+        if (!mayMirror || !samples.specular.known(i)) return {};
+        return {samples.specular.light(i), 1};
     };
     means_.begin(plane.width, plane.height);
     forEachRows(plane.height, SampleMeans::kSide, threads,
-                [&](int first, int last) { means_.take(mirroredAt, first, last); });
+                [&](int first, int last) { means_.take(specularAt, first, last); });
     const auto width = static_cast<std::size_t>(plane.width);
     for (const Rows& rows : rows_) {
         for (const MissingLight& missing : rows.missing) {
@@ -383,7 +385,7 @@ void SamplePicture::addMissing(const LiveLayers& samples, int threads, Frame& fr
 }
 
 /// Where little is known, what is seen around.
-void SamplePicture::fill(int threads, Frame& frame) {
+void Reconstruction::fill(int threads, Frame& frame) {
     HdrImage& image = frame.radiance;
     const auto knownAt = [&](int x, int y) {
         return known_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +

@@ -9,16 +9,16 @@ namespace rtcore {
 
 /// What finds the light that comes from area lights, emitters and surroundings to points that scatter it. All
 /// give the same mean; one alone is for tests and comparisons.
-enum class LightFinding : std::uint8_t {
+enum class SamplingStrategy : std::uint8_t {
     Both, ///< next event and scattered rays, by the power heuristic
     NextEvent,
     ScatteredRays ///< beside it next event of lights that no ray meets
 };
 
-/// Scaled down so that the mean of its channels is at most `most`; 0: as it is. (Cycles)
-inline Colour clampedTo(float most, Colour c) {
+/// Scaled down so that the mean of its channels is at most `max`; 0: as it is. (Cycles)
+inline Colour clampedTo(float max, Colour c) {
     const float mean = (c.r + c.g + c.b) / 3;
-    return most > 0 && mean > most ? c * (most / mean) : c;
+    return max > 0 && mean > max ? c * (max / mean) : c;
 }
 
 } // namespace rtcore

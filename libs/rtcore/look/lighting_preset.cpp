@@ -1,8 +1,8 @@
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 
 #include "rtcore/look/room_lights.h"
-#include "rtcore/look/seen_places.h"
 #include "rtcore/look/sun_of_view.h"
+#include "rtcore/look/visible_points.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/simd/portable_math.h"
 #include "rtcore/sky/scene_sky.h"
@@ -54,12 +54,12 @@ Light studioLight(const StudioLight& each, const Box3& bounds, Vec3 up, Vec3 bac
     return light;
 }
 
-void addStudioLights(LookLights& look, const Box3& bounds, Vec3 up, Vec3 forward) {
+void addStudioLights(PresetLighting& preset, const Box3& bounds, Vec3 up, Vec3 forward) {
     const Vec3 level = forward - up * dot(forward, up);
     const Vec3 side = up.x == 0 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 back = length(level) > 1e-3F * length(forward) ? -normalize(level) : side;
     for (const StudioLight& each : kStudioLights)
-        look.lights.emplace_back(studioLight(each, bounds, up, back), each.name);
+        preset.lights.emplace_back(studioLight(each, bounds, up, back), each.name);
 }
 
 std::vector<SceneLight> namedRoomLights(const KdTree& tree, const Mesh& mesh, const Survey& survey) {
@@ -86,28 +86,28 @@ std::vector<SettingAssignment> exposureBy(const char* mode, const char* toneMapp
 
 } // namespace
 
-std::optional<Look> lookNamed(std::string_view name) {
-    const auto found = std::find(kLookNames.begin(), kLookNames.end(), name);
-    if (found == kLookNames.end()) return std::nullopt;
-    return static_cast<Look>(found - kLookNames.begin());
+std::optional<LightingPreset> lightingPresetNamed(std::string_view name) {
+    const auto found = std::find(kLightingPresetNames.begin(), kLightingPresetNames.end(), name);
+    if (found == kLightingPresetNames.end()) return std::nullopt;
+    return static_cast<LightingPreset>(found - kLightingPresetNames.begin());
 }
 
 bool wantsGround(const Mesh& mesh, const Survey& survey) {
-    constexpr std::size_t kMostTriangles = 10'000'000;
-    if (survey.subject.bounds.empty() || mesh.triangles.size() > kMostTriangles) return false;
+    constexpr std::size_t kMaxTriangles = 10'000'000;
+    if (survey.subject.bounds.empty() || mesh.triangles.size() > kMaxTriangles) return false;
     return !survey.inside() && !survey.isStage() && !survey.subject.ground;
 }
 
-LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Survey& survey,
-                      const Camera& camera, const std::optional<Sky>& sky) {
-    LookLights result;
-    switch (look) {
-    case Look::Sky:
+PresetLighting presetLighting(LightingPreset preset, const KdTree& tree, const Mesh& mesh,
+                              const Survey& survey, const Camera& camera, const std::optional<Sky>& sky) {
+    PresetLighting result;
+    switch (preset) {
+    case LightingPreset::Sky:
         result.sky = sky ? *sky : skyOfView(tree, mesh, survey, camera);
         result.lights = namedRoomLights(tree, mesh, survey);
         result.sky->ground = wantsGround(mesh, survey);
         break;
-    case Look::Studio:
+    case LightingPreset::Studio:
         result.lights = namedRoomLights(tree, mesh, survey);
         if (result.lights.empty()) {
             result.sky = Sky{.ground = wantsGround(mesh, survey), .studio = true};
@@ -116,28 +116,28 @@ LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, const Sur
             result.background = kWhite * kRoomBackground;
         }
         break;
-    case Look::Headlight:
+    case LightingPreset::Headlight:
         result.lights.emplace_back(defaultLight(camera, tree.bounds), kHeadlightName);
         break;
     }
     return result;
 }
 
-void lightBy(Scene& scene, const LookLights& look) {
+void lightBy(Scene& scene, const PresetLighting& preset) {
     setSky(scene, std::nullopt);
     scene.activeEnvironment = scene.environments.empty() ? 0 : kNoEnvironment;
-    scene.background = look.background;
-    scene.ambient = look.ambient;
-    scene.lights = look.lights;
-    setSky(scene, look.sky);
+    scene.background = preset.background;
+    scene.ambient = preset.ambient;
+    scene.lights = preset.lights;
+    setSky(scene, preset.sky);
     numberLights(scene);
 }
 
 // What no sky reaches is lit by what the surfaces around send to each other: wherever one walks, it is not
 // black.
-std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey) {
-    std::vector<SettingAssignment> settings = exposureOf(look);
-    if (look == Look::Headlight) {
+std::vector<SettingAssignment> settingsOf(LightingPreset preset, const Survey& survey) {
+    std::vector<SettingAssignment> settings = exposureOf(preset);
+    if (preset == LightingPreset::Headlight) {
         settings.insert(settings.end(), {{"skyLight.on", false}, {"ambientOcclusion.on", false}});
         return settings;
     }
@@ -152,23 +152,23 @@ std::vector<SettingAssignment> settingsOf(Look look, const Survey& survey) {
 
 // Out of doors and in rooms there is a wide range of light, for which film is made; an object in a studio
 // keeps its colours.
-std::vector<SettingAssignment> exposureOf(Look look) {
-    switch (look) {
-    case Look::Sky:
+std::vector<SettingAssignment> exposureOf(LightingPreset preset) {
+    switch (preset) {
+    case LightingPreset::Sky:
         return exposureBy("incident", "agx", kContrast, kFilterPasses);
-    case Look::Studio:
+    case LightingPreset::Studio:
         return exposureBy("incident", "neutral", 0, kFilterPasses);
-    case Look::Headlight:
+    case LightingPreset::Headlight:
         break;
     }
     return exposureBy("automatic", "luminance", 0, 0);
 }
 
-bool isLitBy(const Scene& scene, const LookLights& look) {
+bool isLitBy(const Scene& scene, const PresetLighting& preset) {
     std::vector<Light> lights = lightsOf(scene.lights);
     if (const auto sun = sunOf(scene)) lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*sun));
     for (Light& light : lights) light.on = 1;
-    return lights == lightsOf(look.lights) && scene.sky == look.sky;
+    return lights == lightsOf(preset.lights) && scene.sky == preset.sky;
 }
 
 void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
@@ -179,9 +179,9 @@ void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
 std::optional<Colour> fillLight(const Scene& scene, const KdTree& tree, const Camera& camera) {
     constexpr float kDark = 0.02F, kMuch = 0.03F, kFill = 0.04F; // of what is well lit or seen
     const Mesh& mesh = scene.model.mesh;
-    const std::vector<SeenPlace> places = seenPlaces(tree, mesh, camera);
-    if (places.empty()) return std::nullopt;
-    std::vector<float> sums = irradianceAt(tree, mesh, lightsOf(scene.lights), places);
+    const std::vector<VisiblePoint> points = visiblePoints(tree, mesh, camera);
+    if (points.empty()) return std::nullopt;
+    std::vector<float> sums = irradianceAt(tree, mesh, lightsOf(scene.lights), points);
     for (float& sum : sums) sum += kPi * maxComponent(scene.ambient);
     std::ranges::sort(sums);
     const float usual = sums[sums.size() * 9 / 10];

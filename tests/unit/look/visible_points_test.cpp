@@ -1,5 +1,5 @@
 // What a camera sees of a model, and whether light reaches it.
-#include "rtcore/look/seen_places.h"
+#include "rtcore/look/visible_points.h"
 
 #include "support/rooms.h"
 
@@ -12,26 +12,26 @@ namespace {
 
 using rtcore::Camera;
 
-TEST(SeenPlaces, TellWhetherACameraShowsTheModel) {
+TEST(VisiblePoints, TellWhetherACameraShowsTheModel) {
     const test::TracedScene s(test::block().finish());
     const rtcore::Box3 box = s.scene.mesh().bounds();
     Camera camera;
     camera.eye = {0, 0, 5};
-    EXPECT_TRUE(rtcore::showsModel(rtcore::seenPlaces(s.tree, s.scene.mesh(), camera), box));
+    EXPECT_TRUE(rtcore::showsModel(rtcore::visiblePoints(s.tree, s.scene.mesh(), camera), box));
     camera.forward = {0, 0, 1};
-    EXPECT_FALSE(rtcore::showsModel(rtcore::seenPlaces(s.tree, s.scene.mesh(), camera), box));
+    EXPECT_FALSE(rtcore::showsModel(rtcore::visiblePoints(s.tree, s.scene.mesh(), camera), box));
     camera = {};
     camera.eye = {0, 0, 200};
-    EXPECT_FALSE(rtcore::showsModel(rtcore::seenPlaces(s.tree, s.scene.mesh(), camera), box)) << "a dot";
+    EXPECT_FALSE(rtcore::showsModel(rtcore::visiblePoints(s.tree, s.scene.mesh(), camera), box)) << "a dot";
 }
 
-TEST(SeenPlaces, TellWhetherLampsLightIt) {
+TEST(VisiblePoints, TellWhetherLampsLightIt) {
     const test::TracedScene s(test::block().finish());
     Camera camera;
     camera.eye = {0, 0, 5};
-    const std::vector<rtcore::SeenPlace> places = rtcore::seenPlaces(s.tree, s.scene.mesh(), camera);
+    const std::vector<rtcore::VisiblePoint> points = rtcore::visiblePoints(s.tree, s.scene.mesh(), camera);
     const auto reaches = [&](const rtcore::Light& light) {
-        return rtcore::lightReaches(s.tree, s.scene.mesh(), std::span(&light, 1), places,
+        return rtcore::lightReaches(s.tree, s.scene.mesh(), std::span(&light, 1), points,
                                     rtcore::kWhite * 0.15F);
     };
     EXPECT_TRUE(reaches(test::pointLight({0, 0, 4}, 10)));

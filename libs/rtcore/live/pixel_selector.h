@@ -14,16 +14,16 @@
 namespace rtcore {
 
 /// Keeps its memory from frame to frame.
-class PixelChoice {
+class PixelSelector {
   public:
     /// Begins a frame of that plane.
     void begin(const ImagePlane& plane);
     /// Looks at the rows from `first` to before `last` of its samples. Each must be looked at once before
     /// choose(); several threads may look at different ones.
     void look(const LiveLayers& samples, int first, int last);
-    /// Chooses at most `share` (0..1) of all pixels, and a few. `staleness`: as Reprojection has it. The
+    /// Chooses at most `fraction` (0..1) of all pixels, and a few. `staleness`: as Reprojection has it. The
     /// choice is that of these values and of `number` alone: not of threads, nor of time. `threads` work.
-    void choose(const LiveLayers& samples, const PixelArray<float>& staleness, double share,
+    void choose(const LiveLayers& samples, const PixelArray<float>& staleness, double fraction,
                 std::uint32_t number, int threads);
 
     /// The luminance of each pixel's sample, below 0 where it has none; `traced` says what it is now.
@@ -41,31 +41,31 @@ class PixelChoice {
     double unknown() const { return unknown_; }
 
   private:
-    /// How urgent a pixel is: 0 = not at all, kUrgencies - 1: it has no sample.
-    static constexpr std::size_t kUrgencies = 128;
-    using Histogram = std::array<std::uint32_t, kUrgencies>;
+    /// How urgent a pixel is: 0 = not at all, kPriorities - 1: it has no sample.
+    static constexpr std::size_t kPriorities = 128;
+    using Histogram = std::array<std::uint32_t, kPriorities>;
     /// A row of squares of pixels, whose work is done together.
     struct Part {
         Histogram histogram;
-        std::vector<std::uint32_t> urgency; ///< of a row of pixels
+        std::vector<std::uint32_t> priority; ///< of a row of pixels
         std::vector<SampleId> chosen;
         std::vector<Check> checked; ///< with indices in `chosen` above
     };
     struct Bound {
-        std::size_t urgency;
+        std::size_t priority;
         std::uint32_t turns;      ///< of kTurns, of those that are just as urgent
         std::uint32_t checks = 0; ///< of kTurns, of all
     };
 
     static std::size_t luminanceAt(const ImagePlane& plane, int y);
     float darkness(const ImagePlane& plane) const;
-    void measureUrgency(const LiveSamples& samples, const PixelArray<float>& staleness, int threads);
-    Bound boundOf(const LiveSamples& samples, double share);
+    void measurePriority(const LiveSamples& samples, const PixelArray<float>& staleness, int threads);
+    Bound boundOf(const LiveSamples& samples, double fraction);
     void collect(const ImagePlane& plane, const Bound& bound, std::uint32_t number, Part& part, int first,
                  int last) const;
 
-    std::vector<float> luminance_;      ///< by pixel, rows from luminanceAt() on; below 0: no sample
-    std::vector<std::uint8_t> urgency_; ///< by pixel
+    std::vector<float> luminance_;       ///< by pixel, rows from luminanceAt() on; below 0: no sample
+    std::vector<std::uint8_t> priority_; ///< by pixel
     std::vector<Part> parts_;
     std::vector<SampleId> chosen_;
     std::vector<Check> checked_;

@@ -1,5 +1,5 @@
 /// What is up and how long a unit is, guessed of made shapes. Of real models: tests/known_models.
-#include "rtcore/survey/up_and_unit.h"
+#include "rtcore/survey/model_units.h"
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/scene/exporter_habits.h"
@@ -60,13 +60,13 @@ test::SampleMesh scaled(test::SampleMesh mesh, float factor) {
     return mesh;
 }
 
-UpAndUnit guess(const test::SampleMesh& mesh, const std::string& format, const std::string& exporter = "") {
+ModelUnits guess(const test::SampleMesh& mesh, const std::string& format, const std::string& exporter = "") {
     BuildOptions options;
     options.threads = 1;
     const KdTree tree = buildKdTree(mesh.view(), options);
     Model model;
     model.mesh = mesh.view();
-    return guessUpAndUnit({format, exporter, {}, {}}, tree, model);
+    return guessModelUnits({format, exporter, {}, {}}, tree, model);
 }
 
 /// Boxes that an author named.
@@ -77,13 +77,13 @@ struct NamedBoxes {
                                  static_cast<std::uint32_t>(piece.triangles.size())});
         mesh.append(piece);
     }
-    UpAndUnit guess() {
+    ModelUnits guess() {
         buffers.vertices = mesh.vertices;
         buffers.triangles = mesh.triangles;
         buffers.shading.resize(mesh.triangles.size());
         buffers.materials.resize(1);
         const KdTree tree = buildKdTree(mesh.view(), {});
-        return guessUpAndUnit({kObj, "", {}, {}}, tree, makeModel(std::move(buffers)));
+        return guessModelUnits({kObj, "", {}, {}}, tree, makeModel(std::move(buffers)));
     }
     test::SampleMesh mesh;
     ModelBuffers buffers;
@@ -102,24 +102,24 @@ NamedBoxes room(std::string_view floor, std::string_view wall, std::string_view 
     return all;
 }
 
-TEST(UpAndUnit, WhatTheFileSaysIsTaken) {
+TEST(ModelUnits, WhatTheFileSaysIsTaken) {
     const test::SampleMesh mesh = table();
     const KdTree tree = buildKdTree(mesh.view(), {});
     const ModelOrigin origin{kStl, "OpenSCAD", Vec3{-1, 0, 0}, 0.0254};
     Model model;
     model.mesh = mesh.view();
-    const UpAndUnit frame = guessUpAndUnit(origin, tree, model);
-    EXPECT_EQ(frame.up, (Vec3{-1, 0, 0}));
-    EXPECT_FLOAT_EQ(frame.metresPerUnit, 0.0254F);
-    EXPECT_EQ(frame.upSaid, Said::ByFormat);
-    EXPECT_EQ(frame.unitSaid, Said::ByFormat);
-    EXPECT_FALSE(frame.surprising);
-    EXPECT_EQ(describe(frame), "-x is up (the file says so); one unit is 0.0254 m (the file says so)");
+    const ModelUnits units = guessModelUnits(origin, tree, model);
+    EXPECT_EQ(units.up, (Vec3{-1, 0, 0}));
+    EXPECT_FLOAT_EQ(units.metresPerUnit, 0.0254F);
+    EXPECT_EQ(units.upSaid, Said::ByFormat);
+    EXPECT_EQ(units.unitSaid, Said::ByFormat);
+    EXPECT_FALSE(units.surprising);
+    EXPECT_EQ(describe(units), "-x is up (the file says so); one unit is 0.0254 m (the file says so)");
 }
 
-TEST(UpAndUnit, ProgramsHaveTheirHabits) {
+TEST(ModelUnits, ProgramsHaveTheirHabits) {
     const test::SampleMesh cube = scaled(test::boxGrid(1), 50); // as good one way as another
-    const UpAndUnit scad = guess(cube, kStl, "OpenSCAD_Model");
+    const ModelUnits scad = guess(cube, kStl, "OpenSCAD_Model");
     EXPECT_EQ(scad.up, kZ);
     EXPECT_FLOAT_EQ(scad.metresPerUnit, 0.001F);
     EXPECT_TRUE(scad.surprising) << "most models count y upwards";
@@ -132,7 +132,7 @@ TEST(UpAndUnit, ProgramsHaveTheirHabits) {
 }
 
 // By Assimp's names of their importers.
-TEST(UpAndUnit, FormatsThatCountZUpwardsAreNotTurned) {
+TEST(ModelUnits, FormatsThatCountZUpwardsAreNotTurned) {
     for (const char* format : {"Blender 3D Importer", "TrueSpace Object Importer", "Quick3D Importer",
                                "3D GameStudio Heightmap (HMP) Importer"})
         EXPECT_EQ(guess(table(), format).up, kZ) << format;
@@ -140,7 +140,7 @@ TEST(UpAndUnit, FormatsThatCountZUpwardsAreNotTurned) {
         EXPECT_EQ(guess(upright(table()), format).up, kY) << format;
 }
 
-TEST(UpAndUnit, AShapeThatIsPlainWinsOverTheFormat) {
+TEST(ModelUnits, AShapeThatIsPlainWinsOverTheFormat) {
     EXPECT_EQ(guess(table(), kObj).up, kZ);
     EXPECT_EQ(guess(table(), kObj).upWhy, "by its shape");
     EXPECT_TRUE(guess(table(), kObj).surprising);
@@ -150,12 +150,12 @@ TEST(UpAndUnit, AShapeThatIsPlainWinsOverTheFormat) {
     EXPECT_EQ(guess(table(), kStl, "AssimpScene").up, kZ);
 }
 
-TEST(UpAndUnit, NoShapeWinsOverAProgramThatIsSure) {
+TEST(ModelUnits, NoShapeWinsOverAProgramThatIsSure) {
     EXPECT_EQ(guess(table(), kObj, "Blender 3.4.1").up, kY);
     EXPECT_EQ(guess(upright(table()), kObj, "Created by FreeCAD").up, kZ);
 }
 
-TEST(UpAndUnit, TheUnitIsOneThatGivesAThingASensibleSize) {
+TEST(ModelUnits, TheUnitIsOneThatGivesAThingASensibleSize) {
     const test::SampleMesh mesh = upright(table());
     EXPECT_FLOAT_EQ(guess(mesh, kObj).metresPerUnit, 1);
     EXPECT_FLOAT_EQ(guess(scaled(mesh, 100), kObj).metresPerUnit, 0.01F);
@@ -167,7 +167,7 @@ TEST(UpAndUnit, TheUnitIsOneThatGivesAThingASensibleSize) {
     EXPECT_FLOAT_EQ(guess(upright(scaled(house(), 100)), kObj).metresPerUnit, 0.01F);
 }
 
-TEST(UpAndUnit, FloorsLieAndWallsStand) {
+TEST(ModelUnits, FloorsLieAndWallsStand) {
     EXPECT_EQ(room("a", "b", "c").guess().up, kY) << "without names it is as OBJ files are";
     EXPECT_EQ(room("Floor.001", "b", "c").guess().up, kZ);
     EXPECT_EQ(room("a", "outer_walls", "c").guess().up, kZ);
@@ -182,7 +182,7 @@ TEST(UpAndUnit, FloorsLieAndWallsStand) {
     EXPECT_EQ(room("podlaha", "st\xC4\x9Bna", "strop").guess().upWhy, "by its floors and walls");
 }
 
-TEST(UpAndUnit, BuildingsAreAsLargeAsBuildings) {
+TEST(ModelUnits, BuildingsAreAsLargeAsBuildings) {
     for (const auto& [unit, metres] : {std::pair{1.0F, 1.0F}, {100.0F, 0.01F}, {1000.0F, 0.001F}})
         EXPECT_FLOAT_EQ(room("floor", "wall", "ceiling", unit).guess().metresPerUnit, metres);
     EXPECT_FLOAT_EQ(room("tray", "rim", "lid").guess().metresPerUnit, 1);
@@ -191,9 +191,9 @@ TEST(UpAndUnit, BuildingsAreAsLargeAsBuildings) {
     NamedBoxes land;
     land.add("terrain", {-200, -200, 0}, {200, 200, 1});
     land.add("house", {-5, -4, 1}, {5, 4, 7});
-    const UpAndUnit frame = land.guess();
-    EXPECT_EQ(frame.up, kZ);
-    EXPECT_FLOAT_EQ(frame.metresPerUnit, 1) << "no plate with a pin";
+    const ModelUnits units = land.guess();
+    EXPECT_EQ(units.up, kZ);
+    EXPECT_FLOAT_EQ(units.metresPerUnit, 1) << "no plate with a pin";
 }
 
 /// Six walls without names, of a thickness of 1.
@@ -210,7 +210,7 @@ test::SampleMesh hollow(Vec3 size) {
     return mesh;
 }
 
-TEST(UpAndUnit, WhatIsHollowAndHighIsAnOvenRatherThanAHall) {
+TEST(ModelUnits, WhatIsHollowAndHighIsAnOvenRatherThanAHall) {
     EXPECT_FLOAT_EQ(guess(hollow({56, 36, 47}), kObj, "Blender").metresPerUnit, 0.01F);
     EXPECT_FLOAT_EQ(guess(hollow({40, 14, 20}), kObj, "Blender").metresPerUnit, 1) << "a hall";
     // A car: few of its faces are across an axis.
@@ -225,7 +225,7 @@ TEST(UpAndUnit, WhatIsHollowAndHighIsAnOvenRatherThanAHall) {
     EXPECT_FLOAT_EQ(guess(car, kObj, "Blender").metresPerUnit, 0.01F);
 }
 
-TEST(UpAndUnit, WhatHasASkyIsALandscape) {
+TEST(ModelUnits, WhatHasASkyIsALandscape) {
     const auto insideOf = [](const char* shell) {
         NamedBoxes all;
         all.add(shell, {-250, -250, -1}, {250, 250, 250});
@@ -237,7 +237,7 @@ TEST(UpAndUnit, WhatHasASkyIsALandscape) {
     EXPECT_LT(insideOf("case"), 0.1F);
 }
 
-TEST(UpAndUnit, AFlatPieceIsAsItsFormatIs) {
+TEST(ModelUnits, AFlatPieceIsAsItsFormatIs) {
     test::SampleMesh quad;
     quad.addTriangle({0, 0, 0}, {4, 0, 0}, {4, 3, 0});
     quad.addTriangle({0, 0, 0}, {4, 3, 0}, {0, 3, 0});
@@ -246,22 +246,22 @@ TEST(UpAndUnit, AFlatPieceIsAsItsFormatIs) {
     EXPECT_EQ(guess(upright(quad), kObj).up, kY);
 }
 
-TEST(UpAndUnit, WhatHasNoSizeGetsAUnitAllTheSame) {
+TEST(ModelUnits, WhatHasNoSizeGetsAUnitAllTheSame) {
     test::SampleMesh point;
     point.addTriangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1});
     for (const test::SampleMesh& mesh :
          {test::SampleMesh(), point, scaled(table(), 1e-20F), scaled(table(), 1e15F)}) {
-        const UpAndUnit frame = guess(mesh, "");
-        EXPECT_GT(frame.metresPerUnit, 0);
-        EXPECT_TRUE(std::isfinite(frame.metresPerUnit));
+        const ModelUnits units = guess(mesh, "");
+        EXPECT_GT(units.metresPerUnit, 0);
+        EXPECT_TRUE(std::isfinite(units.metresPerUnit));
     }
 }
 
-TEST(UpAndUnit, TheUserWins) {
-    const UpAndUnit frame = withUserSays({}, kZ, 0.5);
-    EXPECT_EQ(frame.up, kZ);
-    EXPECT_EQ(frame.metresPerUnit, 0.5F);
-    EXPECT_EQ(frame.upSaid, Said::ByUser);
+TEST(ModelUnits, TheUserWins) {
+    const ModelUnits units = withUserSays({}, kZ, 0.5);
+    EXPECT_EQ(units.up, kZ);
+    EXPECT_EQ(units.metresPerUnit, 0.5F);
+    EXPECT_EQ(units.upSaid, Said::ByUser);
     EXPECT_EQ(withUserSays({}, {}, {}).upSaid, Said::Guessed);
 }
 

@@ -11,9 +11,9 @@ namespace rtcore {
 /// walls with three soft lights around an object, which mirrors show; in a room, its lights before an even
 /// background that lights. Headlight: a point light beside the viewer and ambient light, both without regard
 /// to what the model is.
-enum class Look : std::uint8_t { Sky, Studio, Headlight };
+enum class LightingPreset : std::uint8_t { Sky, Studio, Headlight };
 
 /// By Look.
-inline constexpr std::array<std::string_view, 3> kLookNames{"sky", "studio", "headlight"};
+inline constexpr std::array<std::string_view, 3> kLightingPresetNames{"sky", "studio", "headlight"};
 
 } // namespace rtcore

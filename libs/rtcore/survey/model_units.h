@@ -18,7 +18,7 @@ enum class Said {
     ByUser,   ///< by an option or a command
 };
 
-struct UpAndUnit {
+struct ModelUnits {
     Vec3 up{0, 1, 0};        ///< one of the six axes
     float metresPerUnit = 1; ///< above 0, finite
     Said upSaid = Said::Guessed, unitSaid = Said::Guessed;
@@ -32,12 +32,12 @@ struct UpAndUnit {
 /// walls stand, and what has both is a building), and from its shape: what it stands on, where it is
 /// symmetric, whether it has rooms, and how large such things are. Takes some milliseconds for a million
 /// triangles. Safe from many threads.
-UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Model& model);
+ModelUnits guessModelUnits(const ModelOrigin& origin, const KdTree& tree, const Model& model);
 
 /// With what the user says in place of it, where it is there.
-UpAndUnit withUserSays(UpAndUnit frame, std::optional<Vec3> up, std::optional<double> metresPerUnit);
+ModelUnits withUserSays(ModelUnits units, std::optional<Vec3> up, std::optional<double> metresPerUnit);
 
 /// One line for people: "+z is up (as OpenSCAD writes it), a unit is 1 mm (its size)".
-std::string describe(const UpAndUnit& frame);
+std::string describe(const ModelUnits& units);
 
 } // namespace rtcore

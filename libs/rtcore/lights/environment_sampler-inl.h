@@ -2,11 +2,11 @@
 // each instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/lights/environment_cells-inl.h"
 
-#if defined(RTCORE_LIGHTS_ENVIRONMENT_DRAW_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RTCORE_LIGHTS_ENVIRONMENT_DRAW_INL_H_
-#undef RTCORE_LIGHTS_ENVIRONMENT_DRAW_INL_H_
+#if defined(RTCORE_LIGHTS_ENVIRONMENT_SAMPLER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_LIGHTS_ENVIRONMENT_SAMPLER_INL_H_
+#undef RTCORE_LIGHTS_ENVIRONMENT_SAMPLER_INL_H_
 #else
-#define RTCORE_LIGHTS_ENVIRONMENT_DRAW_INL_H_
+#define RTCORE_LIGHTS_ENVIRONMENT_SAMPLER_INL_H_
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -14,21 +14,21 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 template <typename F>
-struct DirectionDraw {
+struct EnvironmentSample {
     Vec3Of<F> direction; ///< unit
     F density;           ///< by solid angle
 };
 
 /// Which of `count` intervals a number falls into, and where in it.
 template <typename F>
-struct IntervalDraw {
+struct IntervalSample {
     IntOf<F> index;
     F inside; ///< 0..1
 };
 /// `starts`: of the intervals from `first` on, then the end of the last. `number` lies in them.
 template <typename F>
-HWY_INLINE IntervalDraw<F> drawInterval(const std::uint32_t* starts, IntOf<F> first, int count,
-                                        UintOf<F> number) {
+HWY_INLINE IntervalSample<F> sampleInterval(const std::uint32_t* starts, IntOf<F> first, int count,
+                                            UintOf<F> number) {
     int step = 1;
     while (step < count) step *= 2;
     IntOf<F> index(0), last(count);
@@ -68,13 +68,13 @@ HWY_INLINE CellCorners<F> cornersOf(const EnvironmentRows& rows, F row, IntOf<F>
 
 /// Distributes 0..1 by a density that goes from `from` to `to`, which are above 0.
 template <typename F>
-HWY_INLINE F drawLinear(F number, F from, F to) {
+HWY_INLINE F sampleLinearDensity(F number, F from, F to) {
     const F square = from * from + number * (to * to - from * from);
     return min(number * (from + to) / (from + sqrt(square)), F(1));
 }
 
-/// The density by solid angle with which drawEnvironment() finds a direction, above 0 for all of them: of one
-/// it gave the same number to the bit. `direction`: of unit length. There is light.
+/// The density by solid angle with which sampleEnvironment() finds a direction, above 0 for all of them: of
+/// one it gave the same number to the bit. `direction`: of unit length. There is light.
 template <typename F>
 HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction) {
     const CellPoint<F> point = pointOfDirection<F>(rows, direction);
@@ -92,16 +92,17 @@ HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction
 /// point of the square: directions are as evenly spread as such points are. What shines from there is
 /// BackgroundLight::radiance() of it.
 template <typename F>
-HWY_INLINE DirectionDraw<F> drawEnvironment(const EnvironmentRows& rows, UintOf<F> across, UintOf<F> down) {
+HWY_INLINE EnvironmentSample<F> sampleEnvironment(const EnvironmentRows& rows, UintOf<F> across,
+                                                  UintOf<F> down) {
     constexpr int kUnused = 32 - EnvironmentRows::kBits;
-    const auto row = drawInterval<F>(rows.rowStarts, IntOf<F>(0), rows.allRows, down >> kUnused);
-    const auto column = drawInterval<F>(rows.columnStarts, row.index * IntOf<F>(rows.columns + 1),
-                                        rows.columns, across >> kUnused);
+    const auto row = sampleInterval<F>(rows.rowStarts, IntOf<F>(0), rows.allRows, down >> kUnused);
+    const auto column = sampleInterval<F>(rows.columnStarts, row.index * IntOf<F>(rows.columns + 1),
+                                          rows.columns, across >> kUnused);
     const F ofRow = toFloat(row.index);
     const CellCorners<F> corners = cornersOf<F>(rows, ofRow, column.index);
-    const F y = drawLinear<F>(row.inside, corners.upperLeft + corners.upperRight,
-                              corners.lowerLeft + corners.lowerRight);
-    const F x = drawLinear<F>(column.inside, corners.left(y), corners.right(y));
+    const F y = sampleLinearDensity<F>(row.inside, corners.upperLeft + corners.upperRight,
+                                       corners.lowerLeft + corners.lowerRight);
+    const F x = sampleLinearDensity<F>(column.inside, corners.left(y), corners.right(y));
     const Vec3Of<F> direction = directionOfPoint<F>(rows, ofRow, toFloat(column.index), x, y);
     return {direction, environmentDensity<F>(rows, direction)};
 }

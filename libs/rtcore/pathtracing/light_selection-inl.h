@@ -5,11 +5,11 @@
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/sampling/alias-inl.h"
 
-#if defined(RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_
-#undef RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_
+#if defined(RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_
+#undef RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_
 #else
-#define RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_
+#define RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 /// Of all samples. With less, what shines behind a wall takes nearly all samples from a small light before
 /// it.
-inline constexpr float kEvenShare = 0.25F;
+inline constexpr float kUniformFraction = 0.25F;
 
 /// What the middle of a light would throw on a surface there, as luminance; 0 from below the surface.
 template <typename F>
@@ -47,15 +47,17 @@ HWY_INLINE Float expectedOfGroup(const LightRows& rows, std::uint32_t group, Flo
 /// A part goes to all groups alike: what a middle throws says little of a large light, and nothing of walls
 /// between; and what has the probability 0 would be missing.
 template <typename F>
-HWY_INLINE F probabilityOfShare(const LightRows& rows, F expected, F total) {
+HWY_INLINE F selectionProbability(const LightRows& rows, F expected, F total) {
     const float each = 1.0F / static_cast<float>(rows.groups());
     const auto some = total > 0.0F;
-    return select(some, expected / select(some, total, F(1)) * (1 - kEvenShare) + kEvenShare * each, F(each));
+    return select(some,
+                  expected / select(some, total, F(1)) * (1 - kUniformFraction) + kUniformFraction * each,
+                  F(each));
 }
 
 /// Where shares are the same everywhere.
 HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
-    return rows.shares.probability[group - (group > rows.emitterGroup() && !rows.emitters ? 1 : 0)];
+    return rows.selection.probability[group - (group > rows.emitterGroup() && !rows.emitters ? 1 : 0)];
 }
 
 /// With which probability a point samples a light, the emitters or the surroundings, where all of them are
@@ -64,17 +66,17 @@ template <typename F>
 HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
                                 F total) {
     if (rows.fixed) return fixedProbability(rows, k);
-    return probabilityOfShare<F>(rows, expectedOf<F>(rows.light[k], point, normal), total);
+    return selectionProbability<F>(rows, expectedOf<F>(rows.light[k], point, normal), total);
 }
 template <typename F>
 HWY_INLINE F probabilityOfEmitters(const LightRows& rows, Vec3Of<F> point, F total) {
     if (rows.fixed) return fixedProbability(rows, rows.emitterGroup());
-    return probabilityOfShare<F>(rows, expectedOfEmitters<F>(rows, point), total);
+    return selectionProbability<F>(rows, expectedOfEmitters<F>(rows, point), total);
 }
 template <typename F>
 HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, F total) {
     if (rows.fixed) return fixedProbability(rows, rows.surroundingGroup());
-    return probabilityOfShare<F>(rows, F(rows.surroundingLight), total);
+    return selectionProbability<F>(rows, F(rows.surroundingLight), total);
 }
 
 struct ChosenLight {
@@ -86,12 +88,12 @@ struct ChosenLight {
 /// `bits`: 32 random ones. There is a group.
 HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 normal, Uint bits) {
     if (rows.fixed) {
-        const Uint index = drawIndex<Float>(rows.shares, bits);
+        const Uint index = sampleIndex<Float>(rows.selection, bits);
         const Mask skips = rows.emitters ? noLanes() : index == rows.lights;
-        return {select(skips, index + 1U, index), probabilityOf<Float>(rows.shares, index), 0.0F};
+        return {select(skips, index + 1U, index), probabilityOf<Float>(rows.selection, index), 0.0F};
     }
-    HWY_ALIGN float expected[(LightSet::kMostWeighed + 2) * kLanes];
-    std::uint32_t groups[LightSet::kMostWeighed + 2];
+    HWY_ALIGN float expected[(LightSet::kMaxWeighed + 2) * kLanes];
+    std::uint32_t groups[LightSet::kMaxWeighed + 2];
     std::uint32_t count = 0;
     Float total = 0.0F;
     const auto weigh = [&](std::uint32_t group) HWY_ATTR {
@@ -108,7 +110,7 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
     ChosenLight chosen{groups[count - 1], 0.0F, total};
     Mask open = allLanes();
     for (std::uint32_t k = 0; k < count; ++k) {
-        const Float p = probabilityOfShare<Float>(rows, load(expected + k * kLanes), total);
+        const Float p = selectionProbability<Float>(rows, load(expected + k * kLanes), total);
         before += p;
         // What rounding leaves over goes to the last.
         const Mask here = k + 1 < count ? open & (u < before) : open;

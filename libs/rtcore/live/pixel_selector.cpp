@@ -1,4 +1,4 @@
-#include "rtcore/live/pixel_choice.h"
+#include "rtcore/live/pixel_selector.h"
 
 #include "rtcore/platform/parts.h"
 #include "rtcore/sampling/sample_id.h"
@@ -9,22 +9,22 @@
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "rtcore/live/pixel_choice.cpp"
+#define HWY_TARGET_INCLUDE "rtcore/live/pixel_selector.cpp"
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/live/live_samples-inl.h"
 
-#ifndef RTCORE_LIVE_PIXEL_CHOICE_TYPES
-#define RTCORE_LIVE_PIXEL_CHOICE_TYPES
+#ifndef RTCORE_LIVE_PIXEL_SELECTOR_TYPES
+#define RTCORE_LIVE_PIXEL_SELECTOR_TYPES
 namespace rtcore {
 
 /// A row of pixels. Arrays begin at its first one, and have room for whole vectors.
-struct UrgencyRow {
+struct PriorityRow {
     const float* luminance[3]; ///< of the row above, of itself, of the one below; can be read one before
     const float* staleness;
     std::size_t pixels;
     float dark;
-    std::uint32_t* urgency;
+    std::uint32_t* priority;
 };
 
 } // namespace rtcore
@@ -39,13 +39,14 @@ namespace {
 /// -1 where a sample is missing.
 void measureLuminanceOf(const LiveLayers& samples, std::size_t first, std::size_t count, float* to) {
     for (std::size_t i = 0; i < count; i += lanes()) {
-        const Uint state = statesOf(samples.own.points[first + i]);
+        const Uint state = statesOf(samples.surface.points[first + i]);
         const Mask mirrors = (state & LiveSamples::kMirrors) != 0U;
-        Float value = select(state != 0U, luminance<Float>(radianceOf(samples.own.lights[first + i])), -1.0F);
+        Float value =
+            select(state != 0U, luminance<Float>(radianceOf(samples.surface.lights[first + i])), -1.0F);
         if (any(mirrors)) {
-            const Mask seen = statesOf(samples.mirrored.points[first + i]) != 0U;
+            const Mask seen = statesOf(samples.specular.points[first + i]) != 0U;
             const Float3 light =
-                radianceOf(samples.mirrored.lights[first + i]) * tintOf(samples.tints[first + i]);
+                radianceOf(samples.specular.lights[first + i]) * tintOf(samples.tints[first + i]);
             value = select(mirrors, select(seen, value + luminance<Float>(light), -1.0F), value);
         }
         store(value, to + i);
@@ -54,31 +55,31 @@ void measureLuminanceOf(const LiveLayers& samples, std::size_t first, std::size_
 
 // Stale light shows beside light that differs.
 constexpr float kStaleHole = 8;
-constexpr float kLeastStale = 0.02F, kLeastContrast = 0.04F;
+constexpr float kMinStale = 0.02F, kMinContrast = 0.04F;
 
 /// Urgency has four steps for each power of two, from 2^-14 on: the upper bits of a float.
-constexpr int kUrgencyShift = 21, kFirstUrgency = (127 - 14) << 2;
-constexpr int kMostUrgent = 127;
+constexpr int kPriorityShift = 21, kFirstPriority = (127 - 14) << 2;
+constexpr int kMaxPriority = 127;
 
-void measureUrgencyOf(const UrgencyRow& row) {
+void measurePriorityOf(const PriorityRow& row) {
     for (std::size_t i = 0; i < row.pixels; i += lanes()) {
-        const Float own = load(row.luminance[1] + i);
-        Float least = std::numeric_limits<float>::max(), most = -1.0F;
+        const Float surface = load(row.luminance[1] + i);
+        Float lowest = std::numeric_limits<float>::max(), highest = -1.0F;
         for (const float* const line : row.luminance) {
             for (const float* const at : {line + i - 1, line + i, line + i + 1}) {
                 const Float there = load(at);
-                most = max(most, there);
-                least = min(least, select(there < 0.0F, least, there));
+                highest = max(highest, there);
+                lowest = min(lowest, select(there < 0.0F, lowest, there));
             }
         }
-        const Float contrast = (most - least) / (most + least + row.dark);
-        const Float stale = select(own < 0.0F, Float(kStaleHole), load(row.staleness + i));
-        const Float shows = (stale + kLeastStale) * (contrast + kLeastContrast);
-        const Int step = toInt(shiftRight<kUrgencyShift>(bitsOf(shows))) - kFirstUrgency;
-        const Float bounded = clamp(toFloat(step), 1.0F, static_cast<float>(kMostUrgent - 1));
-        const Float urgency = selectOrZero(stale > 0.0F, bounded);
-        store(toUint(truncate(select(most < 0.0F, static_cast<float>(kMostUrgent), urgency))),
-              row.urgency + i);
+        const Float contrast = (highest - lowest) / (highest + lowest + row.dark);
+        const Float stale = select(surface < 0.0F, Float(kStaleHole), load(row.staleness + i));
+        const Float shows = (stale + kMinStale) * (contrast + kMinContrast);
+        const Int step = toInt(shiftRight<kPriorityShift>(bitsOf(shows))) - kFirstPriority;
+        const Float bounded = clamp(toFloat(step), 1.0F, static_cast<float>(kMaxPriority - 1));
+        const Float priority = selectOrZero(stale > 0.0F, bounded);
+        store(toUint(truncate(select(highest < 0.0F, static_cast<float>(kMaxPriority), priority))),
+              row.priority + i);
     }
 }
 
@@ -92,7 +93,7 @@ HWY_AFTER_NAMESPACE();
 namespace rtcore {
 
 HWY_EXPORT(measureLuminanceOf);
-HWY_EXPORT(measureUrgencyOf);
+HWY_EXPORT(measurePriorityOf);
 
 namespace {
 
@@ -112,35 +113,35 @@ constexpr double kCheckedPart = 1.0 / 16; ///< of those that are chosen, beside 
 
 } // namespace
 
-std::size_t PixelChoice::luminanceAt(const ImagePlane& plane, int y) {
+std::size_t PixelSelector::luminanceAt(const ImagePlane& plane, int y) {
     return kRoom + static_cast<std::size_t>(y) * (static_cast<std::size_t>(plane.width) + kRoom);
 }
 
-void PixelChoice::begin(const ImagePlane& plane) {
+void PixelSelector::begin(const ImagePlane& plane) {
     luminance_.resize(luminanceAt(plane, plane.height));
     std::fill_n(luminance_.begin(), kRoom, -1.0F);
 }
 
-void PixelChoice::look(const LiveLayers& samples, int first, int last) {
-    const ImagePlane& plane = samples.own.plane();
+void PixelSelector::look(const LiveLayers& samples, int first, int last) {
+    const ImagePlane& plane = samples.surface.plane();
     const auto length = static_cast<std::size_t>(plane.width);
     for (int y = first; y < last; ++y) {
         float* const to = &luminance_[luminanceAt(plane, y)];
-        HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(samples, samples.own.index(0, y), length, to);
+        HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(samples, samples.surface.index(0, y), length, to);
         std::fill_n(to + length, kRoom, -1.0F);
     }
 }
 
-std::span<const float> PixelChoice::luminances(const ImagePlane& plane, int y) const {
+std::span<const float> PixelSelector::luminances(const ImagePlane& plane, int y) const {
     return {&luminance_[luminanceAt(plane, y)], static_cast<std::size_t>(plane.width)};
 }
 
-void PixelChoice::traced(const ImagePlane& plane, int x, int y, float luminance) {
+void PixelSelector::traced(const ImagePlane& plane, int x, int y, float luminance) {
     luminance_[luminanceAt(plane, y) + static_cast<std::size_t>(x)] = luminance;
 }
 
 /// A luminance beside which less contrast is seen: of the mean over some pixels.
-float PixelChoice::darkness(const ImagePlane& plane) const {
+float PixelSelector::darkness(const ImagePlane& plane) const {
     constexpr float kOfMean = 1;
     constexpr int kStep = 8;
     double sum = 0;
@@ -157,54 +158,54 @@ float PixelChoice::darkness(const ImagePlane& plane) const {
     return count > 0 ? kOfMean * static_cast<float>(sum / count) : 1;
 }
 
-void PixelChoice::measureUrgency(const LiveSamples& samples, const PixelArray<float>& staleness,
-                                 int threads) {
+void PixelSelector::measurePriority(const LiveSamples& samples, const PixelArray<float>& staleness,
+                                    int threads) {
     const ImagePlane& plane = samples.plane();
     const auto length = static_cast<std::size_t>(plane.width);
     const float dark = darkness(plane);
-    urgency_.resize(samples.size());
+    priority_.resize(samples.size());
     forEachRows(plane.height, kSquare, threads, [&](int first, int last) {
         Part& part = parts_[static_cast<std::size_t>(first / kSquare)];
         part.histogram = {};
-        part.urgency.resize(length + kRoom);
+        part.priority.resize(length + kRoom);
         for (int y = first; y < last; ++y) {
             const std::size_t at = samples.index(0, y);
             const auto row = [&](int which) { return &luminance_[luminanceAt(plane, which)]; };
-            HWY_DYNAMIC_DISPATCH(measureUrgencyOf)
+            HWY_DYNAMIC_DISPATCH(measurePriorityOf)
             ({.luminance = {row(std::max(y - 1, 0)), row(y), row(std::min(y + 1, plane.height - 1))},
               .staleness = &staleness[at],
               .pixels = length,
               .dark = dark,
-              .urgency = part.urgency.data()});
+              .priority = part.priority.data()});
             for (std::size_t x = 0; x < length; ++x)
-                urgency_[at + x] = static_cast<std::uint8_t>(part.urgency[x]);
-            for (std::size_t x = 0; x < length; ++x) ++part.histogram[part.urgency[x]];
+                priority_[at + x] = static_cast<std::uint8_t>(part.priority[x]);
+            for (std::size_t x = 0; x < length; ++x) ++part.histogram[part.priority[x]];
         }
     });
 }
 
 /// All above the bound are chosen, and of those on it as many as fit, by turns.
-PixelChoice::Bound PixelChoice::boundOf(const LiveSamples& samples, double share) {
-    const auto countOf = [&](std::size_t urgency) {
+PixelSelector::Bound PixelSelector::boundOf(const LiveSamples& samples, double fraction) {
+    const auto countOf = [&](std::size_t priority) {
         double count = 0;
-        for (const Part& part : parts_) count += static_cast<double>(part.histogram[urgency]);
+        for (const Part& part : parts_) count += static_cast<double>(part.histogram[priority]);
         return count;
     };
     const auto pixels = static_cast<double>(samples.size());
-    unknown_ = countOf(kUrgencies - 1) / pixels;
-    double room = share * pixels;
-    for (std::size_t urgency = kUrgencies - 1; urgency > 0; --urgency) {
-        const double count = countOf(urgency);
+    unknown_ = countOf(kPriorities - 1) / pixels;
+    double room = fraction * pixels;
+    for (std::size_t priority = kPriorities - 1; priority > 0; --priority) {
+        const double count = countOf(priority);
         if (count > room)
-            return {.urgency = urgency,
+            return {.priority = priority,
                     .turns = static_cast<std::uint32_t>(std::lround(room / count * kTurns))};
         room -= count;
     }
-    return {.urgency = 1, .turns = kTurns};
+    return {.priority = 1, .turns = kTurns};
 }
 
-void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint32_t number, Part& part,
-                          int first, int last) const {
+void PixelSelector::collect(const ImagePlane& plane, const Bound& bound, std::uint32_t number, Part& part,
+                            int first, int last) const {
     const auto turnsLeft = [number](int x, int y) { return (turnOf(x, y) + number * kTurnsApart) % kTurns; };
     std::array<bool, kSquare> checks = {}; // by row, whether some are checked there
     for (int y = first; y < last; ++y) {
@@ -217,33 +218,33 @@ void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint
         const int right = std::min(left + kSquare, plane.width);
         for (int y = first; y < last; ++y) {
             const std::uint8_t* const row =
-                &urgency_[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width)];
-            std::uint8_t most = 0;
-            for (int x = left; x < right; ++x) most = std::max(most, row[x]);
+                &priority_[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width)];
+            std::uint8_t highest = 0;
+            for (int x = left; x < right; ++x) highest = std::max(highest, row[x]);
             const bool checksHere = checks[static_cast<std::size_t>(y - first)];
-            if (most < bound.urgency && !checksHere) continue;
+            if (highest < bound.priority && !checksHere) continue;
             for (int x = left; x < right; ++x) {
-                const bool urgent =
-                    row[x] > bound.urgency || (row[x] == bound.urgency && turnsLeft(x, y) < bound.turns);
+                const bool selected =
+                    row[x] > bound.priority || (row[x] == bound.priority && turnsLeft(x, y) < bound.turns);
                 const bool checked = checksHere && row[x] > 0 && isChecked(x, y, number, bound.checks);
-                if (!urgent && !checked) continue;
-                if (checked) part.checked.push_back({part.chosen.size(), !urgent});
+                if (!selected && !checked) continue;
+                if (checked) part.checked.push_back({part.chosen.size(), !selected});
                 part.chosen.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
             }
         }
     }
 }
 
-void PixelChoice::choose(const LiveLayers& samples, const PixelArray<float>& staleness, double share,
-                         std::uint32_t number, int threads) {
-    const LiveSamples& own = samples.own;
-    parts_.resize(static_cast<std::size_t>((own.plane().height + kSquare - 1) / kSquare));
-    measureUrgency(own, staleness, threads);
-    Bound bound = boundOf(own, share);
-    bound.checks = static_cast<std::uint32_t>(std::lround(kCheckedPart * share * kTurns));
-    forEachRows(own.plane().height, kSquare, threads, [&](int first, int last) {
+void PixelSelector::choose(const LiveLayers& samples, const PixelArray<float>& staleness, double fraction,
+                           std::uint32_t number, int threads) {
+    const LiveSamples& surface = samples.surface;
+    parts_.resize(static_cast<std::size_t>((surface.plane().height + kSquare - 1) / kSquare));
+    measurePriority(surface, staleness, threads);
+    Bound bound = boundOf(surface, fraction);
+    bound.checks = static_cast<std::uint32_t>(std::lround(kCheckedPart * fraction * kTurns));
+    forEachRows(surface.plane().height, kSquare, threads, [&](int first, int last) {
         Part& part = parts_[static_cast<std::size_t>(first / kSquare)];
-        collect(own.plane(), bound, number, part, first, last);
+        collect(surface.plane(), bound, number, part, first, last);
     });
     chosen_.clear();
     checked_.clear();

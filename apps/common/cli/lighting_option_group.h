@@ -5,6 +5,6 @@
 
 namespace app {
 
-OptionGroup surroundingsOptionGroup();
+OptionGroup lightingOptionGroup();
 
 } // namespace app

@@ -1,4 +1,4 @@
-#include "rtcore/survey/up_and_unit.h"
+#include "rtcore/survey/model_units.h"
 
 #include "rtcore/scene/exporter_habits.h"
 #include "rtcore/scene/up_axis.h"
@@ -47,8 +47,8 @@ double oddsOfNames(const PartRoles& roles) {
         return sum > 0 ? (areas[2] - areas[1]) / sum : 0;
     };
     // Walls are across two axes.
-    constexpr double kFloors = 4, kWalls = 4, kMost = 4;
-    return std::clamp(kFloors * lead(roles.lying) - kWalls * lead(roles.standing), -kMost, kMost);
+    constexpr double kFloors = 4, kWalls = 4, kMax = 4;
+    return std::clamp(kFloors * lead(roles.lying) - kWalls * lead(roles.standing), -kMax, kMax);
 }
 
 /// What decides how large something is; in scene units.
@@ -104,76 +104,76 @@ Choice chooseUnit(const OriginHabits& habits, const Sizes& size) {
     return choice;
 }
 
-void guessUp(UpAndUnit& frame, const OriginHabits& habits, const ModelShape& shape, const PartRoles& roles) {
+void guessUp(ModelUnits& units, const OriginHabits& habits, const ModelShape& shape, const PartRoles& roles) {
     const AxisShape &y = shape.axes[1], &z = shape.axes[2];
     // A single flat piece may be a picture as well as a floor.
     constexpr float kPicture = 0.003F;
     const bool picture = std::min(y.extent(), z.extent()) < kPicture * std::max(y.extent(), z.extent());
     // What hangs on a wall looks as if it lay: no shape is sure.
-    constexpr double kMostByShape = 3;
+    constexpr double kMaxByShape = 3;
     const double byShape =
-        picture ? 0 : std::clamp(oddsOfUp(z, y) - oddsOfUp(y, z), -kMostByShape, kMostByShape);
+        picture ? 0 : std::clamp(oddsOfUp(z, y) - oddsOfUp(y, z), -kMaxByShape, kMaxByShape);
     const double byNames = oddsOfNames(roles);
     const double odds = habits.zUp + byShape + byNames;
     const bool zUp = odds > 0;
-    frame.up = zUp ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
-    frame.otherUp = zUp ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    units.up = zUp ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+    units.otherUp = zUp ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     const bool usual = (habits.zUp > 0) == zUp;
     const bool named = (byNames > 0) == zUp && std::fabs(byNames) > std::fabs(byShape);
-    frame.upWhy = usual ? "usual for " + habits.name : named ? "by its floors and walls" : "by its shape";
+    units.upWhy = usual ? "usual for " + habits.name : named ? "by its floors and walls" : "by its shape";
     constexpr double kDoubtful = 1;
-    frame.surprising = zUp || std::fabs(odds) < kDoubtful;
+    units.surprising = zUp || std::fabs(odds) < kDoubtful;
 }
 
-void guessUnit(UpAndUnit& frame, OriginHabits habits, const ModelShape& shape, const PartRoles& roles,
+void guessUnit(ModelUnits& units, OriginHabits habits, const ModelShape& shape, const PartRoles& roles,
                const KdTree& tree, const Mesh& mesh) {
-    const int axis = std::fabs(frame.up.x) > 0.5F ? 0 : std::fabs(frame.up.y) > 0.5F ? 1 : 2;
+    const int axis = std::fabs(units.up.x) > 0.5F ? 0 : std::fabs(units.up.y) > 0.5F ? 1 : 2;
     Sizes size{.boxy = shape.boxy, .building = roles.building, .landscape = roles.landscape};
     for (const AxisShape& each : shape.axes) size.longest = std::max(size.longest, double{each.extent()});
     if (!(size.longest > 0) || !std::isfinite(size.longest)) return;
     size.height = std::max(double{shape.axes[axis].extent()}, 1e-6 * size.longest);
     // What counts z upwards though its format does not ask for it comes from CAD.
     const bool known = roles.building || roles.landscape;
-    if (frame.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0 && !known)
+    if (units.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0 && !known)
         habits.units.at(static_cast<std::size_t>(LengthUnit::Millimetre)) += 2;
-    size.room = double{roomHeight(tree, mesh, frame.up)};
+    size.room = double{roomHeight(tree, mesh, units.up)};
     const Choice choice = chooseUnit(habits, size);
-    frame.metresPerUnit = static_cast<float>(kMetresIn.at(choice.unit));
-    frame.unitWhy = choice.bySize ? "by its size" : "usual for " + habits.name;
+    units.metresPerUnit = static_cast<float>(kMetresIn.at(choice.unit));
+    units.unitWhy = choice.bySize ? "by its size" : "usual for " + habits.name;
 }
 
 } // namespace
 
-UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Model& model) {
-    UpAndUnit frame;
+ModelUnits guessModelUnits(const ModelOrigin& origin, const KdTree& tree, const Model& model) {
+    ModelUnits units;
     const OriginHabits habits = habitsOf(origin);
     if (origin.up) {
-        frame.up = frame.otherUp = *origin.up;
-        frame.upSaid = Said::ByFormat;
+        units.up = units.otherUp = *origin.up;
+        units.upSaid = Said::ByFormat;
     }
     if (origin.metresPerUnit) {
-        frame.metresPerUnit = static_cast<float>(*origin.metresPerUnit);
-        frame.unitSaid = Said::ByFormat;
+        units.metresPerUnit = static_cast<float>(*origin.metresPerUnit);
+        units.unitSaid = Said::ByFormat;
     }
-    if (origin.up && origin.metresPerUnit) return frame;
+    if (origin.up && origin.metresPerUnit) return units;
     const ModelShape shape = shapeOf(model.mesh);
     const PartRoles roles = partRoles(model);
-    if (!origin.up) guessUp(frame, habits, shape, roles);
-    if (!origin.metresPerUnit) guessUnit(frame, habits, shape, roles, tree, model.mesh);
-    return frame;
+    if (!origin.up) guessUp(units, habits, shape, roles);
+    if (!origin.metresPerUnit) guessUnit(units, habits, shape, roles, tree, model.mesh);
+    return units;
 }
 
-UpAndUnit withUserSays(UpAndUnit frame, std::optional<Vec3> up, std::optional<double> metresPerUnit) {
+ModelUnits withUserSays(ModelUnits units, std::optional<Vec3> up, std::optional<double> metresPerUnit) {
     if (up) {
-        frame.up = frame.otherUp = *up;
-        frame.upSaid = Said::ByUser;
-        frame.surprising = false;
+        units.up = units.otherUp = *up;
+        units.upSaid = Said::ByUser;
+        units.surprising = false;
     }
     if (metresPerUnit) {
-        frame.metresPerUnit = static_cast<float>(*metresPerUnit);
-        frame.unitSaid = Said::ByUser;
+        units.metresPerUnit = static_cast<float>(*metresPerUnit);
+        units.unitSaid = Said::ByUser;
     }
-    return frame;
+    return units;
 }
 
 namespace {
@@ -194,10 +194,10 @@ std::string reason(Said said, const std::string& why) {
 
 } // namespace
 
-std::string describe(const UpAndUnit& frame) {
-    return fmt::format("{} is up ({}); one unit is {:.4g} m ({})", axisName(frame.up),
-                       reason(frame.upSaid, frame.upWhy), frame.metresPerUnit,
-                       reason(frame.unitSaid, frame.unitWhy));
+std::string describe(const ModelUnits& units) {
+    return fmt::format("{} is up ({}); one unit is {:.4g} m ({})", axisName(units.up),
+                       reason(units.upSaid, units.upWhy), units.metresPerUnit,
+                       reason(units.unitSaid, units.unitWhy));
 }
 
 } // namespace rtcore

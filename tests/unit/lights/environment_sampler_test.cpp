@@ -1,5 +1,5 @@
 // Directions drawn from environments: no light is lost, and densities are those of what is drawn.
-#include "rtcore/lights/environment_draw-inl.h"
+#include "rtcore/lights/environment_sampler-inl.h"
 
 #include "estimates.h"
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace rtcore {
-namespace environment_draws {
+namespace environment_sampling {
 namespace {
 
 using test::Estimate;
@@ -29,16 +29,16 @@ HdrImage imageOf(int width, int height, Radiance radiance) {
     return image;
 }
 
-using DrawnDirection = HWY_NAMESPACE::DirectionDraw<float>;
+using SampledDirection = HWY_NAMESPACE::EnvironmentSample<float>;
 
-DrawnDirection drawOne(const EnvironmentDraw& draws, test::Random& random) {
+SampledDirection sampleOne(const EnvironmentSampler& sampler, test::Random& random) {
     const auto bits = [&] { return static_cast<std::uint32_t>(random.index(std::size_t{1} << 32U)); };
     const std::uint32_t across = bits();
-    return HWY_NAMESPACE::drawEnvironment<float>(draws.rows(), across, bits());
+    return HWY_NAMESPACE::sampleEnvironment<float>(sampler.rows(), across, bits());
 }
 
-float densityOf(const EnvironmentDraw& draws, Vec3 direction) {
-    return HWY_NAMESPACE::environmentDensity<float>(draws.rows(), direction);
+float densityOf(const EnvironmentSampler& sampler, Vec3 direction) {
+    return HWY_NAMESPACE::environmentDensity<float>(sampler.rows(), direction);
 }
 
 /// Solid angle of the rectangle between the middle of a cube's face, one unit away, and (x, y).
@@ -55,13 +55,13 @@ double solidAngleOfTexel(int n, int x, int y) {
 /// Of f over all the light, by drawn directions.
 template <typename Weight>
 Estimate lightBy(const BackgroundLight& light, Weight weight, int count) {
-    EnvironmentDraw draws;
-    draws.prepare(light);
-    EXPECT_FALSE(draws.empty());
+    EnvironmentSampler sampler;
+    sampler.prepare(light);
+    EXPECT_FALSE(sampler.empty());
     test::Random random(1);
     Estimate e;
     for (int i = 0; i < count; ++i) {
-        const DrawnDirection d = drawOne(draws, random);
+        const SampledDirection d = sampleOne(sampler, random);
         EXPECT_GT(d.density, 0);
         e.add(static_cast<double>(light.radiance(d.direction).g) * static_cast<double>(weight(d.direction)) /
               static_cast<double>(d.density));
@@ -99,7 +99,7 @@ double integralOf(const Environment& e, int parts) {
     return sum;
 }
 
-TEST(EnvironmentDraw, LightsAFloorAsTheClosedForm) {
+TEST(EnvironmentSampler, LightsAFloorAsTheClosedForm) {
     for (const int power : {0, 1, 8, 50}) {
         const HdrImage image = imageOf(512, 256, [&](int, int y) {
             const double cosine = std::cos((y + 0.5) / 256 * kPiExact);
@@ -115,7 +115,7 @@ TEST(EnvironmentDraw, LightsAFloorAsTheClosedForm) {
     }
 }
 
-TEST(EnvironmentDraw, LosesNoLightOfALoneBrightTexel) {
+TEST(EnvironmentSampler, LosesNoLightOfALoneBrightTexel) {
     constexpr int kWidth = 64, kHeight = 32;
     for (const auto& [column, row] :
          std::vector<std::pair<int, int>>{{20, 10}, {0, 16}, {63, 15}, {31, 0}, {5, 31}, {48, 16}}) {
@@ -132,7 +132,7 @@ TEST(EnvironmentDraw, LosesNoLightOfALoneBrightTexel) {
     }
 }
 
-TEST(EnvironmentDraw, LosesNoLightAtEdgesAndCornersOfACube) {
+TEST(EnvironmentSampler, LosesNoLightAtEdgesAndCornersOfACube) {
     for (const auto& [column, row] : std::vector<std::pair<int, int>>{{4, 9}, {0, 7}, {15, 15}, {0, 0}}) {
         for (const std::size_t bright : {0U, 2U, 5U}) {
             std::array<HdrImage, 6> faces;
@@ -148,7 +148,7 @@ TEST(EnvironmentDraw, LosesNoLightAtEdgesAndCornersOfACube) {
     }
 }
 
-TEST(EnvironmentDraw, LosesNoLightOfUnfilteredImages) {
+TEST(EnvironmentSampler, LosesNoLightOfUnfilteredImages) {
     const HdrImage image = imageOf(64, 32, [](int x, int y) { return x == 40 && y == 12 ? 100 : 0.1; });
     const Environment environment = Environment::fromEquirectangular(image, "");
     const Estimate e = lightBy(
@@ -183,7 +183,7 @@ double overSphere(int rings, Function f) {
     return sum * 2 * kPiExact / (rings * static_cast<double>(rings));
 }
 
-TEST(EnvironmentDraw, HasADensityThatIntegratesToOne) {
+TEST(EnvironmentSampler, HasADensityThatIntegratesToOne) {
     std::vector<Environment> environments;
     for (const auto& [width, height] :
          std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {24, 12}, {13, 9}})
@@ -194,85 +194,85 @@ TEST(EnvironmentDraw, HasADensityThatIntegratesToOne) {
             SCOPED_TRACE(testing::Message() << (environment.isCube() ? "cube " : "sphere ")
                                             << environment.images().front().width << ", " << turn);
             environment.turn(turn, normalize(Vec3{1, 2, 3}));
-            EnvironmentDraw draws;
-            draws.prepare({&environment, {}, TexelFilter::Bilinear});
-            float least = 1;
+            EnvironmentSampler sampler;
+            sampler.prepare({&environment, {}, TexelFilter::Bilinear});
+            float min = 1;
             const double all = overSphere(300, [&](Vec3 d) {
-                const float density = densityOf(draws, d);
-                least = std::min(least, density);
+                const float density = densityOf(sampler, d);
+                min = std::min(min, density);
                 return static_cast<double>(density);
             });
             EXPECT_NEAR(all, 1, 1e-3);
-            EXPECT_GT(least, 0);
+            EXPECT_GT(min, 0);
         }
     }
 }
 
 /// What directions from which light comes weigh, over the mean.
-Estimate weightsOf(const Environment& environment, TexelFilter filter, float& most) {
+Estimate weightsOf(const Environment& environment, TexelFilter filter, float& max) {
     const BackgroundLight light{&environment, {}, filter};
-    EnvironmentDraw draws;
-    draws.prepare(light);
+    EnvironmentSampler sampler;
+    sampler.prepare(light);
     test::Random random(5);
     Estimate weights;
-    most = 0;
+    max = 0;
     for (int i = 0; i < 20000; ++i) {
-        const DrawnDirection d = drawOne(draws, random);
-        const float weight =
-            luminance(light.radiance(d.direction)) / d.density / static_cast<float>(draws.scalarIrradiance());
+        const SampledDirection d = sampleOne(sampler, random);
+        const float weight = luminance(light.radiance(d.direction)) / d.density /
+                             static_cast<float>(sampler.scalarIrradiance());
         weights.add(static_cast<double>(weight));
-        most = std::max(most, weight);
+        max = std::max(max, weight);
     }
     return weights;
 }
 
 // A density that follows the image gives what is bright the same weight: there is nothing to average. What is
 // dimmer than the mean is drawn more rarely, but not without end.
-TEST(EnvironmentDraw, BrightLightHasTheSameWeight) {
-    float most = 0;
+TEST(EnvironmentSampler, BrightLightHasTheSameWeight) {
+    float max = 0;
     for (const auto& [column, row] : std::vector<std::pair<int, int>>{{77, 40}, {0, 64}, {255, 90}}) {
         const HdrImage sun =
             imageOf(256, 128, [&](int x, int y) { return x == column && y == row ? 1e5 : 0; });
         const Environment environment = Environment::fromEquirectangular(sun, "");
-        EXPECT_LT(weightsOf(environment, TexelFilter::Bilinear, most).variance(), 3e-3);
-        EXPECT_LT(most, 1.2F);
-        weightsOf(environment, TexelFilter::Nearest, most);
-        EXPECT_LT(most, 4.5F);
+        EXPECT_LT(weightsOf(environment, TexelFilter::Bilinear, max).variance(), 3e-3);
+        EXPECT_LT(max, 1.2F);
+        weightsOf(environment, TexelFilter::Nearest, max);
+        EXPECT_LT(max, 4.5F);
     }
     std::array<HdrImage, 6> faces;
     for (HdrImage& face : faces) face = HdrImage(64, 64);
     faces[2].at(0, 20) = kWhite * 1e5F;
     const Environment cube = Environment::fromCube(faces, "");
-    EXPECT_LT(weightsOf(cube, TexelFilter::Bilinear, most).variance(), 3e-3);
+    EXPECT_LT(weightsOf(cube, TexelFilter::Bilinear, max).variance(), 3e-3);
 }
 
-TEST(EnvironmentDraw, NoWeightIsLarge) {
-    float most = 0;
+TEST(EnvironmentSampler, NoWeightIsLarge) {
+    float max = 0;
     for (const auto& [width, height] :
          std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {200, 99}}) {
         const Environment environment = Environment::fromEquirectangular(motleyImage(width, height), "");
-        weightsOf(environment, TexelFilter::Bilinear, most);
-        EXPECT_LT(most, 4.2F) << width << " x " << height;
-        weightsOf(environment, TexelFilter::Nearest, most);
-        EXPECT_LT(most, 16) << width << " x " << height;
+        weightsOf(environment, TexelFilter::Bilinear, max);
+        EXPECT_LT(max, 4.2F) << width << " x " << height;
+        weightsOf(environment, TexelFilter::Nearest, max);
+        EXPECT_LT(max, 16) << width << " x " << height;
     }
     for (const int side : {1, 2, 40}) {
-        weightsOf(motleyCube(side), TexelFilter::Bilinear, most);
-        EXPECT_LT(most, 6) << side;
+        weightsOf(motleyCube(side), TexelFilter::Bilinear, max);
+        EXPECT_LT(max, 6) << side;
     }
 }
 
 /// The standard deviation of the irradiance on a floor by 64 directions, over its mean.
 double noiseOfFloor(const Environment& environment) {
     const BackgroundLight light{&environment, {}, TexelFilter::Bilinear};
-    EnvironmentDraw draws;
-    draws.prepare(light);
+    EnvironmentSampler sampler;
+    sampler.prepare(light);
     test::Random random(6);
     Estimate pixels;
     for (int pixel = 0; pixel < 1000; ++pixel) {
         double sum = 0;
         for (int i = 0; i < 64; ++i) {
-            const DrawnDirection d = drawOne(draws, random);
+            const SampledDirection d = sampleOne(sampler, random);
             sum += static_cast<double>(luminance(light.radiance(d.direction)) *
                                        std::max(d.direction.y, 0.0F) / d.density);
         }
@@ -281,7 +281,7 @@ double noiseOfFloor(const Environment& environment) {
     return std::sqrt(pixels.variance()) / pixels.mean();
 }
 
-TEST(EnvironmentDraw, SunsInImagesAreNoNoise) {
+TEST(EnvironmentSampler, SunsInImagesAreNoNoise) {
     const auto sky = [](double bright, double x, double y) {
         return [=](int column, int row) {
             const double across = (column + 0.5 - x) * std::sin(y / 512 * kPiExact), down = row + 0.5 - y;
@@ -295,16 +295,16 @@ TEST(EnvironmentDraw, SunsInImagesAreNoNoise) {
               0.02);
 }
 
-TEST(EnvironmentDraw, DrawsDirectionsWithTheDensityThatItTells) {
+TEST(EnvironmentSampler, SamplesDirectionsWithTheDensityThatItReturns) {
     const Environment environment = Environment::fromEquirectangular(motleyImage(128, 64), "");
-    EnvironmentDraw draws;
-    draws.prepare({&environment, {}, TexelFilter::Bilinear});
+    EnvironmentSampler sampler;
+    sampler.prepare({&environment, {}, TexelFilter::Bilinear});
     test::Random random(3);
     Estimate one;
     std::array<Estimate, 8> octants;
     for (int i = 0; i < 200000; ++i) {
-        const DrawnDirection d = drawOne(draws, random);
-        ASSERT_EQ(d.density, densityOf(draws, d.direction));
+        const SampledDirection d = sampleOne(sampler, random);
+        ASSERT_EQ(d.density, densityOf(sampler, d.direction));
         ASSERT_NEAR(length(d.direction), 1, 1e-6F);
         const double inverse = 1 / static_cast<double>(d.density);
         const auto octant = static_cast<std::size_t>(
@@ -314,34 +314,34 @@ TEST(EnvironmentDraw, DrawsDirectionsWithTheDensityThatItTells) {
     for (const Estimate& octant : octants) expectMean(octant, kPiExact / 2);
 }
 
-TEST(EnvironmentDraw, OfAnEvenBackgroundIsEven) {
+TEST(EnvironmentSampler, OfAnEvenBackgroundIsEven) {
     const BackgroundLight light{nullptr, {0.5F, 2, 0.25F}, TexelFilter::Bilinear};
     const Estimate e = lightBy(
         light, [](Vec3) { return 1; }, 10000);
     expectMean(e, 2 * 4 * kPiExact, 1e-3);
-    EnvironmentDraw draws;
-    draws.prepare(light);
-    EXPECT_NEAR(draws.scalarIrradiance(), 4 * kPiExact * static_cast<double>(luminance(light.even)), 1e-5);
+    EnvironmentSampler sampler;
+    sampler.prepare(light);
+    EXPECT_NEAR(sampler.scalarIrradiance(), 4 * kPiExact * static_cast<double>(luminance(light.even)), 1e-5);
     test::Random random(4);
     for (int i = 0; i < 1000; ++i)
-        EXPECT_NEAR(densityOf(draws, random.unitVector()) * 4 * std::numbers::pi_v<float>, 1, 1e-5);
+        EXPECT_NEAR(densityOf(sampler, random.unitVector()) * 4 * std::numbers::pi_v<float>, 1, 1e-5);
 }
 
-TEST(EnvironmentDraw, IsEmptyWhereNothingShines) {
+TEST(EnvironmentSampler, IsEmptyWhereNothingShines) {
     const Environment black = Environment::fromEquirectangular(HdrImage(8, 4), "");
     Environment off = Environment::fromEquirectangular(motleyImage(8, 4), "");
     off.intensity = 0;
     for (const BackgroundLight& light :
          {BackgroundLight{&black, {}, TexelFilter::Bilinear}, BackgroundLight{},
           BackgroundLight{&off, {}, TexelFilter::Bilinear}}) {
-        EnvironmentDraw draws;
-        draws.prepare(light);
-        EXPECT_TRUE(draws.empty());
-        EXPECT_EQ(draws.scalarIrradiance(), 0);
+        EnvironmentSampler sampler;
+        sampler.prepare(light);
+        EXPECT_TRUE(sampler.empty());
+        EXPECT_EQ(sampler.scalarIrradiance(), 0);
     }
 }
 
-TEST(EnvironmentDraw, TakesImagesOfOneTexelAndNegativeLight) {
+TEST(EnvironmentSampler, TakesImagesOfOneTexelAndNegativeLight) {
     const Environment one = Environment::fromEquirectangular(HdrImage(1, 1, {1, 2, 3}), "");
     expectMean(lightBy(
                    {&one, {}, TexelFilter::Bilinear}, [](Vec3) { return 1; }, 10000),
@@ -373,5 +373,5 @@ TEST(BackgroundLight, IsTheEnvironmentElseTheBackgroundElseWhatIsGiven) {
 }
 
 } // namespace
-} // namespace environment_draws
+} // namespace environment_sampling
 } // namespace rtcore

@@ -14,7 +14,7 @@ namespace rtcore {
 struct Columns;
 
 /// Keeps its memory from frame to frame.
-class SamplePicture {
+class Reconstruction {
   public:
     /// Writes frame.radiance, whose size is that of the samples: each pixel shows the light of the samples
     /// around its middle, the nearer the more, within one pixel, and where these mirror, in the same way the

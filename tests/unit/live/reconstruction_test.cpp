@@ -1,4 +1,4 @@
-#include "rtcore/live/sample_picture.h"
+#include "rtcore/live/reconstruction.h"
 
 #include "unit/render/sample_view.h"
 
@@ -11,7 +11,7 @@ namespace rtcore {
 namespace {
 
 constexpr int kWidth = 531, kHeight = 70; // more than what is shown at a time, and no whole vectors
-constexpr Colour kOwn{0.25F, 0.5F, 1}, kMirrored{2, 4, 8};
+constexpr Colour kSurface{0.25F, 0.5F, 1}, kSpecular{2, 4, 8};
 
 /// Samples in the middles of their pixels. Those of columns from kMirror on mirror, each with its own tint.
 class Picture : public testing::Test {
@@ -24,22 +24,22 @@ class Picture : public testing::Test {
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {
                 const std::size_t i = at(x, y);
-                const Vec3 position = place(x, y, 5);
-                layers.own.set(i, {.position = position, .light = kOwn, .mirrors = x >= kMirror});
+                const Vec3 position = positionOf(x, y, 5);
+                layers.surface.set(i, {.position = position, .light = kSurface, .mirrors = x >= kMirror});
                 layers.tints[i] = packLight(tintOf(x));
-                layers.mirrored.set(i, {.position = place(x, y, 9), .light = kMirrored});
-                if (x < kMirror) layers.mirrored.forget(i);
+                layers.specular.set(i, {.position = positionOf(x, y, 9), .light = kSpecular});
+                if (x < kMirror) layers.specular.forget(i);
             }
         }
         frame.radiance = HdrImage(kWidth, kHeight);
     }
-    std::size_t at(int x, int y) const { return layers.own.index(x, y); }
-    Vec3 place(int x, int y, float depth) const {
-        const ImagePlane& plane = layers.own.plane();
+    std::size_t at(int x, int y) const { return layers.surface.index(x, y); }
+    Vec3 positionOf(int x, int y, float depth) const {
+        const ImagePlane& plane = layers.surface.plane();
         return plane.eye + plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) * depth;
     }
     static Colour tintOf(int x) { return x % 2 == 0 ? Colour{0.5F, 0.25F, 0.125F} : Colour{0.125F, 0.5F, 0}; }
-    static Colour wanted(int x) { return x < kMirror ? kOwn : kOwn + tintOf(x) * kMirrored; }
+    static Colour wanted(int x) { return x < kMirror ? kSurface : kSurface + tintOf(x) * kSpecular; }
     void expectAll(int threads) {
         picture.show(layers, threads, frame);
         for (int y = 0; y < kHeight; ++y) {
@@ -54,7 +54,7 @@ class Picture : public testing::Test {
 
     LiveLayers layers;
     Frame frame;
-    SamplePicture picture;
+    Reconstruction picture;
 };
 
 TEST_F(Picture, ShowsEachSampleInTheMiddleOfItsPixel) {
@@ -64,7 +64,7 @@ TEST_F(Picture, ShowsEachSampleInTheMiddleOfItsPixel) {
 TEST_F(Picture, TintsTheMirroredLightOfOthersWhereThatIsMissing) {
     for (int y = 0; y < kHeight; ++y) {
         for (int x = kMirror; x < kWidth; ++x) {
-            if (x > 470 || (x + 3 * y) % 11 != 0) layers.mirrored.forget(at(x, y));
+            if (x > 470 || (x + 3 * y) % 11 != 0) layers.specular.forget(at(x, y));
         }
     }
     for (const int threads : {1, 2}) expectAll(threads);
@@ -72,16 +72,16 @@ TEST_F(Picture, TintsTheMirroredLightOfOthersWhereThatIsMissing) {
 
 TEST_F(Picture, ShowsWhatIsAroundWhereNothingIsKnown) {
     for (int y = 20; y < 40; ++y) {
-        for (int x = 30; x < 150; ++x) layers.own.forget(at(x, y));
+        for (int x = 30; x < 150; ++x) layers.surface.forget(at(x, y));
     }
     expectAll(2);
 }
 
 TEST_F(Picture, WeighsSamplesByTheirDistanceFromThePixelsMiddle) {
     // A bright one a quarter of a pixel off its middle, to the right.
-    const ImagePlane& plane = layers.own.plane();
+    const ImagePlane& plane = layers.surface.plane();
     const Vec3 aside = plane.eye + plane.towards(100.75F, 30.5F) * 5;
-    layers.own.set(at(100, 30), {.position = aside, .light = {8, 8, 8}});
+    layers.surface.set(at(100, 30), {.position = aside, .light = {8, 8, 8}});
     picture.show(layers, 1, frame);
     const auto falling = [](double x) { return (1 - x * x) * (1 - x * x); };
     const double here = falling(0.25), beside = falling(0.75), none = 1;
@@ -98,8 +98,8 @@ TEST_F(Picture, MixesFewSamples) {
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             const float light = 1 + kSlope * static_cast<float>(x);
-            layers.own.set(at(x, y), {.position = place(x, y, 5), .light = {light, light, light}});
-            if ((x * 7 + y * 3) % 11 != 0) layers.own.forget(at(x, y));
+            layers.surface.set(at(x, y), {.position = positionOf(x, y, 5), .light = {light, light, light}});
+            if ((x * 7 + y * 3) % 11 != 0) layers.surface.forget(at(x, y));
         }
     }
     picture.show(layers, 2, frame);

@@ -1,4 +1,4 @@
-/// Reads the options of surroundingsOptionGroup().
+/// Reads the options of lightingOptionGroup().
 #pragma once
 
 #include "common/cli/command_line.h"
@@ -13,6 +13,6 @@ namespace app {
 rtcore::Sky readSkyOption(std::string_view text);
 
 /// Throws UsageError, also where both are given.
-rtcore::Surroundings readSurroundings(const Arguments& arguments);
+rtcore::LightingOptions readLightingOptions(const Arguments& arguments);
 
 } // namespace app

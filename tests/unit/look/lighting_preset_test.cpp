@@ -1,4 +1,4 @@
-#include "rtcore/look/look.h"
+#include "rtcore/look/lighting_preset.h"
 
 #include "support/rooms.h"
 
@@ -14,27 +14,29 @@
 
 namespace {
 
-using rtcore::Look;
-using rtcore::LookLights;
+using rtcore::LightingPreset;
+using rtcore::PresetLighting;
 using rtcore::Vec3;
 
 const Vec3 kUp{0, 1, 0};
 
-LookLights lightsFor(Look look, const test::TracedScene& s) {
+PresetLighting lightsFor(LightingPreset preset, const test::TracedScene& s) {
     const rtcore::Mesh& mesh = s.scene.model.mesh;
     const rtcore::Survey found = rtcore::survey(s.tree, mesh, rtcore::Axes(kUp));
-    return rtcore::lookLights(look, s.tree, mesh, found, rtcore::defaultCamera(s.tree, mesh, found));
+    return rtcore::presetLighting(preset, s.tree, mesh, found, rtcore::defaultCamera(s.tree, mesh, found));
 }
 
-TEST(Look, HasANameForEach) {
-    for (std::size_t i = 0; i < rtcore::kLookNames.size(); ++i)
-        EXPECT_EQ(rtcore::lookNamed(rtcore::kLookNames[i]), static_cast<Look>(i));
-    EXPECT_FALSE(rtcore::lookNamed("moon"));
+TEST(LightingPreset, HasANameForEach) {
+    for (std::size_t i = 0; i < rtcore::kLightingPresetNames.size(); ++i)
+        EXPECT_EQ(rtcore::lightingPresetNamed(rtcore::kLightingPresetNames[i]),
+                  static_cast<LightingPreset>(i));
+    EXPECT_FALSE(rtcore::lightingPresetNamed("moon"));
 }
 
-TEST(Look, OfAnObjectIsASkyOrAStudioWithThreeLights) {
+TEST(LightingPreset, OfAnObjectIsASkyOrAStudioWithThreeLights) {
     const test::TracedScene s(test::block().finish());
-    const LookLights sky = lightsFor(Look::Sky, s), studio = lightsFor(Look::Studio, s);
+    const PresetLighting sky = lightsFor(LightingPreset::Sky, s),
+                         studio = lightsFor(LightingPreset::Studio, s);
     EXPECT_TRUE(sky.sky);
     EXPECT_TRUE(sky.lights.empty());
     ASSERT_TRUE(studio.sky);
@@ -74,12 +76,12 @@ TEST(FillLight, IsForWhatOwnLightsLeaveInTheDark) {
     EXPECT_FALSE(rtcore::fillLight(s.scene, s.tree, camera)) << "all that is seen is lit";
 }
 
-TEST(Look, LetsRoomsBeAsBrightOnWideGroundAsWithout) {
+TEST(LightingPreset, LetsRoomsBeAsBrightOnWideGroundAsWithout) {
     const auto reachOf = [](test::SceneBuilder builder, float metresPerUnit) {
         const test::TracedScene s(builder.finish());
         const rtcore::Mesh& mesh = s.scene.model.mesh;
         const rtcore::Survey found = rtcore::survey(s.tree, mesh, rtcore::Axes(kUp, metresPerUnit));
-        for (const rtcore::SettingAssignment& each : rtcore::settingsOf(Look::Sky, found))
+        for (const rtcore::SettingAssignment& each : rtcore::settingsOf(LightingPreset::Sky, found))
             if (each.name == "ambientOcclusion.distance") return std::get<float>(each.value);
         return 0.0F;
     };
@@ -90,46 +92,46 @@ TEST(Look, LetsRoomsBeAsBrightOnWideGroundAsWithout) {
     EXPECT_NEAR(reachOf(test::block(), 100), 0.05F, 1e-6F) << "5 m of 200";
 }
 
-TEST(Look, OfARoomHasLightsUnderItsCeiling) {
+TEST(LightingPreset, OfARoomHasLightsUnderItsCeiling) {
     const test::TracedScene s(test::room().finish());
-    EXPECT_EQ(lightsFor(Look::Sky, s).lights, lightsFor(Look::Studio, s).lights);
-    EXPECT_EQ(lightsFor(Look::Sky, s).lights.front().name, "ceiling 1");
-    EXPECT_FALSE(lightsFor(Look::Studio, s).sky) << "its walls are those of the room";
+    EXPECT_EQ(lightsFor(LightingPreset::Sky, s).lights, lightsFor(LightingPreset::Studio, s).lights);
+    EXPECT_EQ(lightsFor(LightingPreset::Sky, s).lights.front().name, "ceiling 1");
+    EXPECT_FALSE(lightsFor(LightingPreset::Studio, s).sky) << "its walls are those of the room";
 }
 
-TEST(Look, TakesThePlaceOfAllOtherLight) {
+TEST(LightingPreset, TakesThePlaceOfAllOtherLight) {
     test::TracedScene s(test::block().finish());
     rtcore::Scene& scene = s.scene;
     scene.lights = {test::pointLight({1, 2, 3}, 4)};
     scene.lights[0].name = "mine";
-    rtcore::lightBy(scene, lightsFor(Look::Sky, s));
+    rtcore::lightBy(scene, lightsFor(LightingPreset::Sky, s));
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(rtcore::sunOf(scene), 0U);
     EXPECT_NE(scene.environment(), nullptr);
-    EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(Look::Sky, s)));
-    EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(Look::Headlight, s)));
+    EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(LightingPreset::Sky, s)));
+    EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(LightingPreset::Headlight, s)));
     scene.lights[0].light.on = 0;
-    EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(Look::Sky, s))) << "switched off is not edited";
+    EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(LightingPreset::Sky, s))) << "switched off is not edited";
 
-    rtcore::lightBy(scene, lightsFor(Look::Headlight, s));
+    rtcore::lightBy(scene, lightsFor(LightingPreset::Headlight, s));
     EXPECT_FALSE(scene.sky);
     EXPECT_EQ(scene.environment(), nullptr);
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(scene.lights[0].name, rtcore::kHeadlightName);
     EXPECT_EQ(scene.lights[0].notes.id, 1);
     scene.lights[0].light.intensity = {1, 2, 3};
-    EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(Look::Headlight, s)));
+    EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(LightingPreset::Headlight, s)));
 }
 
-TEST(Look, TakesTheSkyThatIsNamed) {
+TEST(LightingPreset, TakesTheSkyThatIsNamed) {
     const test::TracedScene s(test::block().finish());
     rtcore::Sky evening;
     evening.date->second = 18 * 3600;
-    const LookLights look =
-        rtcore::lookLights(Look::Sky, s.tree, s.scene.mesh(),
-                           rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(kUp)), {}, evening);
+    const PresetLighting preset =
+        rtcore::presetLighting(LightingPreset::Sky, s.tree, s.scene.mesh(),
+                               rtcore::survey(s.tree, s.scene.mesh(), rtcore::Axes(kUp)), {}, evening);
     evening.ground = true;
-    EXPECT_EQ(look.sky, evening);
+    EXPECT_EQ(preset.sky, evening);
 }
 
 } // namespace

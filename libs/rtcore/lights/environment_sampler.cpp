@@ -1,6 +1,6 @@
-#include "rtcore/lights/environment_draw.h"
+#include "rtcore/lights/environment_sampler.h"
 
-#include "rtcore/lights/environment_draw-inl.h"
+#include "rtcore/lights/environment_sampler-inl.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -19,18 +19,18 @@ namespace plain = HWY_NAMESPACE;
 /// what comes from all sides is found by scattered rays, too (Karlik, Sik, Vivoda, Skrivan and Krivanek 2019,
 /// "MIS Compensation"). Some light is found by these rays alone, as that through windows and glass: so none
 /// counts as less than a quarter of itself. And rays in all directions have a density.
-double drawnBrightness(double brightness) {
-    constexpr double kFoundOtherwise = 0.5, kLeastFraction = 0.25, kLeast = 1e-3;
-    return std::max({brightness - kFoundOtherwise, kLeastFraction * brightness, kLeast});
+double sampledBrightness(double brightness) {
+    constexpr double kFoundOtherwise = 0.5, kMinFraction = 0.25, kMin = 1e-3;
+    return std::max({brightness - kFoundOtherwise, kMinFraction * brightness, kMin});
 }
 
 /// Of a side of `texels` with a border of one around it: which two its k-th corner lies in the middle of, at
 /// the edges of the image, or the one in whose middle it lies; and where that is, 0..1.
-struct CornerPlace {
+struct CornerPosition {
     int first, second;
     double position;
 
-    CornerPlace(int k, int texels)
+    CornerPosition(int k, int texels)
         : first(k == texels + 1 ? texels : k), second(k == 0 ? 1 : k),
           position(std::clamp(k - 0.5, 0.0, static_cast<double>(texels)) / texels) {}
 };
@@ -46,15 +46,15 @@ double faceScale(bool cube, double s, double t) {
 void addCorners(const HdrImage& padded, bool cube, double mean, std::vector<float>& corners) {
     const int width = padded.width - 2, height = padded.height - 2;
     for (int y = 0; y < padded.height; ++y) {
-        const CornerPlace down(y, height);
+        const CornerPosition down(y, height);
         for (int x = 0; x < padded.width; ++x) {
-            const CornerPlace right(x, width);
+            const CornerPosition right(x, width);
             const Colour seen = (padded.at(right.first, down.first) + padded.at(right.second, down.first) +
                                  padded.at(right.first, down.second) + padded.at(right.second, down.second)) *
                                 0.25F;
             const double brightness = std::fabs(static_cast<double>(luminance(seen))) / mean;
             const double scale = faceScale(cube, right.position, down.position);
-            corners.push_back(static_cast<float>(drawnBrightness(brightness) * scale));
+            corners.push_back(static_cast<float>(sampledBrightness(brightness) * scale));
         }
     }
 }
@@ -63,7 +63,7 @@ void addCorners(const HdrImage& padded, bool cube, double mean, std::vector<floa
 std::vector<float> depthsOf(int height) {
     std::vector<float> depths;
     for (int k = 0; k <= height + 1; ++k) {
-        const double sine = portableSinOfDegrees(90 * CornerPlace(k, height).position);
+        const double sine = portableSinOfDegrees(90 * CornerPosition(k, height).position);
         depths.push_back(static_cast<float>(2 * sine * sine));
     }
     return depths;
@@ -88,7 +88,7 @@ float lengthOf(int cell, int cells) { return plain::cellSpan<float>(static_cast<
 
 } // namespace
 
-void EnvironmentDraw::prepare(const BackgroundLight& light) {
+void EnvironmentSampler::prepare(const BackgroundLight& light) {
     *this = {};
     const auto mean = static_cast<double>(luminance(light.mean()));
     if (!(mean > 0) || !std::isfinite(mean)) return;
@@ -98,11 +98,11 @@ void EnvironmentDraw::prepare(const BackgroundLight& light) {
     } else {
         takeImages(*light.environment, mean / static_cast<double>(light.environment->intensity));
     }
-    shareOut();
+    setProbabilities();
 }
 
 /// `mean`: of the images' luminance.
-void EnvironmentDraw::takeImages(const Environment& environment, double mean) {
+void EnvironmentSampler::takeImages(const Environment& environment, double mean) {
     const std::span<const HdrImage> images = environment.images();
     cube_ = environment.isCube();
     columns_ = images[0].width - 1;
@@ -127,14 +127,14 @@ void EnvironmentDraw::takeImages(const Environment& environment, double mean) {
 }
 
 /// Of a row of cells: its solid angle over its width, but for a common factor.
-float EnvironmentDraw::heightOf(int row) const {
+float EnvironmentSampler::heightOf(int row) const {
     if (cube_) return lengthOf(row, rows_);
     const auto edges = plain::rowDepths<float>(rows(), static_cast<float>(row));
     return edges.end - edges.start;
 }
 
 /// The probabilities of rows and columns.
-void EnvironmentDraw::shareOut() {
+void EnvironmentSampler::setProbabilities() {
     const auto columns = static_cast<std::size_t>(columns_);
     const std::size_t images = axes_.size() / 9;
     std::vector<double> ofRows, ofCells(columns);
@@ -159,7 +159,7 @@ void EnvironmentDraw::shareOut() {
     addStarts(ofRows, rowStarts_);
 }
 
-EnvironmentRows EnvironmentDraw::rows() const {
+EnvironmentRows EnvironmentSampler::rows() const {
     return {cube_,
             columns_,
             rows_,
