@@ -9,14 +9,14 @@ namespace rtcore {
 
 namespace {
 
-/// Of the scene's diagonal.
+/// Distance of occlusion over the scene's diagonal.
 constexpr float kUsualReach = 0.15F;
-/// Of the light that a surface scatters which faces all lights: about what comes back from the surfaces
-/// around.
+/// Ambient light over the light scattered by a surface that faces all lights: roughly what surrounding
+/// surfaces send back.
 constexpr float kFractionOfLights = 0.25F;
 
-/// What reaches a surface near the middle of the scene that faces the light: as of a point light of its
-/// power.
+/// Irradiance from a light on a surface near the middle of the scene that faces it, as of a point light with
+/// the same power.
 Colour irradianceNear(const Light& light, Vec3 middle, float diagonal) {
     if (!traitsOf(light).position) return light.intensity;
     // A light close to the middle must not count as if it lit the whole scene that brightly.

@@ -1,4 +1,4 @@
-/// What is seen where a ray leaves the scene, by which the scene is lit.
+/// The background seen by rays that leave the scene, which also lights it.
 #pragma once
 
 #include "rtcore/scene/scene.h"
@@ -20,8 +20,8 @@ struct BackgroundLight {
     Colour mean() const { return environment != nullptr ? environment->meanRadiance() : even; }
 };
 
-/// What rays see that leave the scene: its environment, else its background. `instead`: radiance of a scene
-/// with neither, for scattered rays the ambient light, which cameras do not see.
+/// The scene's environment, else its background. `instead`: radiance of a scene with neither; for scattered
+/// rays the ambient light, which cameras do not see.
 inline BackgroundLight backgroundLight(const Scene& scene, TexelFilter filter, Colour instead = {}) {
     const Environment* const environment = scene.environment();
     return {environment, isBlack(scene.background) ? instead : scene.background, filter};

@@ -1,5 +1,4 @@
-/// The triangles of a scene that emit light, as lights: points of them are drawn in proportion to their
-/// power.
+/// The emissive triangles of a scene as lights: their points are sampled in proportion to power.
 #pragma once
 
 #include "rtcore/sampling/alias_table.h"
@@ -12,7 +11,7 @@
 
 namespace rtcore {
 
-/// What vector code reads, see emitters-inl.h.
+/// Arrays for vector code (emitters-inl.h).
 struct EmitterRows {
     AliasRows choice;                         ///< of emitters
     const std::uint32_t* triangles = nullptr; ///< of each emitter, ascending
@@ -33,9 +32,8 @@ struct EmitterChoice {
 ///
 /// A triangle emits the same to both sides, as it is seen. Its power counts with the mean of its texture, and
 /// holes of an alpha texture count as solid: that costs noise only, since the radiance of a point is looked
-/// up where it is. Not among the emitters, since no number tells how likely they are drawn, are triangles
-/// without area, with corners or an emission that are not finite, and all of them where there are more than
-/// 2^24.
+/// up where it is. Not among the emitters, since they have no finite probability, are triangles without area,
+/// with corners or an emission that are not finite, and all of them where there are more than 2^24.
 class Emitters {
   public:
     /// Takes some 30 ns for each emissive triangle, and a nanosecond for each other one and each texel of

@@ -144,7 +144,7 @@ template <typename F>
 HWY_INLINE CellPoint<F> pointOfDirection(const EnvironmentRows& rows, Vec3Of<F> direction) {
     return rows.cube ? pointOfCube<F>(rows, direction) : pointOfSphere<F>(rows, direction);
 }
-/// Of unit length.
+/// Returns a unit vector.
 template <typename F>
 HWY_INLINE Vec3Of<F> directionOfPoint(const EnvironmentRows& rows, F row, F column, F right, F down) {
     const Vec3Of<F> d = rows.cube ? directionOfCube<F>(rows, row, column, right, down)

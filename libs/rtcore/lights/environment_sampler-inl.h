@@ -1,5 +1,5 @@
-// Directions drawn by the brightness of an environment, over the number F: float or Float. Included once for
-// each instruction set, inside the loop of foreach_target.h, or alone.
+// Directions sampled by the brightness of an environment, over the number F: float or Float. Included once
+// for each instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/lights/environment_cells-inl.h"
 
 #if defined(RTCORE_LIGHTS_ENVIRONMENT_SAMPLER_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -58,7 +58,7 @@ struct CellCorners {
 };
 template <typename F>
 HWY_INLINE CellCorners<F> cornersOf(const EnvironmentRows& rows, F row, IntOf<F> column) {
-    // Of an image there is one row of corners more than of cells.
+    // An image has one row of corners more than of cells.
     const F ofCorners = row + imageOfRow<F>(rows, row);
     const float* const upper = rows.corners;
     const float* const lower = upper + rows.columns + 1;

@@ -24,8 +24,8 @@ double sampledBrightness(double brightness) {
     return std::max({brightness - kFoundOtherwise, kMinFraction * brightness, kMin});
 }
 
-/// Of a side of `texels` with a border of one around it: which two its k-th corner lies in the middle of, at
-/// the edges of the image, or the one in whose middle it lies; and where that is, 0..1.
+/// The k-th corner along a side of `texels` texels with a border of one: the two texels between which it
+/// lies, at the edges of the image, or the one in whose middle it lies; and its position, 0..1.
 struct CornerPosition {
     int first, second;
     double position;
@@ -42,7 +42,7 @@ double faceScale(bool cube, double s, double t) {
     return 1 / (square * std::sqrt(square));
 }
 
-/// What is seen at the corners of all cells, in means.
+/// Appends the brightness at the corners of all cells, in units of the mean.
 void addCorners(const HdrImage& padded, bool cube, double mean, std::vector<float>& corners) {
     const int width = padded.width - 2, height = padded.height - 2;
     for (int y = 0; y < padded.height; ++y) {
@@ -126,7 +126,7 @@ void EnvironmentSampler::takeImages(const Environment& environment, double mean)
     }
 }
 
-/// Of a row of cells: its solid angle over its width, but for a common factor.
+/// Solid angle of a row of cells over its width, but for a common factor.
 float EnvironmentSampler::heightOf(int row) const {
     if (cube_) return lengthOf(row, rows_);
     const auto edges = plain::rowDepths<float>(rows(), static_cast<float>(row));

@@ -1,5 +1,5 @@
-/// Directions drawn in proportion to the light that comes from them: of an image, of the map of a sky, or of
-/// an even background.
+/// Directions sampled in proportion to the light that comes from them: of an image, of the map of a sky, or
+/// of an even background.
 #pragma once
 
 #include "rtcore/lights/background_light.h"
@@ -9,7 +9,7 @@
 
 namespace rtcore {
 
-/// What vector code reads, see environment_sampler-inl.h. Images are cut into cells at the middles of their
+/// Arrays for vector code (environment_sampler-inl.h). Images are cut into cells at the middles of their
 /// texels, so that a bilinear lookup is one bilinear function in each of them; those at edges are half as
 /// wide. Rows count through all images.
 struct EnvironmentRows {
@@ -25,9 +25,9 @@ struct EnvironmentRows {
     const std::uint32_t *rowStarts = nullptr, *columnStarts = nullptr;
 };
 
-/// Draws by the luminance of the bilinear image itself: a row of cells by the integral of all in it, a cell
-/// of it by its own, a place in the cell by the bilinear function between its corners. So all of the light of
-/// an image has the same weight, whether it comes from a sky or from one texel, and nothing is lost: where
+/// Samples by the luminance of the bilinear image itself: a row of cells by its integral, a cell of the row
+/// by the cell's integral, a position in the cell by the bilinear function between its corners. So all light
+/// of an image has the same weight, whether it comes from a sky or from one texel, and nothing is lost: where
 /// the image is not black, neither are the corners of its cell. What is looked up unfiltered is up to 4 times
 /// as bright as between the corners. Negative light counts by its size.
 ///

@@ -1,6 +1,6 @@
-// What the path tracer asks of each kind of light: a sample with its density, and the density of a direction
-// that another strategy chose. Over the number F: float or Float. Included once for each instruction set,
-// inside the loop of foreach_target.h, or alone.
+// Light sampling with densities, for each kind of light: a sample of a direction, and the density of a
+// direction that another strategy chose. Over the number F: float or Float. Included once for each
+// instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/lights/light_hit-inl.h"
 #include "rtcore/lights/rectangle_sample-inl.h"
 

@@ -102,8 +102,8 @@ HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, con
             cone.sine * cone.sine * stratum.ofAll};
 }
 
-/// Of the cosine between a direction and the middle of a disc, where more of it counts as that: a disc that
-/// fills half of the sky has no infinite weight at its rim.
+/// Lower bound of the cosine between a direction and the middle of a disc: a disc that fills half of the sky
+/// has no infinite weight at its rim.
 inline constexpr float kMinDiscCosine = 1e-3F;
 
 /// A stratum of a directional light. Of one with a disc it is uniform in the disc's projection on a surface
@@ -124,7 +124,7 @@ HWY_INLINE LightSample<F> sampleDirectional(const Light& light, const Stratum<F>
             F(light.discSine * light.discSine * stratum.ofAll)};
 }
 
-/// Of a flat light, which shines with the cosine: a point that is uniform by area, seen from the middle.
+/// A point on a flat light, uniform by area, as an offset from its middle.
 template <LightKind kind, typename F>
 HWY_INLINE Vec3Of<F> pointOnFlat(const Light& light, F u, F v) {
     static_assert(kind == LightKind::Rectangle, "where are the points of such a light?");

@@ -12,7 +12,7 @@ namespace rtcore {
 /// where it misses. `direction`: of unit length.
 std::optional<float> distanceToMirrored(const Light& light, Vec3 origin, Vec3 direction, float end);
 
-/// What the ray sees there.
+/// Radiance of the light as the ray sees it.
 Colour radianceOfMirrored(const Light& light);
 
 } // namespace rtcore

@@ -12,7 +12,7 @@ namespace rtcore {
 /// The lights that differ between two states of a scene's, as they were and as they are.
 class LightChange {
   public:
-    /// Of lists of different lengths, those that are missing are off.
+    /// The lists may differ in length: missing lights count as switched off.
     LightChange(std::span<const Light> before, std::span<const Light> now);
 
     bool any() const { return !changed_.empty(); }

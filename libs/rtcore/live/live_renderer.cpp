@@ -41,7 +41,7 @@ Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int
 
 bool mirrors(const SeenPoint& seen) { return seen.specularDistance != 0; }
 
-/// What is lit so through that tint; of channels that it lets nothing through, nothing is known.
+/// `light` before that tint; 0 in channels that the tint absorbs, where nothing is known.
 Colour over(Colour light, Colour tint) {
     const auto channel = [](float a, float b) { return b > 0 ? a / b : 0; };
     return {channel(light.r, tint.r), channel(light.g, tint.g), channel(light.b, tint.b)};
@@ -190,7 +190,7 @@ double LiveRenderer::invalidate(const LightChange& change, int threads) {
     return surface.size() > 0 ? static_cast<double>(unknown) / static_cast<double>(surface.size()) : 1;
 }
 
-/// From here on what is mirrored is kept, of which nothing is known yet.
+/// Adds a specular layer, of which no sample is known yet.
 void LiveRenderer::beginMirroring() {
     const ImagePlane& plane = present_.surface.plane();
     present_.mirrors = true;
@@ -227,8 +227,8 @@ bool LiveRenderer::crossesSurface(Vec3 eye, const RayTracer& tracer) {
     return crossed_[0] != 0;
 }
 
-/// What is known of lights at a point, but for those that some of the samples around see and others do not:
-/// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
+/// The known visibility of lights at a pixel, without lights on which the samples around disagree: edges of
+/// shadows stay where they are. In turns nothing counts as known, so that no error lasts.
 LightVisibility LiveRenderer::surelyKnown(int x, int y) const {
     constexpr std::uint32_t kDoubted = 64; // in every such frame
     const LiveSamples& surface = present_.surface;

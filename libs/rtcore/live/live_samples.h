@@ -1,4 +1,4 @@
-/// Light that was traced, with the points that it comes from: what is kept from frame to frame.
+/// Samples of traced light with the points that it comes from, kept from frame to frame.
 #pragma once
 
 #include "rtcore/live/image_plane.h"
@@ -21,7 +21,7 @@ struct LiveSample {
     LightVisibility lights = {};
     bool background = false;
     bool mirrors = false;    ///< mirrors or lets through other light, which is not in `light`
-    bool unreliable = false; ///< its place is a guess: it moves in ways that are not followed
+    bool unreliable = false; ///< its position is a guess: how it moves with the eye is not known
     std::uint8_t age = 0;    ///< frames since it was traced
 };
 
@@ -33,7 +33,7 @@ class PixelArray {
   public:
     explicit PixelArray(std::size_t number) : before_(number * kApart / sizeof(T)) {}
     void resize(std::size_t pixels) { resizeLarge(values_, before_ + pixels + kRoom); }
-    /// Of the pixels, and of the room behind them.
+    /// Sets the pixels from `from` on, and the room behind them.
     void fill(std::size_t from, T value) {
         std::fill(values_.begin() + static_cast<std::ptrdiff_t>(before_ + from), values_.end(), value);
     }
@@ -60,7 +60,7 @@ class LiveSamples {
     };
     static_assert(sizeof(Point) == 16 && sizeof(Light) == 12);
 
-    // Of a state.
+    // Bits of Point::state.
     static constexpr std::uint32_t kAge = 0xFF; ///< frames since it was traced, at most 255
     static constexpr std::uint32_t kKnown = 0x100, kBackground = 0x200, kMirrors = 0x400, kUnreliable = 0x800;
 
@@ -107,12 +107,12 @@ class LiveSamples {
     ImagePlane plane_;
 };
 
-/// The light of a frame. What is mirrored moves otherwise than what mirrors it: in a flat mirror as if it
-/// were behind that, where it seems to be. So it has samples of its own, wherever those of the surfaces
-/// mirror.
+/// The light of a frame in two layers. What is mirrored moves differently from the surface that mirrors it:
+/// in a flat mirror as if it were behind that, where it appears. So it has samples of its own, wherever
+/// surfaces mirror.
 struct LiveLayers {
     LiveSamples surface; ///< what surfaces emit and scatter themselves, and the background
-    /// What they mirror and let through, as it is before they tint it; undefined where they do not.
+    /// Light that they mirror and let through, before they tint it; undefined where they do not.
     LiveSamples specular;
     /// By sample of `surface`: packLight() of SeenPoint::tint; undefined where `specular` is.
     PixelArray<std::uint32_t> tints{10};

@@ -57,7 +57,7 @@ void measureLuminanceOf(const LiveLayers& samples, std::size_t first, std::size_
 constexpr float kStaleHole = 8;
 constexpr float kMinStale = 0.02F, kMinContrast = 0.04F;
 
-/// Urgency has four steps for each power of two, from 2^-14 on: the upper bits of a float.
+/// Priorities have four steps for each power of two, from 2^-14 on: the upper bits of a float.
 constexpr int kPriorityShift = 21, kFirstPriority = (127 - 14) << 2;
 constexpr int kMaxPriority = 127;
 

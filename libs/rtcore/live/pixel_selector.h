@@ -1,5 +1,5 @@
-/// Which pixels of a frame get new light: those without a sample, then those where it shows that theirs is
-/// stale.
+/// Selects the pixels of a frame that are traced anew: those without a sample, then those whose stale sample
+/// is visible as such.
 #pragma once
 
 #include "rtcore/live/live_samples.h"
@@ -34,14 +34,14 @@ class PixelSelector {
     /// Some of them, evenly spread over all pixels, whatever is known there.
     struct Check {
         std::size_t chosen; ///< index in chosen()
-        bool blind;         ///< it is not urgent
+        bool blind;         ///< selected for the check alone, not by its priority
     };
     const std::vector<Check>& checked() const { return checked_; }
     /// Pixels that had no sample, of all.
     double unknown() const { return unknown_; }
 
   private:
-    /// How urgent a pixel is: 0 = not at all, kPriorities - 1: it has no sample.
+    /// Priorities of pixels: 0 = needs no new sample, kPriorities - 1: has none.
     static constexpr std::size_t kPriorities = 128;
     using Histogram = std::array<std::uint32_t, kPriorities>;
     /// A row of squares of pixels, whose work is done together.
@@ -53,7 +53,7 @@ class PixelSelector {
     };
     struct Bound {
         std::size_t priority;
-        std::uint32_t turns;      ///< of kTurns, of those that are just as urgent
+        std::uint32_t turns;      ///< of kTurns, of the pixels with just this priority
         std::uint32_t checks = 0; ///< of kTurns, of all
     };
 

@@ -60,7 +60,7 @@ struct Columns {
     std::size_t first, last;
 };
 
-/// What a part of a row of pixels shows.
+/// Output of a part of a row of pixels.
 struct ShownPixels {
     Colour* light;
     float* known; ///< 0..1: how well the light is known by the samples around
@@ -83,7 +83,7 @@ namespace HWY_NAMESPACE {
 
 namespace {
 
-/// Of a sample so many pixels off, across or down.
+/// Weight of a sample so many pixels away, across or down.
 HWY_INLINE Float weightAt(Float distance) {
     constexpr float kMin = 1e-4F; // of what is further away than a pixel, where nothing else is
     const Float falling = max(1.0F - distance * distance, kMin);
@@ -218,7 +218,7 @@ HWY_INLINE Float knownOf(const Means& means) {
     return min(means.samples * (1 / kFew), 1.0F) * min(max(means.weights * (1 / kNear), many), 1.0F);
 }
 
-/// What is mirrored at these pixels, tinted by the samples there. `lacking`: their tint where it is not
+/// Specular light at these pixels, tinted by the samples there. `lacking`: the tint where that light is not
 /// known.
 HWY_INLINE Float3 specularMeans(const WeighedRow* const rows[3], std::size_t x, const Means& surface,
                                 Float3& lacking) {

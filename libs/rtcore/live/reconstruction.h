@@ -1,4 +1,4 @@
-/// The picture of samples, which not every pixel has, and which lie anywhere in theirs.
+/// Reconstructs an image from samples at sub-pixel positions; fills pixels without one.
 #pragma once
 
 #include "rtcore/live/live_samples.h"
@@ -28,7 +28,7 @@ class Reconstruction {
         std::size_t pixel;
         Colour tint;
     };
-    /// Of one thread.
+    /// Memory of one thread.
     struct Rows {
         std::vector<float> values; ///< a few rows of samples, with what each weighs in the pixels beside
         std::vector<std::uint32_t> lacking;

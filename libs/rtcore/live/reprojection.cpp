@@ -28,7 +28,7 @@ struct PixelRange {
     std::int32_t min, max; ///< none: 2^31 - 1 and -1
 };
 
-/// To the pixel that is next to a sample after its own, in the upper bits of a pixel's index.
+/// The direction from a sample's pixel to the neighbour nearest to the sample, in the upper bits of an index.
 inline constexpr int kDirectionShift = 28;
 inline constexpr std::int32_t kLeft = 0 << kDirectionShift, kRight = 1 << kDirectionShift,
                               kUp = 2 << kDirectionShift, kDown = 3 << kDirectionShift;
@@ -37,7 +37,8 @@ inline constexpr std::int32_t kLeft = 0 << kDirectionShift, kRight = 1 << kDirec
 // is shown.
 inline constexpr std::uint64_t kNoSample = ~std::uint64_t{0}, kBeside = std::uint64_t{1} << 63;
 inline constexpr int kKeyShift = 32;
-/// Of depths, some 1/20: what is so much further away than what is around is seen through a gap.
+/// About 1/20 in units of the keys' depths: a sample so much further away than its neighbours is seen through
+/// a gap.
 inline constexpr std::uint64_t kNearer = std::uint64_t{8} << 48;
 /// Staleness of samples that are shown beside where they are.
 inline constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
@@ -52,7 +53,7 @@ namespace HWY_NAMESPACE {
 
 namespace {
 
-/// Of a sample of that state, (dx, dy) from the middle of the pixel that shows it. `depth` > 0.
+/// Key of a sample of that state, (dx, dy) from the middle of the pixel that shows it. `depth` > 0.
 HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
     // Each frame counts as so many square pixels.
     constexpr float kAged = 0.003F, kAgedUnreliable = 0.25F;
@@ -63,8 +64,8 @@ HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
     return (bitsOf(depth) & ~kStalenessOfKey) | toUint(steps);
 }
 
-/// For each of `count` samples from `first` on: the pixel that shows it, with the way to the pixel that is
-/// next to it, or -1, and its key. Returns the first and the last of these pixels.
+/// For each of `count` samples from `first` on: the pixel that shows it, with the direction to the
+/// neighbour nearest to it, or -1, and its key. Returns the first and the last of these pixels.
 PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std::size_t first,
                           std::size_t count, std::int32_t* pixels, std::uint32_t* keys) {
     constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
@@ -102,8 +103,8 @@ PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std:
     return {*std::min_element(lows, lows + lanes()), *std::max_element(highs, highs + lanes())};
 }
 
-/// Of `count` samples those that are shown in one of `pixels` pixels from `first` on: writes their numbers to
-/// `shown`, with room for a vector more, and returns how many they are.
+/// Finds those of `count` samples that are shown in one of `pixels` pixels from `first` on: writes their
+/// numbers to `shown`, with room for a vector more, and returns how many they are.
 std::size_t samplesIn(const std::int32_t* pixelsAndDirections, std::size_t count, std::size_t first,
                       std::size_t pixels, std::uint32_t* shown) {
     const Int from = static_cast<std::int32_t>(first), behind = static_cast<std::int32_t>(pixels),
@@ -179,7 +180,7 @@ constexpr std::size_t kProjected = 2048;
 constexpr std::size_t kMaxLanes = 64;   ///< no vector has more
 constexpr std::uint32_t kSameDepth = 2; ///< of the depths in keys: what is further away is hidden
 
-/// Mirrored light, by frame: its tint and its place change with the direction that it is seen from.
+/// Specular light, by frame: its tint and its position change with the direction of view.
 constexpr float kStalerSpecular = 0.2F;
 
 constexpr std::uint64_t kIndex = (std::uint64_t{1} << kDirectionShift) - 1;
@@ -282,8 +283,8 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
     });
 }
 
-/// Samples move to and fro in the grid of pixels, so that by and by two would fall into many a pixel, and
-/// none into that beside it. One of the two goes there.
+/// Samples drift within the grid of pixels, so that in time many pixels would get two and their neighbours
+/// none. One of the two moves to the empty neighbour.
 void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers) {
     const auto row = static_cast<std::ptrdiff_t>(rowLength(plane));
     const std::ptrdiff_t neighbours[] = {-1, 1, -row, row};

@@ -18,11 +18,10 @@ class Reprojection {
 
     /// Gives each pixel of `present`, whose plane says of which view, that sample of the past that is seen
     /// there, in each layer: of several the nearest to the viewer, and of those about as near the least
-    /// stale. Of the others each goes to the pixel beside that it is next to, where that has none. A pixel in
-    /// which none is seen, but beside which there are some, borrows one of them; else it has none then. So
-    /// does one, where the eye has moved, in which something far is seen through a gap between near ones of
-    /// some two pixels: surfaces that come nearer have such. The same for any number of `threads`; both
-    /// images may differ in size.
+    /// stale. A sample that loses its pixel moves to the empty neighbour nearest to it. A pixel without a
+    /// sample borrows one of its neighbours', if they have any. So does one, where the eye has moved, in
+    /// which something far is seen through a gap of up to two pixels between near samples: surfaces that come
+    /// nearer have such gaps. The same for any number of `threads`; both images may differ in size.
     ///
     /// `done` is called by them with each part of the rows that is done, from the first row to before the
     /// last: all layers of these pixels are there then.
@@ -31,9 +30,9 @@ class Reprojection {
         const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done = [](int, int) {});
     static constexpr int kRowsOfBand = 32; ///< in all parts but the last
 
-    /// By pixel of the present, with room for whole vectors: how stale its sample is, in square pixels. The
-    /// square of the distance between the sample and the pixel's middle, and some for its age. Of two layers
-    /// the greater. Without a sample undefined.
+    /// Staleness of each pixel's sample of the present, in square pixels, with room for whole vectors: the
+    /// square of its distance from the pixel's middle, and some for its age; the greater of two layers.
+    /// Undefined without a sample.
     const PixelArray<float>& staleness() const { return staleness_; }
 
   private:
@@ -62,7 +61,7 @@ class Reprojection {
     bool eyeMoves_ = false;
     std::vector<Part> parts_;
     // By sample of the past.
-    PixelArray<std::int32_t> pixels_{6}; ///< the pixel that shows it, and the way to the next one; -1: none
+    PixelArray<std::int32_t> pixels_{6}; ///< the pixel that shows it, the direction to the next; -1: none
     PixelArray<std::uint32_t> keys_{7};
     // By pixel of the present, and by those beyond the image's edges.
     PixelArray<std::uint64_t> nearest_{8}; ///< depth, staleness, index of the sample

@@ -35,7 +35,7 @@ void SampleMeans::addUp(const Level& fine, Level& coarse, int first, int last) c
     }
 }
 
-/// Of the four squares whose middles are around that of the pixel, the nearer ones more.
+/// Mean of the four squares whose middles are around that of the pixel, weighted by distance.
 SampleMeans::Weighed SampleMeans::Level::around(int x, int y) const {
     const auto side = static_cast<float>(1 << shift);
     const float across = (static_cast<float>(x) + 0.5F) / side - 0.5F,

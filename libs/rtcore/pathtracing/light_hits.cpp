@@ -29,7 +29,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What rays meet of one light. `from`, `to`: of the ray's line, which part of it is free.
+/// Weighted radiance of one light where rays meet it. `from`, `to`: the unoccluded part of the rays' lines.
 HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std::uint32_t k,
                            const ScatterState& s, std::size_t i, Float3 direction, Float from, Float to) {
     const Light& light = rows.light[k];

@@ -1,6 +1,5 @@
-// Which light a point samples: each with a probability near its share of the light that would arrive at the
-// point if nothing were in the way. Included once for each instruction set, inside the loop of
-// foreach_target.h.
+// Light selection: a point samples one light, with a probability close to its fraction of the unoccluded
+// light that arrives there. Included once for each instruction set, inside the loop of foreach_target.h.
 #include "rtcore/lights/light_sample-inl.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/sampling/alias-inl.h"
@@ -16,11 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Of all samples. With less, what shines behind a wall takes nearly all samples from a small light before
-/// it.
+/// Fraction of all samples that is spread uniformly over the lights. Guards against bright lights that are
+/// occluded.
 inline constexpr float kUniformFraction = 0.25F;
 
-/// What the middle of a light would throw on a surface there, as luminance; 0 from below the surface.
+/// Unoccluded irradiance from the middle of a light at a surface, as luminance; 0 from below the surface.
 template <typename F>
 HWY_INLINE F expectedOf(const Light& light, Vec3Of<F> point, Vec3Of<F> normal) {
     return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
@@ -37,15 +36,15 @@ HWY_INLINE F expectedOfEmitters(const LightRows& rows, Vec3Of<F> point) {
     return selectOrZero(isFinite(arriving), arriving);
 }
 
-/// Of the group `group`, the same for all lanes.
+/// The same for `group`, one group for all lanes.
 HWY_INLINE Float expectedOfGroup(const LightRows& rows, std::uint32_t group, Float3 point, Float3 normal) {
     if (group < rows.lights) return expectedOf<Float>(rows.light[group], point, normal);
     if (group == rows.emitterGroup()) return expectedOfEmitters<Float>(rows, point);
     return rows.surroundingLight;
 }
 
-/// A part goes to all groups alike: what a middle throws says little of a large light, and nothing of walls
-/// between; and what has the probability 0 would be missing.
+/// Mixes the fraction of the expected light with a uniform part: the middle says little about a large light
+/// and nothing about occluders, and a light with the probability 0 would be missing from the image.
 template <typename F>
 HWY_INLINE F selectionProbability(const LightRows& rows, F expected, F total) {
     const float each = 1.0F / static_cast<float>(rows.groups());
@@ -55,7 +54,7 @@ HWY_INLINE F selectionProbability(const LightRows& rows, F expected, F total) {
                   F(each));
 }
 
-/// Where shares are the same everywhere.
+/// The probability where it is the same at all points (LightRows::fixed).
 HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
     return rows.selection.probability[group - (group > rows.emitterGroup() && !rows.emitters ? 1 : 0)];
 }
@@ -112,7 +111,7 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
     for (std::uint32_t k = 0; k < count; ++k) {
         const Float p = selectionProbability<Float>(rows, load(expected + k * kLanes), total);
         before += p;
-        // What rounding leaves over goes to the last.
+        // The last group takes the remainder that rounding leaves.
         const Mask here = k + 1 < count ? open & (u < before) : open;
         chosen.group = select(here, Uint(groups[k]), chosen.group);
         chosen.probability = select(here, p, chosen.probability);

@@ -22,7 +22,8 @@ std::vector<Box3> boxesOfEmission(const Scene& scene) {
     return boxes;
 }
 
-/// By material, 1 where a light stands for its emission.
+/// By material, 1 where a light of the scene stands in for its emission: one lies in the box of its
+/// triangles.
 std::vector<std::uint8_t> hasProxyLight(const Scene& scene) {
     constexpr float kAround = 0.05F; // of the box's largest side
     std::vector<std::uint8_t> result(scene.materials.size());
@@ -41,7 +42,7 @@ std::vector<std::uint8_t> hasProxyLight(const Scene& scene) {
     return result;
 }
 
-/// The luminance that a light gives off, W; of a directional one what it throws on a disc of radius `reach`.
+/// The power of a light as luminance, W; of a directional one what falls on a disc of radius `reach`.
 double powerWithin(const Light& light, double reach) {
     const double area = traitsOf(light).position ? 1 : kPi * reach * reach;
     return powerOf<double>(light) * area;
@@ -78,7 +79,7 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     if (lights_.size() > kMaxWeighed) selectByPower(0.5F * length(bounds.size()));
 }
 
-/// Each has a tenth of its share by number.
+/// A tenth of the probability is uniform.
 void LightSet::selectByPower(float reach) {
     const LightRows all = rows();
     std::vector<double> powers;

@@ -18,13 +18,13 @@
 
 namespace rtcore {
 
-/// What vector code reads (light_selection-inl.h). Of `count` groups the first `lights` are lights, then come
-/// the emitters and the surroundings.
+/// Arrays and sums for vector code (light_selection-inl.h). Lights are selected by group: the first `lights`
+/// groups are lights, then come the emitters and the surroundings.
 struct LightRows {
     const Light* light = nullptr;
     std::uint32_t lights = 0;
     bool emitters = false, surroundings = false;
-    bool fixed = false; ///< shares are the same everywhere: those of `selection`
+    bool fixed = false; ///< probabilities are the same everywhere: those of `selection`
     AliasRows selection;
     Vec3 emittersCentre; ///< seen from far away, the emitters are a point light there
     float emittersIntensity = 0,
@@ -39,7 +39,7 @@ struct LightRows {
 /// Immutable once prepared, shared by all threads; the scene must outlive it.
 class LightSet {
   public:
-    /// More lights than these are sampled by their power; so many by what each would throw on the point.
+    /// Up to this many lights are selected by their unoccluded light at the point, more of them by power.
     static constexpr std::size_t kMaxWeighed = 32;
 
     /// Takes what is on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model, not 0 where
@@ -60,7 +60,7 @@ class LightSet {
     std::span<const Light> lights() const { return lights_; }
     const Emitters& emitters() const { return emitters_; }
     const EnvironmentSampler& surroundings() const { return surroundings_; }
-    /// What scattered rays find where they leave the scene.
+    /// The background as seen by scattered rays that leave the scene.
     const BackgroundLight& background() const { return background_; }
     /// By material: not 0 where its emission is seen, but lights nothing.
     std::span<const std::uint8_t> emitsNoLight() const { return emitsNoLight_; }

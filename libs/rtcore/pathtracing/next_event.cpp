@@ -20,7 +20,7 @@
 #define RTCORE_PATHTRACING_NEXT_EVENT_TYPES
 namespace rtcore {
 
-/// What the kernels of next event read beside the surfaces.
+/// Input of the next-event kernels, beside the surfaces.
 struct NextEventRows {
     LightRows lights;
     EmitterRows emitters;
@@ -38,7 +38,7 @@ struct NextEventRays {
     std::uint32_t* point;
 };
 
-/// Of an emitter that is sampled: as in Hit.
+/// Sampled points of emitters, as in Hit.
 struct EmitterHits {
     std::uint32_t* triangle;
     float *u, *v;

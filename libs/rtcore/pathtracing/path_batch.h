@@ -11,19 +11,19 @@
 
 namespace rtcore {
 
-/// Of ScatterState::state: how often the path has scattered, and what its ray counts of what it finds.
+/// Bits of ScatterState::state: how often the path has scattered, and which light its ray counts.
 namespace path_state {
 inline constexpr std::uint32_t kScatters = 0xFFFF;
 inline constexpr std::uint32_t kDropped = 1U << 16; ///< neither emission nor surroundings
 inline constexpr std::uint32_t kWhole = 1U << 17;   ///< all of them: next event leaves them out
-inline constexpr std::uint32_t kMatte = 1U << 18;   ///< the last scattering was drawn for a matte lobe
+inline constexpr std::uint32_t kMatte = 1U << 18;   ///< the last scattering sampled a matte lobe
 } // namespace path_state
 
 /// Where each ray of a batch was scattered, for the weights of what it finds: one element for each ray, and
 /// room for a block more.
 struct ScatterState {
     ArraysOf3 point, normal;  ///< the ray's line begins there; the shading normal, unit
-    float* total = nullptr;   ///< LightShares::total there
+    float* total = nullptr;   ///< ChosenLight::total there
     float* density = nullptr; ///< of the ray's direction by all lobes that scatter, 1/sr; 0: it comes from
                               ///< the camera, or was mirrored or refracted since
     std::uint32_t* state = nullptr; ///< path_state

@@ -113,7 +113,7 @@ void PathIntegrator::setWeights() {
     }
 }
 
-/// What the rays find by themselves: lights that they meet, surroundings, emission.
+/// Adds light that the rays meet themselves: area lights, surroundings, emission.
 void PathIntegrator::addFound() {
     if (paths_ != nullptr && lights_->anyArea()) {
         addLightHits(rows_, strategy_, *paths_, wave_);
@@ -137,7 +137,7 @@ void PathIntegrator::addTo(std::size_t ray, Colour light) {
     sums_.add(wave_.paths.sample(ray), light);
 }
 
-/// Of emission, surroundings or discs that the ray found, which next event samples with the density
+/// MIS weight of emission, surroundings or discs that the ray met, which next event samples with the density
 /// `sampled`.
 float PathIntegrator::weightOfHit(std::size_t ray, float sampled) const {
     if (paths_ == nullptr) return 1;
@@ -269,7 +269,7 @@ void PathIntegrator::sampleLights() {
     clock_.lap(Stage::Shadows);
 }
 
-/// What one bounce after the first adds.
+/// Clamps what one bounce after the first adds.
 void PathIntegrator::clampContribution() {
     if (!(limits_.clampIndirect > 0) || paths_ == nullptr) return;
     for (std::size_t i = 0; i < wave_.size(); ++i) {

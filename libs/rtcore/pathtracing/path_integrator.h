@@ -30,7 +30,7 @@
 
 namespace rtcore {
 
-/// What all threads of a frame share; everything lives as long.
+/// Input of a frame, shared by all threads; must outlive it.
 struct PathFrame {
     const Scene& scene;
     const RayTracer& tracer;
@@ -51,8 +51,8 @@ class PathIntegrator {
     /// Traces camera rays (directions of unit length) to the ends of their paths. `samples` names each of
     /// them, and which of its pixel's samples it is.
     void trace(const RayWave& rays, std::span<const SampleId> samples);
-    /// Of the last wave: radiance along each camera ray, and 1 where it hit something, else 0. Not finite
-    /// where numbers of the scene are not.
+    /// Results of the last wave: radiance along each camera ray, and 1 where it hit something, else 0. Not
+    /// finite where numbers of the scene are not.
     const ArraysOf3& radiance() const { return sums_.radiance(); }
     const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
 

@@ -1,11 +1,11 @@
-/// What names the random numbers of paths.
+/// Names of paths, from which their random numbers follow.
 #pragma once
 
 #include <cstdint>
 
 namespace rtcore {
 
-/// Of each sample of a wave of camera rays.
+/// One element for each sample of a wave of camera rays.
 struct PathNames {
     const std::uint32_t* pixel = nullptr; ///< pixelName()
     const std::uint32_t* sub = nullptr;

@@ -39,7 +39,7 @@ struct PathName {
     Uint pixel, sub;
 };
 
-/// Of the paths from `i` on; `samples`: which sample each belongs to, null: its own index.
+/// Names of the paths from `i` on; `samples`: which sample each belongs to, null: its own index.
 HWY_INLINE PathName pathName(const PathNames& names, const std::uint32_t* samples, std::size_t i, Mask used) {
     if (samples == nullptr) return {load(names.pixel + i), load(names.sub + i)};
     const Int sample = toInt(selectOrZero(used, load(samples + i)));

@@ -22,7 +22,7 @@ float numberFor(const PathPoints::Task& task, const Wave& wave, std::size_t i, S
     return unitFloat(owenPair(task.names.sub[sample], name).u);
 }
 
-/// What a ray counts of what it finds, once glass has bent it or a pane has let it pass.
+/// Updates which light a ray counts, once glass has bent it or a pane has let it pass.
 void passGlass(bool bent, bool caustics, const ScatterState& state, std::size_t ray) {
     if (bent) state.density[ray] = 0;
     if ((state.state[ray] & path_state::kScatters) == 0) return;

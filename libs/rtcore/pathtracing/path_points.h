@@ -27,7 +27,7 @@ class PathPoints {
     /// Completes the points of surfaces.notPlain(): albedo, normal, weights, hits of samples. Those whose
     /// path goes on behind the surface are no points any more; their rays are appended to `next`.
     void complete(const Task& task, Wave& wave, SampleSums& sums, PathBatch& next);
-    /// Of each such point, its emission times the path's weight.
+    /// Emission times the path's weight of each such point.
     const std::vector<Colour>& emitted() const { return emitted_; }
 
   private:

@@ -22,13 +22,13 @@ HWY_INLINE F powerHeuristic(F p, F q) {
     return a * a / (a * a + b * b);
 }
 
-/// Of what next event finds with the density p, and scattered rays with q > 0.
+/// MIS weight of light that next event samples with the density p, and scattered rays with q > 0.
 template <typename F>
 HWY_INLINE F misWeightOfNextEvent(SamplingStrategy strategy, F p, F q) {
     if (strategy == SamplingStrategy::Both) return powerHeuristic<F>(p, q);
     return F(strategy == SamplingStrategy::NextEvent ? 1 : 0);
 }
-/// Of what scattered rays find with the density p > 0, and next event with q.
+/// MIS weight of light that scattered rays sample with the density p > 0, and next event with q.
 template <typename F>
 HWY_INLINE F misWeightOfScatteredRay(SamplingStrategy strategy, F p, F q) {
     if (strategy == SamplingStrategy::Both) return powerHeuristic<F>(p, q);

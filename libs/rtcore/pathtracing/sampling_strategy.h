@@ -1,4 +1,4 @@
-/// How paths find light, and how much of it counts.
+/// The strategies by which paths sample light, and the clamp of indirect light.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -7,8 +7,8 @@
 
 namespace rtcore {
 
-/// What finds the light that comes from area lights, emitters and surroundings to points that scatter it. All
-/// give the same mean; one alone is for tests and comparisons.
+/// How light from area lights, emitters and surroundings is sampled at points that scatter it. All strategies
+/// have the same mean; one alone is for tests and comparisons.
 enum class SamplingStrategy : std::uint8_t {
     Both, ///< next event and scattered rays, by the power heuristic
     NextEvent,

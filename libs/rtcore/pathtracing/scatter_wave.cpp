@@ -37,7 +37,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What is behind each point so far.
+/// The path up to each point.
 struct Past {
     Uint sample, bounces, state;
     Float length{};

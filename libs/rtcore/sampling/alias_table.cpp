@@ -17,7 +17,7 @@ bool canBeSampled(std::span<const double> weights) {
            std::any_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
 }
 
-/// How many of all 2^32 numbers are to draw each of `rows` indices: 1 for each weight above 0, the rest in
+/// How many of all 2^32 numbers select each of `rows` indices: 1 for each weight above 0, the rest in
 /// proportion. They add up to 2^32.
 std::vector<std::uint64_t> countsOf(std::span<const double> weights, std::size_t rows) {
     const double max = *std::max_element(weights.begin(), weights.end()); // against overflow of the sum

@@ -1,4 +1,4 @@
-/// Drawing one of many things in proportion to weights, in constant time: Walker's alias method, with Vose's
+/// Sampling of an index in proportion to weights, in constant time: Walker's alias method, with Vose's
 /// way to build the table (1991).
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace rtcore {
 
-/// What vector code reads of a table, see alias-inl.h.
+/// A table's arrays for vector code (alias-inl.h).
 struct AliasRows {
     const std::uint32_t* threshold = nullptr; ///< of the bits below `shift` that keep to the row's own index
     const std::uint32_t* other = nullptr;     ///< the index for the rest of them
@@ -19,14 +19,14 @@ struct AliasRows {
 /// Immutable once made; safe from many threads.
 class AliasTable {
   public:
-    /// Draws nothing.
+    /// Empty: has nothing to sample.
     AliasTable() = default;
     /// For at most 2^24 weights. Empty if one of them is negative or not finite, or if all are 0.
     explicit AliasTable(std::span<const double> weights);
 
     bool empty() const { return probability_.empty(); }
-    /// How likely `index` is drawn: 0 for the weight 0, otherwise at least 2^-32; the fraction of all `bits`
-    /// that draw it, rounded to a float. `index` is below the number of weights.
+    /// The probability of `index`: 0 for the weight 0, otherwise at least 2^-32; the fraction of all `bits`
+    /// that select it, rounded to a float. `index` is below the number of weights.
     float probability(std::uint32_t index) const { return probability_[index]; }
     AliasRows rows() const { return {threshold_.data(), other_.data(), probability_.data(), shift_}; }
 

@@ -33,7 +33,7 @@ constexpr std::uint32_t gradientNoise(std::uint32_t x, std::uint32_t y) {
     return static_cast<std::uint32_t>(std::uint64_t{inner} * 3472289U >> 16); // of 52.9829189
 }
 
-/// Where the sample's pattern for `draw` is shifted to on the unit torus: v by gradient noise, u by the
+/// The shift of the sample's pattern for `dimension` on the unit torus: v by gradient noise, u by the
 /// golden ratio along Hilbert's curve, the samples of a pixel along the R2 sequence (Roberts 2018). Patterns
 /// shifted so had the least error on average over 5 x 5 pixels (docs/shading.md).
 constexpr SquarePoint evenShift(SampleId id, SampleDimension dimension, std::uint32_t salt = 0) {

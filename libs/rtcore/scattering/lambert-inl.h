@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 template <typename F>
 struct Scattering {
     Vec3Of<F> reflectance; ///< f_r, without the cosine
-    F density;             ///< by solid angle, of drawing the direction
+    F density;             ///< by solid angle, of sampling the direction
 };
 
 /// f_r of an albedo of 1.

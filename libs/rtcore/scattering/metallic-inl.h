@@ -36,8 +36,8 @@ struct MetallicLobes {
 /// Where the gloss is faint, the factor on a GGX lobe that puts back what is scattered from facet to facet
 /// before it leaves: of even light one reflection takes `once`, and of the rest each further one the mean
 /// over all angles of Schlick's curve (Kulla and Conty 2017, "Revisiting physically based shading", for the
-/// albedo; as a factor, so that directions are drawn as before: Turquin 2019, "Practical multiple scattering
-/// compensation"). Perfect mirrors give off all that they get.
+/// albedo; as a factor, so that directions are sampled as before: Turquin 2019, "Practical multiple
+/// scattering compensation"). Perfect mirrors give off all that they get.
 template <typename F>
 HWY_INLINE F factorOfFurtherFacets(const GgxAlbedo<F>& albedo, F reflectance) {
     const F once = reflectance * albedo.straight + albedo.grazing;

@@ -1,4 +1,4 @@
-// All lobes of the Phong model together: what they scatter, and directions drawn for it, over the number F:
+// All lobes of the Phong model together: what they scatter, and directions sampled for it, over the number F:
 // float or Float. Included once for each instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/scattering/lambert-inl.h"
 #include "rtcore/scattering/phong-inl.h"
@@ -25,7 +25,7 @@ struct PhongLobes {
 };
 
 /// The probability that samplePhongScattering() follows the Phong lobe: near its part of all that is
-/// scattered to a viewer with this cosine. The rough lobe is drawn as the diffuse one is.
+/// scattered to a viewer with this cosine. The rough lobe is sampled as the diffuse one is.
 template <typename F>
 HWY_INLINE F phongProbability(const PhongLobes<F>& lobes, F cosine) {
     const F c = clamp(cosine, 0.0F, 1.0F), rest = 1.0F - c;

@@ -16,9 +16,10 @@ namespace rtcore {
 /// One for each thread; keeps its memory from wave to wave.
 struct Wave {
     RayKind kind = RayKind::Primary;
-    const RayWave* rays = nullptr;     ///< directions of unit length
-    WavePaths paths;                   ///< of the rays
-    std::span<const SampleId> samples; ///< names of the samples; may be empty where nothing is drawn for them
+    const RayWave* rays = nullptr; ///< directions of unit length
+    WavePaths paths;               ///< of the rays
+    std::span<const SampleId>
+        samples; ///< names of the samples; may be empty where no random numbers are needed
     HitWave hits;
     SurfaceWave surfaces;
 

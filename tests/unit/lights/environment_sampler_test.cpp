@@ -1,4 +1,4 @@
-// Directions drawn from environments: no light is lost, and densities are those of what is drawn.
+// Directions sampled from environments: no light is lost, and densities are those of the samples.
 #include "rtcore/lights/environment_sampler-inl.h"
 
 #include "estimates.h"
@@ -52,7 +52,7 @@ double solidAngleOfTexel(int n, int x, int y) {
            solidAngleToCorner(x1, y1);
 }
 
-/// Of f over all the light, by drawn directions.
+/// Estimates the integral of f over all the light by sampled directions.
 template <typename Weight>
 Estimate lightBy(const BackgroundLight& light, Weight weight, int count) {
     EnvironmentSampler sampler;
@@ -227,7 +227,7 @@ Estimate weightsOf(const Environment& environment, TexelFilter filter, float& ma
 }
 
 // A density that follows the image gives what is bright the same weight: there is nothing to average. What is
-// dimmer than the mean is drawn more rarely, but not without end.
+// dimmer than the mean is sampled more rarely, but not without end.
 TEST(EnvironmentSampler, BrightLightHasTheSameWeight) {
     float max = 0;
     for (const auto& [column, row] : std::vector<std::pair<int, int>>{{77, 40}, {0, 64}, {255, 90}}) {

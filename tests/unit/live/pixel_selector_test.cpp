@@ -113,7 +113,7 @@ TEST(PixelSelector, TakesFewOfManyOfTheSamePriority) {
     EXPECT_NEAR(static_cast<double>(all), 100 * 0.002 * kColumns * kRows, 0.1 * kColumns * kRows);
 }
 
-/// All are alike urgent, but for two columns.
+/// All have the same priority, but for two columns.
 TEST(PixelSelector, ChecksAFewPixelsBlindly) {
     constexpr double kFraction = 0.05;
     std::size_t blind = 0, selected = 0, left = 0;

@@ -18,7 +18,7 @@ std::uint32_t sampleFrom(const AliasTable& table, std::uint32_t bits) {
     return HWY_NAMESPACE::sampleIndex<float>(table.rows(), bits);
 }
 
-/// How many of the 2^32 numbers draw each index, by the rows alone.
+/// How many of the 2^32 numbers select each index, by the rows alone.
 std::vector<std::uint64_t> sampledBy(const AliasTable& table, std::size_t rows) {
     const AliasRows r = table.rows();
     std::vector<std::uint64_t> found(rows, 0);

@@ -27,7 +27,7 @@ inline Vec3 viewerAt(float cosine) {
     return rtcore::normalize(kTilted * cosine + across * std::sqrt(1 - cosine * cosine));
 }
 
-/// What of even light is reflected, by `count` directions drawn: the mean of f cos / density.
+/// The fraction of even light that is reflected, by `count` sampled directions: the mean of f cos / density.
 template <typename Sample, typename Scatter>
 Vec3d sampledAlbedo(std::uint32_t count, Sample sample, Scatter scatter) {
     Vec3d sum;

@@ -89,7 +89,7 @@ TEST(Metallic, DirectionsFallByTheDensityOfAllLobes) {
     }
 }
 
-// However a direction is drawn, what it weighs stays small.
+// However a direction is sampled, its weight stays small.
 TEST(Metallic, NoWeightIsLarge) {
     test::Random random(8);
     for (const float roughness : {0.1F, 0.2F, 0.35F, 0.5F, 0.7F, 1.0F}) {

@@ -1,4 +1,4 @@
-// AreaLights with a size: their light in closed form, their shadows, and what they draw.
+// AreaLights with a size: their light in closed form, their shadows, and their samples.
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>

@@ -40,7 +40,7 @@ class HemisphereWave {
     struct Point {
         std::uint32_t index; ///< of the surface wave
         SquarePoint shift;   ///< u: along the width of a ring, v: of the azimuths
-        std::uint32_t name;  ///< Random: what its directions are drawn by
+        std::uint32_t name;  ///< Random: names the random numbers of its directions
     };
     struct Rays {
         OcclusionPattern pattern;
