@@ -20,7 +20,7 @@ namespace {
 constexpr int kFilterPasses = 4;        ///< of images by paths
 constexpr float kContrast = 2;          ///< of film: with its own, colours are pale where white is near 240
 constexpr float kRoomBackground = 1.2F; ///< nearly white beside what the lights show
-/// Of ambient occlusion: metres, or a part of the model.
+/// Reach of ambient occlusion: metres, or a fraction of the model's diagonal.
 constexpr float kReach = 5, kReachOfDiagonal = 0.15F;
 
 /// One of the lights around an object: where from, as seen by the viewer, and how bright.
@@ -133,15 +133,14 @@ void lightBy(Scene& scene, const PresetLighting& preset) {
     numberLights(scene);
 }
 
-// What no sky reaches is lit by what the surfaces around send to each other: wherever one walks, it is not
-// black.
+// Light that surfaces send to each other reaches what the sky does not: no room that one walks into is black.
 std::vector<SettingAssignment> settingsOf(LightingPreset preset, const Survey& survey) {
     std::vector<SettingAssignment> settings = exposureOf(preset);
     if (preset == LightingPreset::Headlight) {
         settings.insert(settings.end(), {{"skyLight.on", false}, {"ambientOcclusion.on", false}});
         return settings;
     }
-    // Of what the model is about: wide ground does not make its rooms dark.
+    // The diagonal of the subject: wide ground does not make its rooms dark.
     const float diagonal = survey.subject.bounds.diagonal();
     const float reach = std::min(kReachOfDiagonal * diagonal, kReach * survey.axes.metre);
     settings.insert(

@@ -1,4 +1,4 @@
-/// What lights a model that brings no light: its first look. (docs/shading.md)
+/// Lighting for models that bring none. (docs/shading.md)
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
@@ -20,10 +20,10 @@ namespace rtcore {
 /// Nothing where no look has that name.
 std::optional<LightingPreset> lightingPresetNamed(std::string_view name);
 
-/// Of the light of LightingPreset::Headlight.
+/// Name of the point light of LightingPreset::Headlight.
 inline constexpr const char* kHeadlightName = "default";
 
-/// What a model has that no scene file describes.
+/// Background and ambient light of a model without a scene file.
 inline constexpr Colour kPlainBackground{0.03F, 0.036F, 0.048F}, kPlainAmbient{0.15F, 0.15F, 0.15F};
 
 struct PresetLighting {

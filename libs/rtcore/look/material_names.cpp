@@ -17,7 +17,7 @@ namespace {
 
 using std::string_view;
 
-/// What a kind makes of the material's colour.
+/// The material of a kind in the material's own colour.
 MaterialOverride glass() {
     MaterialOverride change;
     change.diffuse = Colour{};
@@ -81,8 +81,8 @@ constexpr Kind kKinds[] = {
     {"lacquer", lacquerOf, {"lacquer", "lack", "laque", "laca", "lak", "varnish", "carpaint", "autolack"}},
 };
 
-/// What other words end with alone in compounds, which German writes as one: "Fensterglas", not "frame" for
-/// rame.
+/// Words that also count at the end of compounds, which German writes as one word: "Fensterglas", but not
+/// "frame" for rame.
 constexpr std::array<string_view, 14> kCompounds{"glass",   "glas",    "wasser",  "spiegel", "stahl",
                                                  "metall",  "kupfer",  "silber",  "marmor",  "granit",
                                                  "fliesen", "parkett", "laminat", "chrom"};

@@ -1,4 +1,4 @@
-/// What materials are by their names, where a file has nothing but colours for them.
+/// Guesses materials by their names, where a file has nothing but colours for them.
 #pragma once
 
 #include "rtcore/scene/scene.h"

@@ -74,7 +74,7 @@ Seen lookAround(const Scene& shell, const KdTree& tree, Vec3 origin) {
     return seen;
 }
 
-/// Of what was hit.
+/// Brightness of the surfaces that were hit.
 struct Brightness {
     Colour mean;
     float lowest = std::numeric_limits<float>::max(), highest = 0;

@@ -15,7 +15,7 @@ namespace {
 /// A little before a surface, as a part of the way to it.
 constexpr float kShort = 0.999F;
 
-/// What arrives at the place, unless something is in the way; W/m^2 of the brightest channel.
+/// Irradiance at the point, 0 where it is occluded; W/m^2 of the brightest channel.
 float irradianceAt(const KdTree& tree, const Mesh& mesh, const Light& light, const VisiblePoint& point) {
     const bool near = traitsOf(light).position;
     const Vec3 direction = near ? light.position - point.position : -light.direction;

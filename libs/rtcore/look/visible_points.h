@@ -1,4 +1,4 @@
-/// What a camera sees of a scene, by a few hundred rays.
+/// A few hundred visible points of a scene, and how lights reach them.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
@@ -29,7 +29,7 @@ bool showsModel(std::span<const VisiblePoint> points, const Box3& box);
 /// perspective nor orthographic 1.
 float partInImage(std::span<const VisiblePoint> points, const Camera& camera);
 
-/// What the lights that are on bring to each of the places; W/m^2 of the brightest channel.
+/// Irradiance of the lights that are on at each of the points; W/m^2 of the brightest channel.
 std::vector<float> irradianceAt(const KdTree& tree, const Mesh& mesh, std::span<const Light> lights,
                                 std::span<const VisiblePoint> points);
 

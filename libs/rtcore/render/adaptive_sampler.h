@@ -19,11 +19,11 @@ int firstSamples(int n);
 /// Whether the settings ask for it, and there is something to choose.
 bool samplesAdaptively(const RenderSettings& settings);
 
-/// Of one frame. Differences are measured as the display shows them: of the square root of L = Y / (Y + c)
-/// for each colour, where c is the exposure which shows the mean of the first samples as the key. The mode of
-/// exposure is not used, so that a frame of the live view and a rendering of its .cam, which fixes the
-/// exposure of that moment, refine the same pixels. A pixel's error is the largest difference between its own
-/// samples, or between its mean and that of a pixel beside, above or below it.
+/// Adaptive sampling of one frame. Differences are measured as the display shows them: of the square root of
+/// L = Y / (Y + c) for each colour, where c is the exposure which shows the mean of the first samples as the
+/// key. The mode of exposure is not used, so that a frame of the live view and a rendering of its .cam, which
+/// fixes the exposure of that moment, refine the same pixels. A pixel's error is the largest difference
+/// between its own samples, or between its mean and that of a pixel beside, above or below it.
 ///
 /// Order of calls: begin(); add() for all first samples; measure(); choose() for all pixels; refined(). Calls
 /// for different pixels may run at once.

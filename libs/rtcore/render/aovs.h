@@ -13,7 +13,7 @@ namespace rtcore {
 
 inline constexpr float kBackgroundDepth = 1e10F;
 
-/// Of a pixel: means over its samples, with zero for those that saw the background, but for the depth.
+/// AOVs of a pixel: means over its samples, with zero for those that saw the background, but for the depth.
 struct AovPixel {
     float depth = kBackgroundDepth; ///< of the nearest sample, scene units along the camera's axis
     Vec3 normal;                    ///< in the scene's axes; shorter than 1 where samples differ

@@ -50,7 +50,7 @@ class CameraRays {
     };
     void directions(const Block& block, float* dx, float* dy, float* dz) const;
 
-    /// What directions are made of.
+    /// The image plane, from which directions are computed.
     struct Plane {
         Vec3 corner;      ///< towards the upper left corner of the image at distance 1 (parallel: at the eye)
         Vec3 right, down; ///< one pixel, there

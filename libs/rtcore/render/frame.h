@@ -25,7 +25,7 @@ struct Frame {
     std::vector<SeenPoint> seen; ///< per pixel; empty unless they were asked for
     /// Per pixel, the luminance that decides the exposure; at most 0: none does. Empty: that of radiance.
     std::vector<float> metered;
-    /// Of a frame that is not traced anew as a whole: they stand for all of its pixels.
+    /// Pixels traced for comparison in a frame that reuses samples: they stand for all of its pixels.
     std::vector<CheckedPixel> checked;
     RayStatistics statistics;
 };

@@ -62,7 +62,7 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     frame.checked.clear();
 }
 
-/// What depends on the scene and the settings.
+/// Prepares everything that depends on the scene and the settings.
 void FrameRenderer::prepare(const View& view) {
     materials_.prepare(view.scene, view.settings);
     samples_.pattern.prepare(view.settings.sampling, view.settings.antialiasing);

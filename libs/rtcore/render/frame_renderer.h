@@ -71,7 +71,7 @@ class FrameRenderer {
     /// Shadow maps for the next frames, quicker and less exact than rays; null: rays.
     /// The maps are the scene's, suit the settings, and must outlive the frames.
     void takeShadowsFrom(const ShadowMaps* maps) { maps_ = maps; }
-    /// Of the last frame, all threads together.
+    /// Times of the last frame, summed over all threads.
     const StageTimes& stageTimes() const { return stageTimes_; }
 
   private:

@@ -10,7 +10,7 @@
 
 namespace rtcore {
 
-/// What a tracer of the scene's surfaces finds, and the scene's ground where that is nearer. Rays towards
+/// Traces the scene's surfaces with another tracer, and the scene's ground where that is nearer. Rays towards
 /// lights and surroundings pass the ground: the sky's own ground is the same below it, and brings its light
 /// to what stands on it.
 class GroundTracer final : public RayTracer {
@@ -29,7 +29,7 @@ class GroundTracer final : public RayTracer {
     std::uint32_t first_; ///< triangle of the ground
 };
 
-/// What traces the scene as it is shown: `surfaces` where it shows no ground.
+/// The tracer of the scene as it is shown: `surfaces` itself where it shows no ground.
 std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene);
 
 } // namespace rtcore

@@ -29,7 +29,7 @@ struct ImageRequest {
     std::function<void(const ImagePass&)> show = {};
 };
 
-/// What there is to tell people of an image.
+/// A remark on an image for people.
 struct ImageRemark {
     std::string text;
     bool detail;  ///< only for those who ask for details
@@ -49,10 +49,10 @@ class ImageRenderer {
                         Frame& frame) = 0;
     /// Whether AOVs come with the image, at no other cost than their memory; else they are rendered after it.
     virtual bool rendersAovs() const = 0;
-    /// Of the last image.
+    /// Remarks on the last image.
     virtual std::vector<ImageRemark> remarks() const { return {}; }
 
-    /// Of render(), 0..1. Any thread.
+    /// Progress of render(), 0..1. Any thread.
     virtual double fraction(const RenderControl& control) const { return control.fraction(); }
     /// Parts of the image itself that are done since the last call, while it is rendered with
     /// request.show. Any thread.

@@ -22,7 +22,7 @@ class ImageSums {
   public:
     static constexpr std::uint32_t kMaxSamples = std::uint32_t{1} << 20; ///< of a pixel
 
-    /// What one pixel holds.
+    /// Sums of one pixel.
     struct Pixel {
         std::array<std::int64_t, 3> sum{}; ///< red, green, blue; in units
         std::uint32_t samples = 0;         ///< that were added
@@ -49,8 +49,9 @@ class ImageSums {
     /// when size or unit differ, or a pixel would get more than kMaxSamples.
     void merge(const ImageSums& other);
 
-    /// Of each pixel's samples, black where there are none: an image such as Frame::radiance, whose memory is
-    /// reused when the size fits. Off by half a step of float and 2^-52 beside the rounding of the samples.
+    /// Means of the pixels' samples, black where there are none: an image such as Frame::radiance, whose
+    /// memory is reused when the size fits. Off by half a step of float and 2^-52 beside the rounding of the
+    /// samples.
     void mean(HdrImage& image) const;
 
     Pixel pixel(int x, int y) const;

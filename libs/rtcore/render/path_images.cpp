@@ -34,7 +34,7 @@ bool PathImages::findSurfaces(const View& view, int threads, int samples) {
     return rays_.render({view.scene, view.tracer, view.camera, rays}, quietly, surfaces_);
 }
 
-/// What was lost, and which light there is by paths.
+/// Tells which samples were lost, and which lights the paths sample.
 std::vector<ImageRemark> PathImages::remarks() const {
     std::vector<ImageRemark> remarks;
     const std::uint64_t dropped = paths_.sums().dropped(), clipped = paths_.sums().clipped();

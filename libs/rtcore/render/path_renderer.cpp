@@ -65,7 +65,7 @@ double usualMean(std::vector<double>& values) {
 
 } // namespace
 
-/// Of one thread.
+/// Renders paths in one thread.
 class PathRenderer::Worker {
   public:
     void begin(const PathFrame& frame, const SampleView& samples, const std::atomic<bool>* stop) {

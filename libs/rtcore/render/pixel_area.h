@@ -11,7 +11,7 @@ struct PixelArea {
     friend bool operator==(const PixelArea&, const PixelArea&) = default;
 };
 
-/// Of areas that do not overlap.
+/// Number of pixels of areas that do not overlap.
 inline double pixelsOf(std::span<const PixelArea> areas) {
     double pixels = 0;
     for (const PixelArea& area : areas) pixels += static_cast<double>(area.columns) * area.rows;

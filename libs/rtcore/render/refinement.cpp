@@ -5,7 +5,7 @@ namespace rtcore {
 namespace {
 
 constexpr int kCoarsest = 8;
-/// Of the time of the image itself, for the passes before it.
+/// Time for the passes before the image, over that of the image itself.
 constexpr double kFraction = 0.095;
 
 /// About the time for each pixel, in that of an image with one sample per pixel. Rays that are further apart

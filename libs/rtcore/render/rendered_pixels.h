@@ -10,11 +10,11 @@
 
 namespace rtcore {
 
-/// What becomes of some pixels, in their order.
+/// Results of rendering some pixels, in their order.
 struct RenderedPixels {
     std::span<Colour> radiance;
-    /// What is known of lights at what each pixel sees, taken for true; gets what shadow rays found. With one
-    /// sample per pixel only. Empty: all is traced.
+    /// Known visibility of the lights at the surface that each pixel sees, taken for true; shadow rays add
+    /// what they find. With one sample per pixel only. Empty: all is traced.
     std::span<LightVisibility> visibility = {};
     /// Gets what the pixels see, with one sample per pixel only. Empty: it is not asked for.
     std::span<SeenPoint> seen = {};

@@ -13,7 +13,7 @@
 #ifndef RTCORE_RENDER_SAMPLE_BLOCK_
 #define RTCORE_RENDER_SAMPLE_BLOCK_
 namespace rtcore {
-/// Of 64 samples: positions in pixels and on the lens (its radius is 1), and their rays.
+/// Block of 64 samples: positions in pixels and on the lens (its radius is 1), and their rays.
 struct SampleBlock {
     static constexpr std::size_t kSize = 64;
     float x[kSize], y[kSize], u[kSize], v[kSize];
@@ -104,7 +104,7 @@ void aimSamples(const View& view, FocusFinder& focus, SampleView& samples) {
     samples.lens = {};
     const DepthOfFieldSettings& lens = view.settings.depthOfField;
     if (!lens.on || rays.parallel()) return; // an orthographic view has no lens
-    // What is in the middle is that of the whole image.
+    // Focus on the middle of the whole image, whichever part of it is rendered.
     const float distance =
         lens.focus > 0 ? lens.focus : focus.distance(view.tracer, rays, width * 0.5F, height * 0.5F);
     samples.lens =

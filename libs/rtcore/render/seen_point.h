@@ -1,4 +1,4 @@
-/// What a pixel sees first.
+/// The first surface that a pixel sees.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -7,7 +7,7 @@
 
 namespace rtcore {
 
-/// Of one of its samples, near its middle.
+/// The primary hit of one of the pixel's samples, near its middle.
 struct SeenPoint {
     Vec3 position;
     Vec3 normal;                     ///< PrimaryHit::normal

@@ -146,8 +146,8 @@ void TileRenderer::traceRays() {
     if (seen_ != nullptr) keepHits();
 }
 
-/// Of each pixel that of the sample in its middle, or next to it; of another where that one is not traced.
-/// Pixels begin with none: see forgetHits().
+/// Keeps for each pixel the hit of the sample in its middle, or next to it; of another where that is not
+/// traced. Pixels begin with none: see forgetHits().
 void TileRenderer::keepHits() {
     const auto n = static_cast<std::uint32_t>(settings_->antialiasing);
     const std::uint32_t middle = n / 2 * n + n / 2;

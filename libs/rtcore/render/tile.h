@@ -34,7 +34,7 @@ class TileGrid {
 /// to frame.
 class TileRenderer {
   public:
-    /// What tiles of a frame have in common; it all must outlive the frame.
+    /// Input shared by the tiles of a frame; must outlive it.
     struct FrameTask {
         const View& view;
         const SampleView& samples;
@@ -83,7 +83,7 @@ class TileRenderer {
     std::vector<SeenPoint>* seen_ = nullptr; ///< the same
     std::vector<SampleId> samples_;          ///< of rays_, where sample ids are needed
     bool sameOrigin_ = false;                ///< all of rays_ begin at the eye already
-    /// Of the samples of one pixel.
+    /// Sums over the samples of one pixel.
     struct PixelSum {
         Colour radiance;
         int hits = 0;

@@ -1,4 +1,4 @@
-/// What is rendered: the scene, from where, how.
+/// Input of a rendering: scene, camera and settings.
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"

@@ -1,4 +1,4 @@
-/// What is left of a scene where parts of it are hidden.
+/// The scene without its hidden parts.
 #pragma once
 
 #include "rtcore/accel/visible_tree.h"

@@ -19,7 +19,7 @@ struct Axes {
     Vec3 horizontal(float angle) const;
 };
 
-/// Of what the scene says of its model.
+/// The axes of a scene's model.
 inline Axes axesOf(const SceneLook& scene) { return Axes(scene.up, scene.metresPerUnit); }
 
 /// How far the box reaches along one of its axes.

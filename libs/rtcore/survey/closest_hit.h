@@ -1,4 +1,4 @@
-/// What one sees in a direction, whatever its material.
+/// The closest surface in a direction, whatever its material.
 #pragma once
 
 #include "rtcore/kernels/single_ray.h"

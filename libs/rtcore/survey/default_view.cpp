@@ -109,7 +109,7 @@ class RoomView {
         return sum * std::sqrt(min * stand.height * seen);
     }
 
-    /// What is seen through a window is not of the room.
+    /// Space behind a window does not count as the room's.
     static float countedFree(const Stand& stand, int direction) {
         constexpr float kFarthest = 3, kOutside = 0.5F; // of the mean
         const float free = stand.free.at(static_cast<std::size_t>(direction));

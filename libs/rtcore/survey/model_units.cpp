@@ -22,7 +22,7 @@ namespace {
 /// How much speaks for the axis to be up rather than horizontal.
 double oddsOfUp(const AxisShape& axis, const AxisShape& other) {
     const double longer = double{std::max(axis.extent(), other.extent())};
-    // What lies flat: beds, trays, terrain.
+    // Flat things lie: beds, trays, terrain.
     const double thin = longer > 0 ? double{axis.extent()} / longer : 1;
     double odds = thin < 0.25 ? 1.5 * (0.25 - thin) / 0.25 + 0.5 : 0;
     // Flat pieces lie: tops of tables, and more so what it stands on.
@@ -35,7 +35,7 @@ double oddsOfUp(const AxisShape& axis, const AxisShape& other) {
     // It was put onto the ground, and not beside a wall.
     const double ground = std::fabs(double{axis.low}), extent = double{axis.extent()};
     if (ground <= 0.005 * extent) odds += 0.7;
-    // What is heavy is below.
+    // The heavy part is below.
     odds += 1.0 * (0.5 - axis.centroid);
     return odds;
 }
@@ -51,7 +51,7 @@ double oddsOfNames(const PartRoles& roles) {
     return std::clamp(kFloors * lead(roles.lying) - kWalls * lead(roles.standing), -kMax, kMax);
 }
 
-/// What decides how large something is; in scene units.
+/// Sizes by which the unit is guessed; in scene units.
 struct Sizes {
     double height = 0, longest = 0;
     double room = 0; ///< the height of its rooms, 0: none
@@ -109,7 +109,7 @@ void guessUp(ModelUnits& units, const OriginHabits& habits, const ModelShape& sh
     // A single flat piece may be a picture as well as a floor.
     constexpr float kPicture = 0.003F;
     const bool picture = std::min(y.extent(), z.extent()) < kPicture * std::max(y.extent(), z.extent());
-    // What hangs on a wall looks as if it lay: no shape is sure.
+    // Things on a wall look as if they lay: no shape is certain.
     constexpr double kMaxByShape = 3;
     const double byShape =
         picture ? 0 : std::clamp(oddsOfUp(z, y) - oddsOfUp(y, z), -kMaxByShape, kMaxByShape);
@@ -132,7 +132,7 @@ void guessUnit(ModelUnits& units, OriginHabits habits, const ModelShape& shape, 
     for (const AxisShape& each : shape.axes) size.longest = std::max(size.longest, double{each.extent()});
     if (!(size.longest > 0) || !std::isfinite(size.longest)) return;
     size.height = std::max(double{shape.axes[axis].extent()}, 1e-6 * size.longest);
-    // What counts z upwards though its format does not ask for it comes from CAD.
+    // Models with z upwards, in a format that does not ask for it, come from CAD.
     const bool known = roles.building || roles.landscape;
     if (units.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0 && !known)
         habits.units.at(static_cast<std::size_t>(LengthUnit::Millimetre)) += 2;

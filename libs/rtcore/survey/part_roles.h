@@ -1,4 +1,4 @@
-/// What the names of a model's parts and materials tell of its up axis and of its kind.
+/// Clues to a model's up axis and kind in the names of its parts and materials.
 #pragma once
 
 #include "rtcore/scene/model.h"
@@ -7,7 +7,7 @@
 
 namespace rtcore {
 
-/// Of what is named after a part of a building, in English, German, French, Spanish, Italian, Czech, Polish,
+/// Parts named after parts of buildings, in English, German, French, Spanish, Italian, Czech, Polish,
 /// Portuguese or Dutch.
 struct PartRoles {
     std::array<double, 3> lying{};    ///< area of floors, ceilings and grounds across each axis; scene units

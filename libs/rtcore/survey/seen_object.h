@@ -1,5 +1,5 @@
-/// What of the model is seen at a point of the image: for selecting by clicks, and for marking what is
-/// selected.
+/// The part of the model that is seen at a point of the image: for selecting by clicks, and for marking the
+/// selection.
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"

@@ -1,4 +1,4 @@
-/// What a model's triangles tell of its up axis and of its kind.
+/// Clues to a model's up axis and kind in its triangles.
 #pragma once
 
 #include "rtcore/scene/mesh.h"

@@ -11,7 +11,7 @@
 
 namespace rtcore {
 
-/// What is free above a floor.
+/// Free space above a floor.
 struct Space {
     Vec3 floor;
     float headroom = 0; ///< up to what is above; infinite under the open sky

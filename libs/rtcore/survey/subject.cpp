@@ -73,7 +73,7 @@ bool holds(const Box3& outer, const Box3& inner, Vec3 axis, float slack) {
 bool isGroundOf(const Piece& piece, const Box3& rest, const Axes& axes) {
     const float width = widthOf(piece.bounds, axes), height = extentAlong(piece.bounds, axes.up);
     if (height > kFlatGround * width || width < kWider * widthOf(rest, axes)) return false;
-    // Of one side only, or as wide as no thing.
+    // A sheet faces one way only, or is wider than any thing.
     const bool sheet = std::min(piece.upwards, piece.downwards) < 0.01 * (piece.upwards + piece.downwards);
     if (!sheet && width < kPlot * axes.metre) return false;
     const float slack = 0.5F * widthOf(rest, axes);

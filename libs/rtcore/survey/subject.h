@@ -1,4 +1,4 @@
-/// What a model is about, apart from the surroundings that were modelled with it.
+/// The subject of a model, apart from the surroundings that were modelled with it.
 #pragma once
 
 #include "rtcore/scene/mesh.h"

@@ -61,7 +61,7 @@ Vec3 openSideOf(const KdTree& tree, const Mesh& mesh, const Axes& axes, const Bo
             open += stand.openSide;
         }
     }
-    // What stands on a stage hides its open side from some places; a room's door is seen from few.
+    // Things on a stage hide its open side from some positions; a room's door is seen from few.
     if (stages < kEnough || 2 * stages < indoors) return {};
     const float right = dot(open, axes.right), front = dot(open, axes.front);
     return std::fabs(right) > std::fabs(front) ? axes.right * std::copysign(1.0F, right)

@@ -1,4 +1,4 @@
-/// What there is to see of a model: rooms to stand in, a stage, or an object.
+/// The kind of view that a model offers: rooms to stand in, a stage, or an object.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
@@ -10,7 +10,7 @@
 
 namespace rtcore {
 
-/// What a model is looked at as.
+/// How a model is best looked at.
 struct Survey {
     Axes axes;
     Subject subject;
