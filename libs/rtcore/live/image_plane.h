@@ -1,4 +1,4 @@
-/// Where points are in the image of a camera whose rays all begin at its eye, and the way back.
+/// Projection of points onto the image of a perspective camera, and back to directions.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -11,7 +11,7 @@ struct ImagePlane {
     Vec3 corner;      ///< towards the upper left corner of the image, one unit along the axis of view
     Vec3 right, down; ///< one pixel, there
     /// A point at `offset` from the eye is seen at (dot(column, offset), dot(row, offset)) / dot(axis,
-    /// offset), where the last is above 0; what is infinitely far, at that of its direction.
+    /// offset), where the last is above 0; a point at infinity by its direction.
     Vec3 column, row, axis;
     int width = 0, height = 0;
 
@@ -26,7 +26,8 @@ struct ImagePlane {
     }
     friend bool operator==(const ImagePlane&, const ImagePlane&) = default;
 
-    /// Through the point (x, y) of the image, in pixels from its upper left corner; one unit along the axis.
+    /// Direction through the point (x, y) of the image, in pixels from its upper left corner; one unit along
+    /// the axis.
     Vec3 towards(float x, float y) const { return corner + right * x + down * y; }
 };
 

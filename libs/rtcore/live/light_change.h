@@ -9,15 +9,15 @@
 
 namespace rtcore {
 
-/// The lights that differ between two states of a scene's, as they were and as they are.
+/// The lights that differ between two states of a scene, before and after.
 class LightChange {
   public:
     /// The lists may differ in length: missing lights count as switched off.
     LightChange(std::span<const Light> before, std::span<const Light> now);
 
     bool any() const { return !changed_.empty(); }
-    /// Whether such radiance of a surface at `position` may have changed: were nothing between it and the
-    /// lights, they would bring or have brought more than a thousandth of it. Of area lights always.
+    /// Whether this radiance of a surface at `position` may have changed: without occlusion, the lights' old
+    /// or new contribution exceeds a thousandth of it. Always true with area lights.
     bool reaches(Vec3 position, float radiance) const;
 
   private:

@@ -47,8 +47,8 @@ Colour over(Colour light, Colour tint) {
     return {channel(light.r, tint.r), channel(light.g, tint.g), channel(light.b, tint.b)};
 }
 
-/// A pixel's new samples. `surface.position` is where its ray goes, `surface.light` all that comes from
-/// there.
+/// Sets a pixel's new samples. `surface.position`: where its ray ends, `surface.light`: the radiance along
+/// the ray.
 void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSample surface) {
     surface.background = !seen.any;
     surface.mirrors = mirrors(seen);
@@ -278,8 +278,8 @@ void LiveRenderer::forgetChecks() {
     for (std::vector<CheckedPixel>& checked : checked_) checked.clear();
 }
 
-/// Stale light may be brighter or darker than the truth, and the exposure must not follow it. Before the new
-/// samples take the place of the old ones.
+/// Compares new samples with those they replace: stale light may be brighter or darker than the truth, and
+/// the exposure must not follow it. To be called before they are replaced.
 void LiveRenderer::check() {
     const ImagePlane& plane = present_.surface.plane();
     std::vector<CheckedPixel>& checked = checked_[number_ % kCheckedFrames];
@@ -299,8 +299,8 @@ void LiveRenderer::check() {
     }
 }
 
-/// The exposure is that of samples, not of the image that is weighed from them: that has fewer black pixels,
-/// so its log-average differs. Pixels without a sample count as those before them.
+/// Measures the exposure on samples, not on the reconstructed image: that has fewer black pixels, so its
+/// log-average differs. Pixels without a sample count as those before them.
 void LiveRenderer::meter(int threads, Frame& frame) const {
     const LiveSamples& surface = present_.surface;
     frame.metered.resize(surface.size());

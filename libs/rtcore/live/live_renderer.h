@@ -20,8 +20,8 @@
 
 namespace rtcore {
 
-/// Keeps the memory of a sequence of frames. Not for several threads at once: it uses all of them itself.
-/// Throws std::bad_alloc; what is kept is undefined then.
+/// Renders a sequence of frames, each from samples of the one before. Not for several threads at once: it
+/// uses all of them itself. Throws std::bad_alloc; the samples are undefined then.
 class LiveRenderer {
   public:
     /// Memory beside the frame, without some megabytes for each thread: where nothing mirrors and few pixels
@@ -35,12 +35,12 @@ class LiveRenderer {
 
     /// Renders the next frame, with about `newSamples` (0..1) of its pixels traced. The image depends on
     /// these numbers and on the frames before; it has the same bits for every number of threads. Returns
-    /// false when control.cancel was set: the frame is undefined then, and what is kept as it was.
+    /// false when control.cancel was set: the frame is undefined then, and the samples are as they were.
     bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
 
     /// Takes the samples of a whole frame, which has Frame::seen, of a view on that plane. It may have any
-    /// number of samples per pixel. `age`: frames that its light counts as old; a rough preview is soon
-    /// replaced so.
+    /// number of samples per pixel. `age`: its samples count as so many frames old; those of a rough preview
+    /// are replaced soon.
     void seed(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age = 0);
 
     /// Takes the samples of the finished parts of a frame of that view, in place of those that are known

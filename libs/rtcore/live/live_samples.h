@@ -25,9 +25,9 @@ struct LiveSample {
     std::uint8_t age = 0;    ///< frames since it was traced
 };
 
-/// A value for each pixel, with room for whole vectors behind the last. Large arrays begin at a page, and so
-/// would all fall into the same few lines of a cache when they are walked together; therefore each begins so
-/// many lines later than that before it.
+/// A value for each pixel, with room for whole vectors behind the last. Large arrays begin at a page: walked
+/// together they would all compete for the same few lines of a cache. Therefore each begins some lines later
+/// than the one before it.
 template <typename T>
 class PixelArray {
   public:
@@ -47,7 +47,8 @@ class PixelArray {
     std::vector<T> values_;
 };
 
-/// A sample for each pixel of a frame, or none: 28 bytes a pixel. What is needed together lies together.
+/// A sample for each pixel of a frame, or none: 28 bytes per pixel. Values that are used together lie
+/// together.
 class LiveSamples {
   public:
     struct Point {

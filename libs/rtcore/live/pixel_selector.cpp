@@ -99,10 +99,11 @@ namespace {
 
 constexpr int kSquare = 32;       ///< pixels; those of one are traced together
 constexpr std::size_t kRoom = 64; ///< no vector has more lanes
-/// From frame to frame: odd, and the golden section of all, so that no pixel waits long.
+/// Turns by which a frame begins later than the one before: odd, and the golden section of all, so that no
+/// pixel waits long.
 constexpr std::uint32_t kTurnsApart = 2531;
-/// Whether a pixel is one of so many of kTurns that are checked in that frame: independently of its turn, by
-/// which it may be chosen as well, since digits of turnOf() in reverse are scattered anew.
+/// Whether a pixel is among the `checks` of kTurns that are checked in that frame. Independent of its turn,
+/// by which it may be selected as well: reversed digits of turnOf() are scattered anew.
 bool isChecked(int x, int y, std::uint32_t number, std::uint32_t checks) {
     std::uint32_t left = turnOf(x, y), reversed = 0;
     for (std::uint32_t all = kTurns; all > 1; all /= 4, left /= 4) reversed = reversed * 4 + left % 4;
@@ -140,7 +141,7 @@ void PixelSelector::traced(const ImagePlane& plane, int x, int y, float luminanc
     luminance_[luminanceAt(plane, y) + static_cast<std::size_t>(x)] = luminance;
 }
 
-/// A luminance beside which less contrast is seen: of the mean over some pixels.
+/// Luminance below which contrast is hardly seen: the mean over some pixels.
 float PixelSelector::darkness(const ImagePlane& plane) const {
     constexpr float kOfMean = 1;
     constexpr int kStep = 8;
@@ -184,7 +185,7 @@ void PixelSelector::measurePriority(const LiveSamples& samples, const PixelArray
     });
 }
 
-/// All above the bound are chosen, and of those on it as many as fit, by turns.
+/// All pixels above the bound are selected, and of those on it as many as fit, by turns.
 PixelSelector::Bound PixelSelector::boundOf(const LiveSamples& samples, double fraction) {
     const auto countOf = [&](std::size_t priority) {
         double count = 0;

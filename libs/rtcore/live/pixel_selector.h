@@ -18,20 +18,21 @@ class PixelSelector {
   public:
     /// Begins a frame of that plane.
     void begin(const ImagePlane& plane);
-    /// Looks at the rows from `first` to before `last` of its samples. Each must be looked at once before
-    /// choose(); several threads may look at different ones.
+    /// Measures the samples of the rows from `first` to before `last`. Each row once before choose();
+    /// different rows may be measured by several threads at once.
     void look(const LiveLayers& samples, int first, int last);
-    /// Chooses at most `fraction` (0..1) of all pixels, and a few. `staleness`: as Reprojection has it. The
-    /// choice is that of these values and of `number` alone: not of threads, nor of time. `threads` work.
+    /// Selects at most `fraction` (0..1) of all pixels, and a few more for checks. `staleness`:
+    /// Reprojection::staleness(). The selection depends on these values and on `number` alone: not on
+    /// threads, nor on time. Runs on `threads` threads.
     void choose(const LiveLayers& samples, const PixelArray<float>& staleness, double fraction,
                 std::uint32_t number, int threads);
 
-    /// The luminance of each pixel's sample, below 0 where it has none; `traced` says what it is now.
+    /// The luminance of each pixel's sample, below 0 where it has none; traced() sets that of a new one.
     std::span<const float> luminances(const ImagePlane& plane, int y) const;
     void traced(const ImagePlane& plane, int x, int y, float luminance);
     /// In an order in which neighbours follow each other.
     const std::vector<SampleId>& chosen() const { return chosen_; }
-    /// Some of them, evenly spread over all pixels, whatever is known there.
+    /// A selected pixel that is compared with its sample; evenly spread over the image, whatever is known.
     struct Check {
         std::size_t chosen; ///< index in chosen()
         bool blind;         ///< selected for the check alone, not by its priority

@@ -17,7 +17,7 @@
 #define RTCORE_LIVE_RECONSTRUCTION_TYPES
 namespace rtcore {
 
-/// A part of a row of a layer's samples, ready to be weighed. Each array can be read one before its first
+/// A part of a row of a layer's samples with their weights. Each array can be read one before its first
 /// pixel, and a vector behind its last.
 struct WeighedLayer {
     float* light[3];
@@ -33,7 +33,7 @@ struct WeighedRow {
 
     WeighedLayer surface, specular;
     float* tint[3]; ///< of own's samples; 0 where they do not mirror
-    /// A bit for each kGroup pixels, from that before the first on: whether one of them mirrors. Where all
+    /// One bit for each kGroup pixels, from the one before the first on: one of them mirrors. Where all bits
     /// are 0, `specular` and `tint` are undefined.
     std::uint64_t mirroring = 0;
 
@@ -64,8 +64,8 @@ struct Columns {
 struct ShownPixels {
     Colour* light;
     float* known; ///< 0..1: how well the light is known by the samples around
-    /// Where mirrored light is missing, what it would be tinted by: of each vector in which it is, the first
-    /// pixel, and from there on the tints; 0 where none is missing.
+    /// Tints of pixels whose specular light is missing: the first pixel of each vector that has any, and the
+    /// tints from there on; 0 where none is missing.
     std::uint32_t* lacking;
     float* tints[3];
 };
@@ -90,8 +90,8 @@ HWY_INLINE Float weightAt(Float distance) {
     return falling * falling;
 }
 
-/// Samples of row `y`, from column `x` on, which go to `at` in the arrays. Of those that are not `known` the
-/// weights are 0.
+/// Stores the samples of row `y` from column `x` on with their weights, from `at` on in the arrays. The
+/// weights of unknown ones are 0.
 HWY_INLINE void weigh(const LivePoints& points, Float3 light, Mask known, const ImagePlane& plane,
                       std::size_t x, int y, const WeighedLayer& to, std::ptrdiff_t at) {
     const SeenAt seen = seenAt(points, plane);
@@ -106,8 +106,7 @@ HWY_INLINE void weigh(const LivePoints& points, Float3 light, Mask known, const 
     }
 }
 
-/// Calls `use` with the columns, and those beside, a vector at a time, and with where each goes in the
-/// arrays.
+/// Calls `use` with the columns and their neighbours, a vector at a time, and with its index in the arrays.
 template <typename Use>
 HWY_INLINE void forEachColumn(const Columns& columns, std::size_t width, Use&& use) {
     const std::size_t first = columns.first - (columns.first > 0 ? 1 : 0),
@@ -165,8 +164,8 @@ HWY_INLINE Float3 load3(float* const from[3], std::size_t at) {
     return {load(from[0] + at), load(from[1] + at), load(from[2] + at)};
 }
 
-/// Calls `use` with what each of the 3 x 3 samples around the pixels from column `x` on weighs there, its row
-/// and its column.
+/// Calls `use` with the weight of each of the 3 x 3 samples around the pixels from column `x` on, its row and
+/// its column.
 template <typename Layer, typename Use>
 HWY_INLINE void forEachAround(const WeighedRow* const rows[3], std::size_t x, Layer&& layerOf, Use&& use) {
     for (std::size_t v = 0; v < 3; ++v) {
@@ -210,8 +209,8 @@ HWY_INLINE Means surfaceMeans(const WeighedRow* const rows[3], std::size_t x) {
     return {sum / weights, weights > 0.0F, weights, samples};
 }
 
-/// How well a pixel is known. Of few samples around it, each would be seen for itself, as a stone of a
-/// mosaic; and so would such that are far from its middle, unless they are many.
+/// How well a pixel is known, 0..1. Where samples are few, each would be visible by itself, as a stone of a
+/// mosaic; and so would samples far from the middle, unless they are many.
 HWY_INLINE Float knownOf(const Means& means) {
     constexpr float kFew = 4, kMany = 7, kNear = 0.25F; // samples; weights
     const Float many = (means.samples - kFew) * (1 / (kMany - kFew));
@@ -284,7 +283,7 @@ HWY_EXPORT(weighSpecular);
 HWY_EXPORT(weighedMeans);
 HWY_EXPORT(lanesOfMeans);
 
-/// Rows of a part, from column to column. Returns whether light is missing.
+/// Reconstructs the rows of a part between columns. Returns whether light is missing.
 bool Reconstruction::showColumns(const LiveLayers& samples, int first, int last, const Columns& columns,
                                  Rows& rows, Frame& frame) {
     constexpr std::size_t kKept = 4; // the row, that above, that below, and one of no weight beyond the image
@@ -362,7 +361,7 @@ void Reconstruction::show(const LiveLayers& samples, int threads, Frame& frame) 
     if (missing) fill(threads, frame);
 }
 
-/// Where no mirrored light is known, that of what mirrors around.
+/// Fills in missing specular light by means over the mirrors around.
 void Reconstruction::addMissing(const LiveLayers& samples, int threads, Frame& frame) {
     const ImagePlane& plane = samples.surface.plane();
     const auto specularAt = [&](int x, int y) -> SampleMeans::Weighed {
@@ -384,7 +383,7 @@ void Reconstruction::addMissing(const LiveLayers& samples, int threads, Frame& f
     }
 }
 
-/// Where little is known, what is seen around.
+/// Blends pixels of which little is known with means over the image around.
 void Reconstruction::fill(int threads, Frame& frame) {
     HdrImage& image = frame.radiance;
     const auto knownAt = [&](int x, int y) {

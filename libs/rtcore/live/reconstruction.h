@@ -16,14 +16,14 @@ struct Columns;
 /// Keeps its memory from frame to frame.
 class Reconstruction {
   public:
-    /// Writes frame.radiance, whose size is that of the samples: each pixel shows the light of the samples
-    /// around its middle, the nearer the more, within one pixel, and where these mirror, in the same way the
-    /// light that is mirrored there; or, where there are few or none of either, a mean over more that is
-    /// known around. Where all samples are in the middles of their pixels, each shows its own.
+    /// Writes frame.radiance, whose size is that of the samples. Each pixel is the weighted mean of the
+    /// samples within one pixel of its middle, the nearer the more, of both layers; where few or none are
+    /// known, a mean over a wider area. Where all samples are in the middles of their pixels, each pixel
+    /// shows its own.
     void show(const LiveLayers& samples, int threads, Frame& frame);
 
   private:
-    /// A pixel that shows mirrored light which is not known, and what it would be tinted by.
+    /// A pixel whose specular light is not known, and the tint of it.
     struct MissingLight {
         std::size_t pixel;
         Colour tint;

@@ -18,12 +18,12 @@
 #define RTCORE_LIVE_REPROJECTION_TYPES
 namespace rtcore {
 
-// How near and how stale a sample is, to be compared: the upper half are bits of the depth.
+// Keys order samples by depth, then by staleness: the upper half are bits of the depth.
 inline constexpr float kKeySteps = 32768; ///< of staleness, for a square pixel
 inline constexpr std::uint32_t kStalenessOfKey = 0xFFFF;
 
-/// Pixels are counted as if there were one more at the end of each row, and a row more above the image and
-/// below: these never show a sample.
+/// Pixels from `min` to `max`. Indices count one more at the end of each row, and a row more above the image
+/// and below: these never show a sample.
 struct PixelRange {
     std::int32_t min, max; ///< none: 2^31 - 1 and -1
 };
@@ -33,8 +33,8 @@ inline constexpr int kDirectionShift = 28;
 inline constexpr std::int32_t kLeft = 0 << kDirectionShift, kRight = 1 << kDirectionShift,
                               kUp = 2 << kDirectionShift, kDown = 3 << kDirectionShift;
 
-// Entries of pixels: from the upper bits on whether the sample belongs beside, its key, its index. The least
-// is shown.
+// Entries of pixels, from the upper bits on: whether the sample belongs to a neighbour, its key, its index.
+// The smallest is shown.
 inline constexpr std::uint64_t kNoSample = ~std::uint64_t{0}, kBeside = std::uint64_t{1} << 63;
 inline constexpr int kKeyShift = 32;
 /// About 1/20 in units of the keys' depths: a sample so much further away than its neighbours is seen through
@@ -121,11 +121,10 @@ std::size_t samplesIn(const std::int32_t* pixelsAndDirections, std::size_t count
     return found;
 }
 
-/// The entries of a row of pixels; `rows` has two above, itself and two below. A pixel without a sample, two
-/// of whose neighbours have one, gets the nearest of theirs; and so does, where `gaps` are closed, one whose
-/// sample is seen through a gap in a surface that comes nearer: within two pixels to each side there is one
-/// that is nearer. (What is beyond the image to the side counts as what follows in memory.) Reads and writes
-/// a vector behind the last.
+/// Fills in a row of pixels; `rows` has two above, itself and two below. A pixel without a sample, two of
+/// whose neighbours have one, gets the nearest of theirs. So does, with `gaps`, a pixel whose sample is seen
+/// through a gap in an approaching surface: within two pixels to each side there is a nearer one. (Beyond the
+/// image's sides the pixels are those that follow in memory.) Reads and writes a vector behind the last.
 void borrowBeside(const std::uint64_t* const rows[5], bool gaps, std::size_t width, std::uint64_t* to) {
     using Entry = Wide<std::uint64_t>;
     constexpr std::uint64_t kStaleness = std::uint64_t{kStalenessOfKey} << kKeyShift,
@@ -299,8 +298,7 @@ void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32
     }
 }
 
-/// The entries of a row. Pixels that show no sample, but have such beside them that do, take the nearest of
-/// theirs to the viewer.
+/// The entries of a row, in which pixels without a sample borrow the nearest one of their neighbours.
 const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
     std::vector<std::uint64_t>& row = rows_[static_cast<std::size_t>(threadNumber())];
     row.resize(rowLength(plane) + kMaxLanes);
@@ -335,7 +333,7 @@ void Reprojection::takeSpecular(const LiveSamples& past, const std::uint64_t* en
     for (std::size_t i = first; i < last; ++i) {
         const std::uint64_t nearest = entries[i - first];
         fetch(past, entries[i - first + kAhead]);
-        // Without a branch: of the sample behind the last nothing is known.
+        // Without a branch: the sample behind the last is unknown.
         const bool known = (surface.mirrors(i) | !surface.known(i)) & (nearest != kNoSample);
         const std::size_t from = known ? indexOf(nearest) : past.size();
         present.points[i] = aged(past.points[from]);

@@ -1,4 +1,4 @@
-/// The light of samples from afar: means over squares of pixels, for pixels that have no sample.
+/// Means of samples over squares of pixels, for pixels that have no sample.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -21,9 +21,9 @@ class SampleMeans {
         Colour light{}; ///< times its weight
         float weight = 0;
     };
-    /// Takes the rows of pixels from `first`, a multiple of kSide, to before `last`: that far away, or the
-    /// end of the image. lightAt(x, y) is Weighed, by 1 at most. Different rows may be taken by several
-    /// threads at once.
+    /// Adds the rows of pixels from `first`, a multiple of kSide, to before `last`: the next multiple, or the
+    /// end of the image. lightAt(x, y) is Weighed, with a weight of 1 at most. Different rows may be taken by
+    /// several threads at once.
     template <typename LightAt>
     void take(LightAt&& lightAt, int first, int last) {
         Level& finest = levels_[0];
@@ -38,8 +38,8 @@ class SampleMeans {
         for (std::size_t i = 1; i < levels_.size(); ++i) addUp(levels_[i - 1], levels_[i], first, last);
     }
 
-    /// Around the pixel: of small squares as far as they are known, else of larger ones; black where nothing
-    /// is. All rows must have been taken.
+    /// The mean around a pixel: over small squares as far as they are known, else over larger ones; black
+    /// where nothing is known. All rows must have been taken.
     Colour around(int x, int y) const;
 
   private:

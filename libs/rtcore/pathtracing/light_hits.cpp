@@ -40,7 +40,7 @@ HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std
             const Float3 point = loadAt(s.point, i);
             const Float distance = hitLight<kind, Float>(light, point, direction);
             const Float density = load(s.density + i);
-            // As far as shadow rays go: what lies in the light does not occlude it.
+            // As far as shadow rays go: surfaces within the light do not occlude it.
             const Mask met =
                 (density > 0.0F) & (distance >= from) & (distance * 0.9999F <= to) & isFinite(distance);
             if (none(met)) return Float3{};

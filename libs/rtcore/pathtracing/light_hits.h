@@ -1,6 +1,6 @@
-/// Area lights that scattered rays meet: the other way to find what next event samples. Those that have a
-/// place are not seen by the camera, and in mirrors and through glass that bends those alone that are to be
-/// (lights/mirrored_light.h); discs are.
+/// Area lights hit by scattered rays: the other strategy for light that next event samples. The camera does
+/// not see lights that have a position; mirrors and glass that bends show those that are set to be seen so
+/// (lights/mirrored_light.h). Discs are seen by all.
 #pragma once
 
 #include "rtcore/pathtracing/light_set.h"
@@ -10,8 +10,8 @@
 
 namespace rtcore {
 
-/// Sets surfaces.contribution to what each ray of the wave meets of area lights that have a place before its
-/// surface, weighted by the power heuristic against next event. The wave is that of the batch.
+/// Sets surfaces.contribution to the radiance of area lights with a position that each ray of the wave meets
+/// before its surface, weighted by the power heuristic against next event. The wave is that of the batch.
 void addLightHits(const LightRows& lights, SamplingStrategy strategy, PathBatch& batch, Wave& wave);
 
 /// environmentDensity() of the directions of those rays of the wave that meet no surface, into
@@ -21,10 +21,10 @@ void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, f
 /// The radiance of the disc of a light, where a ray that leaves the scene meets it; else black.
 Colour discSeen(const Light& light, Vec3 direction);
 
-/// With which probability density the point that the ray `i` of the batch was scattered at sampled the light
-/// `k`, whose disc the ray meets; with which probability it sampled the emitters, or the surroundings.
+/// The density with which next event at the origin of the scattered ray `i` samples the light `k`, whose disc
+/// the ray meets.
 float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t i, std::uint32_t k);
-/// With which probability that point sampled the emitters, or the surroundings.
+/// The probability that next event there selects the emitters, or the surroundings.
 float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i);
 float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i);
 

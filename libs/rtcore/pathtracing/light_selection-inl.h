@@ -59,8 +59,8 @@ HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
     return rows.selection.probability[group - (group > rows.emitterGroup() && !rows.emitters ? 1 : 0)];
 }
 
-/// With which probability a point samples a light, the emitters or the surroundings, where all of them are
-/// expected to throw `total` on it.
+/// The probabilities that a point samples a light, the emitters or the surroundings, where the expected light
+/// of all of them is `total`.
 template <typename F>
 HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
                                 F total) {

@@ -1,5 +1,5 @@
-/// All lights of a scene for path tracing: the lights that shine by themselves, emissive triangles and what
-/// surrounds the scene; and with which probability a point samples each of them.
+/// All lights of a scene for path tracing: its lights, its emissive triangles and its surroundings; and the
+/// probabilities with which a point samples them.
 #pragma once
 
 #include "rtcore/lights/background_light.h"
@@ -42,17 +42,17 @@ class LightSet {
     /// Up to this many lights are selected by their unoccluded light at the point, more of them by power.
     static constexpr std::size_t kMaxWeighed = 32;
 
-    /// Takes what is on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model, not 0 where
-    /// it is; may be empty.
+    /// Takes the lights that are on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model,
+    /// not 0 where it is; may be empty.
     void prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
                  std::span<const std::uint8_t> hidden = {});
 
-    /// A ray that was scattered may find some of the light.
+    /// Scattered rays may meet some of the lights.
     bool anyToHit() const {
         return anyArea_ || !discs_.empty() || !emitters_.empty() || !surroundings_.empty();
     }
-    bool anyArea() const { return anyArea_; } ///< that has a place
-    /// Which of the lights are seen as discs; which are seen in mirrors.
+    bool anyArea() const { return anyArea_; } ///< with a position
+    /// Indices of the lights that are seen as discs, and of those that are seen in mirrors.
     std::span<const std::uint32_t> discs() const { return discs_; }
     std::span<const std::uint32_t> mirrored() const { return mirrored_; }
 

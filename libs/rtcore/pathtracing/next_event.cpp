@@ -51,7 +51,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// A sample of what some lanes chose.
+/// A sample of the group that some lanes selected.
 struct GroupSample {
     Float3 toLight{};
     Float3 irradiance{}; ///< of emitters and surroundings yet to be looked up
@@ -218,7 +218,7 @@ void NextEvents::sample(const NextEventTask& task, const Wave& wave) {
     if (task.rows.emitters || task.rows.surroundings) lookUp(task, wave);
 }
 
-/// The light of emitters and surroundings, which textures and images hold.
+/// Looks up the radiance of emitters and surroundings in textures and images.
 void NextEvents::lookUp(const NextEventTask& task, const Wave& wave) {
     for (std::size_t i = 0; i < wave.size(); ++i) {
         const std::uint32_t group = group_[i];

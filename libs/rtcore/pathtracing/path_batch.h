@@ -43,7 +43,7 @@ class PathBatch {
     PathQueue queue;
 
     const ScatterState& scattered() const { return scattered_; }
-    /// Makes room for `count` rays and a block more, of which none is there yet.
+    /// Empties the batch and makes room for `count` rays and a block more.
     void start(std::size_t count) {
         queue.clear();
         queue.grow(count + kWaveBlock);
@@ -54,8 +54,7 @@ class PathBatch {
                       states_.data()};
     }
 
-    /// Adds a ray that goes on where it is, as straight as the one of `from` (null: of the camera) with index
-    /// `i`.
+    /// Adds a ray that continues ray `i` of `from` (null: a ray of the camera) in a straight line.
     void pushStraight(const Ray& ray, const Path& path, const PathBatch* from, std::size_t i) {
         const std::size_t to = queue.size();
         queue.push(ray, path);

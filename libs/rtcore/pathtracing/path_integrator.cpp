@@ -176,8 +176,8 @@ void PathIntegrator::addSurroundings() {
     }
 }
 
-/// The discs of directional lights, where rays leave the scene. As the light that next event samples of them,
-/// what scattered rays find passes homogeneous fog.
+/// Adds the discs of directional lights, where rays leave the scene. Light of scattered rays passes
+/// homogeneous fog, as that of next event does.
 void PathIntegrator::addDiscs() {
     for (const std::uint32_t k : lights_->discs()) {
         const Light& light = rows_.light[k];
@@ -196,7 +196,8 @@ void PathIntegrator::addDiscs() {
     }
 }
 
-/// Lights that are seen in mirrors and through glass that bends, by rays that next event does not sample.
+/// Adds lights that are seen in mirrors and through glass that bends, by rays that next event does not
+/// sample.
 void PathIntegrator::addMirrored() {
     for (const std::uint32_t k : lights_->mirrored()) {
         const Light& light = rows_.light[k];
@@ -303,8 +304,8 @@ void PathIntegrator::takeShadows() {
     }
 }
 
-/// Whether rays that glass has bent find the light of the group: all but lights that have no size, and those
-/// with a place that are not to be seen so.
+/// Whether rays that glass has bent find the light of the group: all but lights without a size, and those
+/// with a position that are not to be seen in mirrors.
 bool PathIntegrator::isSurrounding(std::uint32_t group) const {
     return group >= rows_.lights || isDisc(rows_.light[group]) || isMirrored(rows_.light[group]);
 }
@@ -323,7 +324,7 @@ void PathIntegrator::takePart(Wanted&& wanted) {
     }
 }
 
-/// Takes fog and shadows from the light of one group, to which part_ goes.
+/// Attenuates the light of one group by fog and shadows, along the rays of part_.
 void PathIntegrator::tint(std::uint32_t group) {
     const Light* const light = group < rows_.lights ? &rows_.light[group] : nullptr;
     if (light != nullptr && !(limits_.caustics && isSurrounding(group)))
@@ -340,8 +341,8 @@ void PathIntegrator::tint(std::uint32_t group) {
     }
 }
 
-/// Takes from the light of part_ what does not arrive, and what scattered rays find of it: nothing of what
-/// passes solids of glass, which bend them.
+/// Attenuates the light of part_ by the transmittance, and weights it against scattered rays: these find none
+/// of the light that passes solids of glass, which bend them.
 void PathIntegrator::tintBy(const ShadowTracer& tracer, const std::vector<Colour>& arriving) {
     const ArraysOf3& contribution = wave_.surfaces.contribution;
     const bool apart = shadows_.tinted();

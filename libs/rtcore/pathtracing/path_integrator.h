@@ -1,7 +1,7 @@
 /// Path tracing (Kajiya 1986), wave by wave: each camera ray goes on as one path, which samples a light at
-/// each point and scatters in a direction of a lobe; light that both find is shared by the power heuristic
-/// (Veach 1995). The mean over samples is the light of any number of bounces. What counts which light is a
-/// table in docs/shading.md.
+/// each point and scatters in a direction of a lobe; light that both find is weighted by the power
+/// heuristic (Veach 1995). The mean over samples is the light of any number of bounces. What counts which
+/// light is a table in docs/shading.md.
 #pragma once
 
 #include "rtcore/kernels/ray_statistics.h"

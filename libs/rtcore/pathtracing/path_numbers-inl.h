@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Tells the points of a path apart, all of them: how often it has scattered, been mirrored or bent, and
-/// passed straight through.
+/// A number for each point of a path: how often it has scattered, been mirrored or bent, and passed straight
+/// through.
 template <typename Bits>
 struct Visit {
     Bits usual;  ///< 24 bits, which nearly all paths can do with

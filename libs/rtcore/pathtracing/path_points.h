@@ -1,5 +1,5 @@
 /// Points of a wave of paths that vector code alone cannot shade: textured, perforated, transparent ones.
-/// Where light divides between holes, glass and the rest, a path takes one way by chance.
+/// Where light divides between holes, glass and the rest, a path takes one of them at random.
 #pragma once
 
 #include "rtcore/pathtracing/path_batch.h"

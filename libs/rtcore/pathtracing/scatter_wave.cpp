@@ -116,7 +116,7 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         some.store(past.sample, next.sample + count);
         some.store(select(mirrored, past.bounces + 1U, past.bounces), next.bounces + count);
         some.store(lengthAfter(past.length, distance, flat), next.length + count);
-        // After a mirror next event has no part in what is found; where light of matte surfaces comes by one
+        // After a mirror next event does not count; where light of matte surfaces comes by one
         // it is a caustic.
         const Uint afterMatte =
             past.state | Uint(rows.limits.caustics ? path_state::kWhole : path_state::kDropped);
