@@ -53,7 +53,7 @@ class SeenTriangles {
             hn::Store(hn::LoadU(di, indices + i), di, triangle + i);
     }
 
-    /// Of corner `c` along `axis`, by triangle: the point minus it.
+    /// Offsets of the point from corner `c` along `axis`, by triangle.
     HWY_INLINE const float* offsets(std::size_t c, int axis) const {
         return offsets_[3 * c + static_cast<std::size_t>(axis)];
     }

@@ -1,4 +1,4 @@
-// What the 64 rays of a group have in common. Included once for each target.
+// Common properties of the 64 rays of a group. Included once for each target.
 #if defined(RTCORE_KERNELS_GROUP_SHAPE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_KERNELS_GROUP_SHAPE_INL_H_
 #undef RTCORE_KERNELS_GROUP_SHAPE_INL_H_
@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
 constexpr std::size_t kGroup = StreamScratch::kGroup;
 constexpr std::size_t kGroupVectors = kGroup / kLanes;
 
-/// What the rays of a group have in common.
+/// Common properties of the rays of a group.
 struct GroupShape {
     Range direction[3];
     Range origin[3]; ///< by addOrigins()
@@ -68,7 +68,7 @@ struct GroupShape {
     }
 };
 
-/// Of kCount values.
+/// Range of kCount values.
 template <std::size_t kCount>
 HWY_INLINE Range rangeOf(const float* values) {
     const FloatTag d;

@@ -1,4 +1,4 @@
-/// What kernels trace rays against: plain pointers into a tree and a mesh.
+/// The scene for kernels: plain pointers into a tree and a mesh.
 #pragma once
 
 #include "rtcore/accel/kd_node.h"

@@ -38,14 +38,14 @@ constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t kTied = std::numeric_limits<std::int32_t>::min();
 static_assert(static_cast<std::uint32_t>(kTied) == kTiedHit);
 
-/// What the rays of a packet have in common, which decides how corners are brought to them.
+/// The property that the rays of a packet share, which decides how corners are brought to them.
 enum class Shared {
     Origin, ///< the origin and the dominant axis
     Axis,   ///< the dominant axis
     Nothing
 };
 
-/// What is looked for along rays.
+/// The kind of hit that is looked for along rays.
 struct Search {
     bool any;      ///< whether there is a hit; else the closest
     bool filtered; ///< not all candidates are hits: by KernelScene's filter and `clear`
@@ -189,7 +189,7 @@ struct AlongEach {
     }
 };
 
-/// What the test of one triangle says of each lane.
+/// Result of the test of one triangle for each lane.
 struct Outcome {
     Mask inside; ///< the ray's line meets the triangle
     Floats t;    ///< where; NaN or any other number outside
@@ -217,7 +217,7 @@ HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& ray
     return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.minusSz), det), v, w, det, sum};
 }
 
-/// What a vector of rays has found so far.
+/// Closest hits of a vector of rays so far.
 struct Found {
     Floats best;      ///< distance of the closest hit; for any hit tMax, or -1 once hit
     Ints triangle;    ///< with kTied, one of several as close, of which only `best` is known

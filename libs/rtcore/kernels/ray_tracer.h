@@ -14,7 +14,7 @@
 
 namespace rtcore {
 
-/// What a shadow ray meets.
+/// The obstacle that a shadow ray meets.
 enum class Obstacle : std::uint8_t {
     None,
     Opaque, ///< at least one triangle of a material that lets no light through
@@ -35,7 +35,7 @@ class RayTracer {
     /// light may pass. Resizes `found`. This one does not know.
     virtual void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                                std::vector<Obstacle>& found) const;
-    /// Of all that rays may hit.
+    /// Bounds of all that rays may hit.
     virtual Box3 bounds() const = 0;
 };
 

@@ -32,7 +32,7 @@ struct Hit {
     float u = 0, v = 0;
 };
 
-/// What rays are for; decides how they are traced and how they are counted, never what they find.
+/// The purpose of rays; decides how they are traced and how they are counted, never what they find.
 enum class RayKind { Primary, Shadow, Mirror, Refracted, Occlusion, Scattered };
 inline constexpr int kRayKinds = 6;
 

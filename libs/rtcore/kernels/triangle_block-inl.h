@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What one ray has found so far.
+/// Closest hit of one ray so far.
 struct FoundByRay {
     float best; ///< for any hit tMax, or -1 once hit
     std::int32_t triangle;

@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 /// Factors that stand for what a lobe lacks divide by no less.
 inline constexpr float kMinAlbedo = 1e-3F;
 
-/// What facets of Schlick's reflectance F0 send on after the first one, to one viewer.
+/// Light that facets of Schlick's reflectance F0 scatter to one viewer after the first facet.
 template <typename F>
 struct FurtherFacets {
     /// Added to the GGX lobe's factors: F0 (first + second F0) to that for facets seen straight on, first +

@@ -60,7 +60,7 @@ HWY_INLINE F smithRoot(F cosine, F alpha) {
     return sqrt(square + (1.0F - square) * (cosine * cosine));
 }
 
-/// What the lobe does with light from a direction; all 0 where that is below the surface.
+/// The lobe's response to light from a direction; all 0 where that is below the surface.
 template <typename F>
 struct GgxScattering {
     F lobe;          ///< f_r of a perfect mirror's facets: D G2 / 4 cos i cos o

@@ -4,10 +4,11 @@
 
 namespace rtcore {
 
-/// Of alpha, the square of the roughness: below, a surface is a mirror, and single precision ends.
+/// Lower bound of alpha, the square of the roughness: below, a surface is a mirror, and single precision
+/// ends.
 inline constexpr float kMinAlpha = 1e-3F;
 
-/// Of the viewer with the normal; lower ones, which smooth normals bring about, are lifted.
+/// Lower bound of the cosine between viewer and normal; lower ones, due to smooth normals, are lifted.
 inline constexpr float kMinViewerCosine = 1e-3F;
 
 } // namespace rtcore

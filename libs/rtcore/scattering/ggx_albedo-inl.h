@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Of reflectance F0: F0 straight + grazing. `mean`: of perfect mirrors, for light from all sides.
+/// Albedo for the reflectance F0: F0 straight + grazing. `mean`: of perfect mirrors, for light from all
+/// sides.
 template <typename F>
 struct GgxAlbedo {
     F straight, grazing, mean;

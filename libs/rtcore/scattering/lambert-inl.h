@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What several lobes together do with light from a direction; all 0 below the surface.
+/// The response of several lobes together to light from a direction; all 0 below the surface.
 template <typename F>
 struct Scattering {
     Vec3Of<F> reflectance; ///< f_r, without the cosine

@@ -64,7 +64,7 @@ HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F>
     const Vec3Of<F> white = broadcast<F>(kWhite);
     MetallicLobes<F> lobes{};
     Vec3Of<F> other{};
-    // What one lane gets may not depend on what the others need.
+    // The result of a lane must not depend on the other lanes.
     const auto mixed = isDielectric > 0.0F, isMetal = metallic > 0.0F;
     if (any(mixed)) {
         const Vec3Of<F> factor = factorOfFurtherFacets<F>(albedo, reflectance);
@@ -90,7 +90,7 @@ HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F>
     return lobes;
 }
 
-/// What `straight` and `grazing` come to for facets with this cosine to light and viewer: Schlick's curve.
+/// Schlick's curve between `straight` and `grazing`, for facets with this cosine to light and viewer.
 template <typename F>
 HWY_INLINE Vec3Of<F> glossFactor(Vec3Of<F> straight, Vec3Of<F> grazing, F cosine) {
     const F x = 1.0F - clamp(cosine, 0.0F, 1.0F);
@@ -105,7 +105,7 @@ HWY_INLINE F glossProbability(const MetallicLobes<F>& lobes) {
     return selectOrZero(all > 0.0F, gloss / all);
 }
 
-/// What the lobes do with light from one direction, not summed up yet.
+/// The lobes' responses to light from one direction, before they are summed.
 template <typename F>
 struct MetallicTerms {
     Vec3Of<F> gloss; ///< f_r of the GGX lobe

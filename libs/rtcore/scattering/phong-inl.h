@@ -24,7 +24,8 @@ HWY_INLINE F phongLobe(F cosine, F shininess, F scale) {
     return scale * pow(cosine, shininess);
 }
 
-/// What times cos^n is the density of samplePhong() by solid angle. The cosine is that of phongLobe(), > 0.
+/// Factor by which cos^n is the density of samplePhong() by solid angle. The cosine is that of phongLobe(), >
+/// 0.
 template <typename F>
 HWY_INLINE F phongDensityScale(F shininess) {
     return (shininess + 1.0F) * (0.5F / kPi);

@@ -1,4 +1,4 @@
-/// What the waves of one frame share.
+/// Input shared by the waves of one frame.
 #pragma once
 
 #include "rtcore/kernels/ray_statistics.h"
@@ -15,7 +15,7 @@
 
 namespace rtcore {
 
-/// Of one thread. Everything lives as long as the frame.
+/// The context of one thread. Everything lives as long as the frame.
 struct FrameContext {
     const Scene* scene = nullptr;
     const RayTracer* tracer = nullptr; ///< of the scene's mesh
@@ -23,7 +23,7 @@ struct FrameContext {
     const MaterialTable* materials = nullptr;
     bool discs = false;                     ///< a light that is on is seen as one (isDisc())
     const ShadowMaps* shadowMaps = nullptr; ///< shadows are looked up there; null: they are traced
-    /// What is known of the points of primary rays, by sample, and gets what is found; empty: all is traced.
+    /// Known visibility at the points of primary rays, by sample; results are added. Empty: all is traced.
     std::span<LightVisibility> visibility;
     const std::atomic<bool>* stop = nullptr; ///< true: return soon, the result is not wanted; may be null
     RayStatistics* statistics = nullptr;     ///< counts all rays of the frame

@@ -39,7 +39,7 @@ struct PrimaryHit {
     bool any() const { return wave != 0; }
 };
 
-/// What is recorded of hits.
+/// Which parts of hits are recorded.
 enum class PrimaryHitParts {
     None,
     Surface, ///< all but light: direct, soft, arriving, whole

@@ -1,4 +1,4 @@
-/// What the samples of one wave of primary rays see, summed up over all rays that follow from them.
+/// Radiance of the samples of one wave of primary rays, summed over all rays that follow from them.
 #pragma once
 
 #include "rtcore/math/colour.h"

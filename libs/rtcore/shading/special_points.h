@@ -19,11 +19,11 @@ class SpecialPoints {
     /// light through to `secondary`. `ambient`: the ambient light that nothing occludes.
     void complete(const FrameContext& frame, Colour ambient, Wave& wave, SampleSums& sums,
                   SecondaryRays& secondary);
-    /// Of each such point, what it emits, and reflects of the ambient light, towards its sample.
+    /// Light that each such point emits, or reflects of the ambient light, towards its sample.
     const std::vector<Colour>& emitted() const { return emitted_; }
 
   private:
-    /// What complete() got.
+    /// Arguments of complete().
     struct Task {
         const FrameContext& frame;
         Colour ambient;

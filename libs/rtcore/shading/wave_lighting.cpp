@@ -121,7 +121,7 @@ void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size
     }
 }
 
-/// Of what is known of a light, that counts which the first ray to it confirms.
+/// Known visibility of a light counts where the first ray to it confirms it.
 void WaveLighting::confirm(std::size_t light) {
     const std::uint32_t bit = knownOf(light).bit;
     for (std::size_t i = 0; i < clear_.size(); ++i) {
@@ -190,7 +190,7 @@ void WaveLighting::recall(const FrameContext& frame, const Wave& wave) {
     }
 }
 
-/// What a shadow ray found. Light that is tinted is asked for anew each time.
+/// Notes the result of a shadow ray. Tinted light is traced anew each time.
 void WaveLighting::note(std::size_t light, std::size_t point, Colour arriving) {
     if (!remembers(light)) return;
     if (arriving != kWhite) foundDark_[point] |= 1U << light;

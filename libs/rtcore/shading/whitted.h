@@ -42,20 +42,20 @@ class WhittedIntegrator {
     /// Traces primary rays (directions of unit length) and all that follow from them. `samples` names each of
     /// them; may be empty unless needsSampleIds().
     void trace(const RayWave& primary, std::span<const SampleId> samples = {});
-    /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with
-    /// room for whole blocks of kWaveBlock.
+    /// Results of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both
+    /// with room for whole blocks of kWaveBlock.
     const ArraysOf3& radiance() const { return sums_.radiance(); }
     const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
 
-    /// What the next waves record of primaryHits(): those of the last wave, of sample i at i.
+    /// Chooses which parts of primaryHits() the next waves record: those of the last wave, of sample i at i.
     void collectPrimaryHits(PrimaryHitParts parts) { hitParts_ = parts; }
     std::span<const PrimaryHit> primaryHits() const { return primaryHits_.hits(); }
 
     /// Shadow maps to look shadows up in instead of tracing rays; null: shadows are traced.
     void takeShadowsFrom(const ShadowMaps* maps) { frame_.shadowMaps = maps; }
 
-    /// What is known of lights at what the next wave's primary rays hit, by sample; what shadow rays find is
-    /// added. Empty: nothing is known or kept.
+    /// Known visibility of lights at the primary hits of the next wave, by sample; shadow rays add their
+    /// results. Empty: nothing is known or kept.
     void remember(std::span<LightVisibility> visibility) { frame_.visibility = visibility; }
 
     /// trace(), with the results copied to spans of the size of the wave.

@@ -83,7 +83,7 @@ constexpr std::array<float, 35> kOzone{0,      0.003F, 0.006F, 0.009F, 0.014F, 0
                                        0.018F, 0.014F, 0.011F, 0.010F, 0.009F, 0.007F, 0.004F, 0};
 constexpr int kFirstOzone = 440;
 
-/// What comes through, of each cause.
+/// Transmittance by cause.
 struct Transmittance {
     float air, haze, ozone;
 };
@@ -103,7 +103,7 @@ float airMassOf(float sinElevation) {
     return 1 / (sinElevation + 0.15F * portablePow(3.885F + elevation, -1.253F));
 }
 
-/// What is seen of sunlight of which share(transmittance) comes through; lux.
+/// Illuminance by sunlight of which fraction(transmittance) arrives; lux.
 template <typename Fraction>
 Xyz illuminance(float airMass, float turbidity, Fraction fraction) {
     Xyz sum{};

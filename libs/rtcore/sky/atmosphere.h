@@ -1,5 +1,4 @@
-/// What clear air makes of sunlight: how bright the sky is in each direction, and how bright the sun still
-/// is.
+/// Sunlight through clear air: the radiance of the sky in each direction, and of the sun.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -21,7 +20,7 @@ class ClearSky {
     /// Sine of the sun's elevation, -1..1; turbidity kMinTurbidity..kMaxTurbidity.
     ClearSky(float sinElevation, float turbidity);
 
-    /// What depends on the height of a direction alone; `cosZenith` > 0.
+    /// Values that depend on the height of a direction alone; `cosZenith` > 0.
     struct Height {
         std::array<float, 3> part;
     };

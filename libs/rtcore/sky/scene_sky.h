@@ -36,7 +36,7 @@ void moveSunBehind(Scene& scene);
 /// Adds an environment of files behind the others of files; returns its number.
 std::size_t addEnvironment(Scene& scene, const EnvironmentFile& file, Environment environment);
 
-/// Of an environment of files.
+/// Sets the intensity of an environment of files.
 void setEnvironmentIntensity(Scene& scene, std::size_t environment, float intensity);
 void setEnvironmentRotation(Scene& scene, std::size_t environment, float degrees);
 

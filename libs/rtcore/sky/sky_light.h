@@ -13,15 +13,14 @@ namespace rtcore {
 /// Radiance 1 stands for so many cd/m^2: a white wall in the sun then has a radiance of 1 to 2. Of sun and
 /// sky alike, so that their ratio is that of nature.
 inline constexpr float kLuminanceOfOne = 20'000;
-/// What the ground below the horizon scatters back of sun and sky: as stones and grass do, or light as dry
-/// sand where there is haze.
-/// The floor of a studio scatters back what its three lights and its walls bring, as bright as these are.
+/// Albedo of the ground below the horizon: that of stones and grass, or of dry sand where there is haze.
+/// In a studio that of the floor, which the three lights make as bright as the walls.
 constexpr float groundAlbedo(const Sky& sky) {
     constexpr float kStudio = 0.85F, kSand = 0.35F, kGrass = 0.2F;
     return sky.studio ? kStudio : sky.haze ? kSand : kGrass;
 }
-/// Of the equirectangular map: 0.35 degrees a texel. What is sharper than that is the horizon alone, and
-/// twice the width costs four times the time whenever the sun is moved.
+/// Width of the equirectangular map: 0.35 degrees a texel. Only the horizon is sharper than that, and twice
+/// the width costs four times the time whenever the sun is moved.
 inline constexpr int kSkyWidth = 1024;
 
 /// Light::discSine of the sun, which is seen under 0.53 degrees.

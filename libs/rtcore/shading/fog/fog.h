@@ -1,4 +1,4 @@
-/// What fog does to the light along a ray: the closed forms, one ray at a time. (thesis 5.5 and 7.1.9)
+/// Attenuation and emission of fog along a ray: the closed forms, one ray at a time. (thesis 5.5 and 7.1.9)
 ///
 /// The optical depth of a stretch is tau = density * length, where `length` counts thin fog less and thick
 /// fog more than its distance (the integral of the density relative to `Fog::density`). Light loses all but
@@ -39,7 +39,7 @@ FogMedium fogMedium(const Scene& scene, const RenderSettings& settings);
 /// it neither overflows on rays from high above nor loses digits on level ones.
 float fogLength(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
 
-/// What is left of the light after the stretch: e^-tau.
+/// Transmittance of the stretch: e^-tau.
 float fogTransmittance(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
 
 /// Transmittance from a light to `position`. 1 for a directional light in homogeneous fog: its intensity is

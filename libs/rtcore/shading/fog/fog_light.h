@@ -1,4 +1,4 @@
-/// What the fog along a wave of rays scatters of one light, without shadows.
+/// Light that fog along a wave of rays scatters from one light, without shadows.
 #pragma once
 
 #include "rtcore/scene/light.h"

@@ -52,7 +52,7 @@ HWY_INLINE F exponentialLength(F from, F slope, F distance) {
     const F to = max(from + slope * distance, F(FogMedium::kLowest));
     const F rise = steepness * distance;
     const F densest = fogExp(-min(from, to));
-    // Of endless rays distance * meanDecay() would be infinity * 0.
+    // With endless rays distance * meanDecay() would be infinity * 0.
     return select(rise > 16.0F, densest / steepness, densest * distance * meanDecay(rise));
 }
 

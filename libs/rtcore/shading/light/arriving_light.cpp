@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What of the light comes past a hit at `t`, over `distance`.
+/// Fraction of the light that passes a hit at `t`, over `distance`.
 template <typename F>
 HWY_INLINE F passing(F t, float distance) {
     return min(t / distance, F(1));
@@ -31,7 +31,7 @@ void addAllVisible(float* visible, std::size_t count, const float* t, const std:
         visible[i] += triangle[i] == kNoTriangle ? 1 : passing(t[i], distance);
 }
 
-/// Of the rays from `i` on; the rays end with the last one.
+/// Directions of the rays from `i` on; the rays end with the last one.
 HWY_INLINE Float3 rayVectors(const std::vector<float>& x, const std::vector<float>& y,
                              const std::vector<float>& z, std::size_t i, std::size_t count) {
     if (HWY_LIKELY(count >= lanes())) return load(&x[i], &y[i], &z[i]);

@@ -1,4 +1,4 @@
-/// What the rays of a hemisphere bring to their points: vector code.
+/// Light that the rays of a hemisphere bring to their points: vector code.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -15,7 +15,7 @@ namespace rtcore {
 /// one for each sum.
 void addVisible(float* visible, std::size_t count, const HitWave& hits, std::size_t first, float distance);
 
-/// What a ray that escapes brings.
+/// Light of a ray that escapes.
 struct SkySource {
     const EnvironmentLight* light = nullptr;
     Colour scale;                   ///< times that

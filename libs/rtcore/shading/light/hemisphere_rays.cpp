@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Of the points from `i` on. `u` is not shifted yet.
+/// Aims a ray from each of the points from `i` on. `u` is not shifted yet.
 HWY_INLINE void aimVector(const HemisphereFrames& f, std::size_t i, Float u, Float cosine, Float sine,
                           const HemisphereTargets& to) {
     u = min(u + load(f.shift + i), 1.0F); // rounded, the last ring may end above 1

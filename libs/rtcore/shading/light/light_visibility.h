@@ -1,4 +1,4 @@
-/// What is known of lights that a point sees, so that no shadow ray asks for it again.
+/// Known visibility of lights at a point, which saves shadow rays.
 #pragma once
 
 #include <cstddef>

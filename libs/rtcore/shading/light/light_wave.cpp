@@ -37,7 +37,7 @@ HWY_INLINE Stratum<Float> strataOf(const LightStrata* strata, std::size_t i) {
     return {unit(strata->u, strata->du), unit(strata->v, strata->dv), strata->weight, strata->ofAll};
 }
 
-/// What is left of the gloss for a light that mirrored rays see.
+/// Fraction of the gloss that remains for a light that mirrored rays see.
 HWY_INLINE Float besideMirror(Uint traits, Float alpha) {
     return 1.0F - selectOrZero(hasTrait(traits, traits::kSharp), fadedMirror<Float>(sqrt(alpha)));
 }

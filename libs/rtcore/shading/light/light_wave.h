@@ -25,7 +25,7 @@ struct LightStrata {
     float ofAll = 1; ///< of one of all strata that a pixel samples: highlights are widened to it
 };
 
-/// What is known of a light's visibility without tracing, by point of the wave and for whole blocks of
+/// Visibility of a light that is known without tracing, by point of the wave and for whole blocks of
 /// kWaveBlock: a bit that is set in `clear` where all of it arrives, in `dark` where nothing does.
 struct KnownVisibility {
     const std::uint32_t *clear, *dark;

@@ -18,8 +18,8 @@ namespace rtcore {
 class ShadowTracer;
 struct LightEnd;
 
-/// Of one light; one with a size counts as a point in its middle. A square of texels for directional lights,
-/// else the six sides of a cube around the light. Immutable; any number of threads.
+/// Shadow map of one light; one with a size counts as a point in its middle. A square of texels for
+/// directional lights, else the six sides of a cube around the light. Immutable; any number of threads.
 class ShadowMap {
   public:
     /// The fraction of the light that arrives at a point of a surface with that unit normal, on the side of
@@ -52,7 +52,7 @@ class ShadowMap {
     std::vector<Texel> texels_;
 };
 
-/// Of all lights of a scene, on or off.
+/// Shadow maps of all lights of a scene, on or off.
 class ShadowMaps {
   public:
     /// By one thread: some hundred thousand rays a light, fewer where lights are many. Null when `cancel` was

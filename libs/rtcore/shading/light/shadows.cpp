@@ -83,7 +83,7 @@ void ShadowTracer::startLayers(const RayWave& rays) {
     for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;
 }
 
-/// What is left of a ray, behind the surface that it hit.
+/// Continues a ray behind the surface that it hit.
 void ShadowTracer::goOn(std::size_t ray, const Surface& surface, const Hit& hit) {
     Ray rest = current_.ray(ray);
     rest.origin = surface.position - surface.geometricNormal * surface.clearance;
@@ -162,7 +162,7 @@ void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics)
     for (const std::uint32_t lost : currentIndex_) transmittance_[lost] = unbent_[lost] = {};
 }
 
-/// What the fog between two surfaces leaves of the light.
+/// Transmittance of the fog between two surfaces.
 float ShadowTracer::throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const {
     if (end.closed && end.fromInside) return 1;
     if (!traitsOf(light).position && !fog_->exponential) return 1;

@@ -46,8 +46,8 @@ class ShadowTracer {
                                              RayStatistics& statistics);
     /// The same of light from anywhere, without fog.
     const std::vector<Colour>& transmittance(const RayWave& rays, RayStatistics& statistics);
-    /// Of that, what passes through holes and thin panes alone: where a ray that is scattered in this
-    /// direction passes as straight. The rest of it passes solids, which would bend such a ray. Valid as long
+    /// The part of it through holes and thin panes alone, which a ray that is scattered in this direction
+    /// passes just as straight. The rest passes solids, which would bend such a ray. Valid as long
     /// as what transmittance() gave last.
     const std::vector<Colour>& unbent() const { return unbent_; }
 
@@ -60,7 +60,7 @@ class ShadowTracer {
     void settle(const RayWave& rays, const Light* fogLight, RayStatistics& statistics);
     void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
     void traceTinted(const Light* fogLight, RayStatistics& statistics);
-    /// What one surface leaves of the light, and what of that passes a hole or a thin pane.
+    /// Transmittance of one surface, and its part through a hole or a thin pane.
     struct Passing {
         Colour all, unbent;
     };

@@ -55,7 +55,7 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
     return {rows, s, i, normals, used, glossy, metallic, any(glossy), any(metallic)};
 }
 
-/// Of points that are not metallic; undefined of others.
+/// Lobes of points that are not metallic; undefined for others.
 HWY_INLINE PhongLobes<Float> phongOf(const PointLobes& points) {
     const Float3 diffuse = loadAt(points.s.diffuseBrdf, points.i);
     if (!points.anyGlossy) return {diffuse, Float3{}, Float(kMinShininess), Float(0), Float(0)};
@@ -67,7 +67,7 @@ HWY_INLINE PhongLobes<Float> phongOf(const PointLobes& points) {
             selectOrZero(points.glossy, row.get(&MaterialRow::roughScale))};
 }
 
-/// Of metallic points; undefined of others.
+/// Lobes of metallic points; undefined for others.
 HWY_INLINE MetallicLobes<Float> metalOf(const PointLobes& points) {
     const SurfaceWave& s = points.s;
     const std::size_t i = points.i;
@@ -91,7 +91,7 @@ HWY_INLINE Float3 albedoOf(const PointLobes& points) {
     return albedo;
 }
 
-/// What a light changes of highlights.
+/// Changes of highlights by a light.
 struct Highlights {
     Float spread;    ///< solid angle over pi of the light's stratum that is looked at: they are no narrower,
                      ///< else they are undersampled
@@ -156,7 +156,7 @@ HWY_INLINE LobeSample sampleLobes(const PointLobes& points, Float lobe, SquarePo
         const Float3 viewer = liftedViewer<Float>(toViewer, normal);
         const Float3 direction = sampleMetallic<Float>(lobes, normal, viewer, lobe, point);
         sample.direction = select(points.metallic, direction, sample.direction);
-        // What metal scatters further is sampled as matte surfaces are, and is none.
+        // Multiple scattering of metal is sampled as matte surfaces are, but is not matte.
         const Mask matte = without(!(lobe < glossProbability<Float>(lobes)), isZero(lobes.diffuse));
         sample.matte = (points.metallic & matte) | without(sample.matte, points.metallic);
     }

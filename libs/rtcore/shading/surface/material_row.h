@@ -1,4 +1,4 @@
-/// What shading needs of a material: each column, and how it comes from the material.
+/// Material values for shading: each column, and how it follows from the material.
 #pragma once
 
 #include "rtcore/scattering/phong.h"
@@ -12,7 +12,7 @@
 
 namespace rtcore {
 
-/// What is asked of a point beyond the diffuse lobe of its material's own colour.
+/// Needs of a point beyond the diffuse lobe of its material's own colour.
 namespace traits {
 inline constexpr std::uint32_t kPoint = 1;     ///< there is a surface to be lit
 inline constexpr std::uint32_t kGlossy = 2;    ///< it has a Phong lobe
@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kMetallic = 1024; ///< of the metallic-roughness 
                                                  ///< and mirrors above
 inline constexpr std::uint32_t kSharp = 2048; ///< of these: no glass, and somewhere so smooth that it mirrors
 inline constexpr std::uint32_t kVaried = 4096; ///< of these: a texture has roughness and metal
-/// Of points that vector code alone cannot shade: seen from behind; shading normal turned (surface.h).
+/// Traits of points that vector code alone cannot shade: seen from behind; shading normal turned (surface.h).
 inline constexpr std::uint32_t kFromInside = 256, kTurned = 512;
 /// Vector code alone cannot shade such a point.
 inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
@@ -59,7 +59,7 @@ inline std::uint32_t traitsOf(const Material& m, const Mesh& mesh, const RenderS
     if (hasRoughness(m)) {
         result |= traits::kMetallic;
         if (used(m.metallicRoughnessTexture)) result |= traits::kVaried;
-        // What a veil covers mirrors as if it were opaque.
+        // The covering part of a veil mirrors as if it were opaque.
         const bool covers = !settings.refractions || m.opacity >= 1 || isVeil(m);
         const bool smooth = m.roughness < kMirrorsBelow || used(m.metallicRoughnessTexture);
         if (settings.reflections && covers && smooth) result |= traits::kSharp;

@@ -1,4 +1,4 @@
-/// What shading needs of each material, worked out once for a frame.
+/// Values of each material for shading, worked out once for a frame.
 #pragma once
 
 #include "rtcore/shading/surface/material_row.h"

@@ -20,7 +20,7 @@ inline Colour extinctionOf(const Material& m) {
     return {component(m.transmission.r), component(m.transmission.g), component(m.transmission.b)};
 }
 
-/// What is left after `distance`.
+/// Transmittance of `distance`.
 inline Colour absorption(Colour extinction, float distance) {
     if (isBlack(extinction)) return kWhite;
     return {portableExp(-extinction.r * distance), portableExp(-extinction.g * distance),

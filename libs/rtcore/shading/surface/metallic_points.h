@@ -15,7 +15,7 @@ enum class Mirroring : std::uint8_t {
     Exact, ///< those alone whose lobe is so narrow that it is a mirror (kMinAlpha); the others are sampled
 };
 
-/// What the lobes of a wave's points are made of, and for what.
+/// Input of the lobes of a wave's points, and their purpose.
 struct LobeTask {
     const Scene& scene;
     const MaterialTable& materials;

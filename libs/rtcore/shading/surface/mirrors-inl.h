@@ -1,5 +1,5 @@
-// What mirrors take of the light at points. Included once for each instruction set, inside the loop of
-// foreach_target.h.
+// Fraction of the light that mirrors reflect at points. Included once for each instruction set, inside the
+// loop of foreach_target.h.
 #include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 #include "rtcore/shading/surface/surface_wave.h"

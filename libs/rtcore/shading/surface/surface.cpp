@@ -59,7 +59,7 @@ bool isCulled(const Scene& scene, const Material& material, const Hit& hit, bool
     return isFrontOnly(material) && fromInside && scene.isClosed(hit.triangle);
 }
 
-/// Of the vertices, where they multiply the emission.
+/// Colour of the vertices, where it multiplies the emission.
 Colour emissionTint(const Scene& scene, const Material& material, const Hit& hit) {
     const Mesh& mesh = scene.mesh();
     if (material.tintsEmission == 0 || mesh.colours.empty()) return kWhite;

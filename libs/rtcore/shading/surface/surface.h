@@ -1,4 +1,4 @@
-/// What a ray found: the surface at its hit, ready to be lit.
+/// The surface at a ray's hit, ready to be lit.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -37,18 +37,18 @@ Colour untexturedAt(const Scene& scene, const Hit& hit);
 /// The albedo alone, with texture and vertex colour.
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit);
 
-/// What the material's texture of them multiplies roughness and metal by.
+/// Factors of roughness and metal in the material's texture of them.
 struct RoughnessFactors {
     float roughness, metallic;
 };
-/// Of a material that has such a texture.
+/// The factors at a hit of a material that has such a texture.
 RoughnessFactors roughnessAt(const Scene& scene, const Hit& hit);
 
 /// Only what a ray towards an emitter needs to know: the radiance given off, as far as no hole is there.
 Colour emissionAt(const Scene& scene, bool textures, const Hit& hit);
 /// Only what a shadow ray needs to know: how much of it an alpha lets meet the surface, from this side.
 float coverageAt(const Scene& scene, bool textures, const Hit& hit, bool fromInside);
-/// Of what meets the surface, how much does not pass.
+/// Fraction of the arriving light that does not pass the surface.
 float opacityAt(const Scene& scene, bool textures, const Hit& hit);
 
 } // namespace rtcore

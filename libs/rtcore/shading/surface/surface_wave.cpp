@@ -13,7 +13,7 @@
 #define RTCORE_SHADING_SURFACE_SURFACE_WAVE_TYPES
 namespace rtcore {
 
-/// What is looked up for a hit.
+/// Sources of the values that are looked up for a hit.
 struct SurfaceSources {
     const Vertex* vertices;
     const Triangle* triangles;
@@ -35,7 +35,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What consecutive rays hit.
+/// Hits of consecutive rays.
 struct Found {
     Corners<Float> position, normal;
     Float3 diffuse;
