@@ -1,6 +1,6 @@
 #!/bin/sh
 # The layout of the code by clang-format 14, the words of docs/style.md, the pages' columns and links, the rooms that may
-# call the system, what the window shows as plain text, the files that the bridge opens, the rules of mutants and the
+# call the system, what the window shows as plain text, the translated sentences, the files that the bridge opens, the rules of mutants and the
 # syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
@@ -19,6 +19,8 @@ scripts/check_system_headers.py
 echo "check-style: system headers are included in their rooms only"
 scripts/check_plain_text.py
 echo "check-style: the window takes no text for markup"
+scripts/sentences.py --check
+echo "check-style: what the server and the bridge say is said in forms, which are translated"
 if git grep -nE '\b[io]?fstream\b|\b(fopen|open|read[A-Za-z]*(File|Text)|write[A-Za-z]*File|use_[a-z_]*file)\(' -- \
     'apps/bridge/*.cpp' 'apps/bridge/*.h' | grep -vE '^apps/bridge/(tokens|net/tls|net/own_certificate)\.cpp:|acceptor\.open\('; then
     echo "check-style: the bridge opens no file but those of its tokens and its certificate" >&2

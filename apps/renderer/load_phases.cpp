@@ -6,6 +6,7 @@
 #include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/settings/integrator_traits.h"
 
@@ -121,14 +122,16 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     const auto giveUp = [&] { progress.end(false); };
     try {
         rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
-        for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
+        for (const rtcore::Sentence& warning : loaded.warnings)
+            progress.print("warning: " + warning.english());
         const std::string guess = app::guessText(loaded.units);
         const bool forPeople =
             options.progress != app::ProgressStyle::None && options.progress != app::ProgressStyle::Json;
         if (!guess.empty() && forPeople) progress.print(options.scene.filename().string() + ": " + guess);
         rtcore::useGuesses(loaded.scene, loaded.guesses);
         if (!loaded.guesses.empty() && forPeople)
-            progress.print(options.scene.filename().string() + ": " + rtcore::guessedText(loaded.guesses) +
+            progress.print(options.scene.filename().string() + ": " +
+                           rtcore::guessedText(loaded.guesses).english() +
                            "; a .scn of it has them as they are");
         app::selectParts(options.selection, loaded.scene);
         app::selectLights(options.selection, loaded.scene);

@@ -15,6 +15,7 @@
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/render/ground_tracer.h"
 #include "rtcore/render/visible_scene.h"
@@ -103,10 +104,10 @@ PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile
         file = rtcore::readCameraFile(cameraFile);
         shot.camera = file->camera;
         shot.recorded = hasRecordedExposure(*file, options_.settings);
-        const std::string warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);
+        const rtcore::Sentence warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);
         app::selectLights(options_.selection, loaded_.scene);
         // Once: the other cameras of a list say the same.
-        if (!warning.empty() && !warned_) progress_.print("warning: " + warning);
+        if (!warning.empty() && !warned_) progress_.print("warning: " + warning.english());
         warned_ = warned_ || !warning.empty();
     }
     shot.settings = app::mergeSettings({.scene = loaded_.still,

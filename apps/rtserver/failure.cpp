@@ -7,6 +7,7 @@
 #include "ipc/platform/error.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <new>
@@ -27,10 +28,13 @@ app::ExitCode exitCodeOf(const std::exception& error) {
 
 } // namespace
 
+Failure::Failure(int exitCode, const rtcore::Sentence& sentence)
+    : code(exitCode), why(sentence), text(rtcore::printable(sentence.english())) {}
+
 Failure failureOf(const std::exception& error) {
     const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
     return {static_cast<int>(exitCodeOf(error)),
-            memory ? "not enough memory" : rtcore::printable(error.what())};
+            memory ? rtcore::say("not enough memory") : rtcore::sentenceOf(error)};
 }
 
 } // namespace rtserver

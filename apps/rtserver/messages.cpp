@@ -2,14 +2,17 @@
 
 #include "rtserver/server_options.h"
 
+#include "common/commands/sentence_json.h"
 #include "common/process/message.h"
 #include "common/process/terminal.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rtserver {
 
@@ -26,46 +29,55 @@ void Messages::print(const std::string& text) {
         app::printMessage(serverSpec().name, rtcore::printable(text).substr(0, kLongest));
 }
 
-void Messages::warn(const std::string& text) {
-    print("warning: " + text);
-    keep("warning", text);
+void Messages::warn(const rtcore::Sentence& said) {
+    print("warning: " + said.english());
+    keep("warning", said);
 }
 
-void Messages::complain(const std::string& text) {
+void Messages::complain(const rtcore::Sentence& said) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < kSayEvery) {
         ++others_;
         return;
     }
     last_ = now;
-    const std::string others = others_ == 0 ? "" : fmt::format(" (and {} other failures before)", others_);
+    const rtcore::Sentence all =
+        others_ == 0 ? said : rtcore::say("{0} (and {1} other failures before)", said, others_);
     others_ = 0;
-    print(text + others);
-    keep("warning", text + others);
+    print(all.english());
+    keep("warning", all);
 }
 
-void Messages::offer(const std::string& text) { keep("offer", text); }
+void Messages::offer(const rtcore::Sentence& said) { keep("offer", said); }
 
 // Their lines stay, since clients count them, but are empty.
 void Messages::withdrawOffers() {
-    for (std::string& line : kept_) {
-        if (line.compare(line.find(' ') + 1, 6, "offer ") == 0) line.clear();
+    for (Kept& kept : kept_) {
+        if (kept.line.compare(kept.line.find(' ') + 1, 6, "offer ") == 0) kept = {};
     }
 }
 
-void Messages::tell(const std::string& text) { keep("event", text); }
+void Messages::tell(const rtcore::Sentence& said) { keep("event", said); }
 
-void Messages::keep(const char* kind, const std::string& text) {
-    kept_.push_back(
-        fmt::format("{} {} {}", ++count_, kind, rtcore::printable(rtcore::printable(text), kLongestKept)));
+void Messages::keep(const char* kind, const rtcore::Sentence& said) {
+    const std::string text = rtcore::printable(said.english());
+    const bool whole = text.size() <= kLongestKept; // then the detail is of a like length
+    kept_.push_back({fmt::format("{} {} {}", ++count_, kind, rtcore::printable(text, kLongestKept)),
+                     whole ? app::sentenceJson(said) : ""});
     if (kept_.size() > kMaxKept) kept_.pop_front();
 }
 
-std::string Messages::since(std::uint32_t known) const {
+std::string Messages::since(std::uint32_t known) const { return since(known, &Kept::line); }
+
+std::string Messages::detailsSince(std::uint32_t known) const { return since(known, &Kept::detail); }
+
+std::string Messages::since(std::uint32_t known, std::string Kept::*which) const {
     const std::size_t news = std::min<std::size_t>(kept_.size(), count_ - std::min(known, count_));
     std::string text;
-    for (auto line = kept_.end() - static_cast<std::ptrdiff_t>(news); line != kept_.end(); ++line) {
-        if (!line->empty()) text += (text.empty() ? "" : "\n") + *line;
+    bool first = true;
+    for (auto kept = kept_.end() - static_cast<std::ptrdiff_t>(news); kept != kept_.end(); ++kept) {
+        if (kept->line.empty()) continue;
+        text += (std::exchange(first, false) ? "" : "\n") + (*kept).*which;
     }
     return text;
 }

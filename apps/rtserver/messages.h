@@ -2,6 +2,8 @@
 /// stderr is not read.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -16,32 +18,38 @@ class Messages {
     /// bytes.
     static void print(const std::string& text);
     /// A warning: on stderr, and kept for clients.
-    void warn(const std::string& text);
+    void warn(const rtcore::Sentence& said);
     /// The same for what clients can bring about as often as they like: one a second, and how many there were
     /// beside it.
-    void complain(const std::string& text);
+    void complain(const rtcore::Sentence& said);
     /// What was decided for the user, and the command that decides otherwise, in quotes. Kept for clients,
     /// not printed.
-    void offer(const std::string& text);
+    void offer(const rtcore::Sentence& said);
     /// The user has decided: no offer holds any more.
     void withdrawOffers();
     /// What a key did. Kept for clients, not printed.
-    void tell(const std::string& text);
+    void tell(const rtcore::Sentence& said);
 
     /// How many were kept so far: grows with each, and never falls.
     std::uint32_t count() const { return count_; }
     /// Those after the first `known` ones, as far as they are still there (the last 100 are), a line each:
     /// its number, "warning", "offer" or "event", the text.
     std::string since(std::uint32_t known) const;
+    /// The sentences of these lines for programs (common/commands/sentence_json.h), a line each.
+    std::string detailsSince(std::uint32_t known) const;
     /// Another scene is shown: messages of the last one are dropped.
     void forget() { kept_.clear(); }
 
   private:
-    void keep(const char* kind, const std::string& text);
+    struct Kept {
+        std::string line, detail;
+    };
+    void keep(const char* kind, const rtcore::Sentence& said);
+    std::string since(std::uint32_t known, std::string Kept::*which) const;
 
     std::chrono::steady_clock::time_point last_;
-    std::size_t others_ = 0;       ///< not told since then
-    std::deque<std::string> kept_; ///< lines, the last one is number count_
+    std::size_t others_ = 0; ///< not told since then
+    std::deque<Kept> kept_;  ///< the last one is number count_
     std::uint32_t count_ = 0;
 };
 

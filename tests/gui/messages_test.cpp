@@ -176,18 +176,27 @@ TEST_F(MessagesTest, TheUnitIsOffered) {
     dialog->close();
 }
 
+Message told(const char* detail) {
+    return {1, false, QStringLiteral("in English"), true, readSentence(QString::fromUtf8(detail))};
+}
+
 TEST(Messages, AnOfferIsRead) {
-    const auto offer =
-        readUpOffer(QStringLiteral("+z is taken for up (by its shape); 'up +y' turns the model"));
+    const auto offer = readUpOffer(
+        told(R"(["{0} is taken for up ({1}); 'up {2}' turns the model","+z",["by its shape"],"+y"])"));
     ASSERT_TRUE(offer);
     EXPECT_EQ(text(offer->text), "+Z is up (guessed, by its shape).");
     EXPECT_EQ(text(offer->other), "+y");
-    EXPECT_FALSE(readUpOffer(QStringLiteral("+z is taken for up")));
-    const auto unit =
-        readUnitOffer(QStringLiteral("0.0254 m are taken for a unit (usual for .wrl); 'units' sets another"));
+    EXPECT_FALSE(readUpOffer(told(R"(["+z is taken for up"])")));
+    EXPECT_FALSE(readUpOffer(told("")));
+    const auto unit = readUnitOffer(told(
+        R"(["{0} m are taken for a unit ({1}); 'units' sets another","0.0254",["usual for {0}",".wrl"]])"));
     ASSERT_TRUE(unit);
     EXPECT_EQ(text(*unit), "1 unit = 0.0254 m (guessed, usual for .wrl).");
-    EXPECT_FALSE(readUnitOffer(QStringLiteral("+z is taken for up")));
+    EXPECT_FALSE(readUnitOffer(told(R"(["+z is taken for up"])")));
+    const auto materials = readMaterialOffer(told(R"x(["{0}; 'material reset *' takes them as they are",
+                 ["{0} materials are guessed by name ({1})","3",["{0}, {1}",["glass"],["metal"]]]])x"));
+    ASSERT_TRUE(materials);
+    EXPECT_EQ(text(*materials), "Materials guessed by name: 3 (glass, metal).");
 }
 
 #ifdef RT_TRANSLATED
@@ -197,32 +206,45 @@ TEST(Messages, AreTranslatedAsAWhole) {
         QStringLiteral("texture 'x and y' is missing; its material is plain"),
         QStringLiteral("2 textures are missing, so their materials are plain: 'a' and 'b'"),
         QStringLiteral("9 textures are missing, so their materials are plain: 'a', 'b' and 7 more")};
-    const QStringList units{
-        QStringLiteral("0.01 m are taken for a unit (usual for OBJ files); 'units' sets another"),
-        QStringLiteral("0.01 m are taken for a unit (usual for such files); 'units' sets another")};
-    for (const QString& each : names) EXPECT_EQ(text(warningsText({each})), text(each));
-    QTranslator czech;
+    const char* const refusal =
+        R"(["{0}: {1}","a {0}.cam",["cannot be read: {0}",["No such file or directory"]]])";
+    const auto unit = [](const char* habit) {
+        const std::string why = std::string(R"(["usual for {0}",)") + habit + "]";
+        return *readUnitOffer(told(
+            (R"(["{0} m are taken for a unit ({1}); 'units' sets another","0.01",)" + why + "]").c_str()));
+    };
+    for (const QString& each : names) EXPECT_EQ(text(importWarning(each)), text(each));
+    EXPECT_EQ(text(told(refusal).shown()), "a {0}.cam: cannot be read: No such file or directory");
+    QTranslator czech, sentences;
     ASSERT_TRUE(czech.load(QStringLiteral(":/translations/gui_cs.qm")));
+    ASSERT_TRUE(sentences.load(QStringLiteral(":/translations/sentences_cs.qm")));
     QCoreApplication::installTranslator(&czech);
-    EXPECT_EQ(text(warningsText({names[0]})), "chybí textura 'x and y'; její materiál je jednobarevný");
-    EXPECT_TRUE(warningsText({names[1]}).endsWith(QStringLiteral("'a' a 'b'")));
-    EXPECT_TRUE(warningsText({names[2]}).endsWith(QStringLiteral("'a', 'b' a další (7)")));
-    EXPECT_TRUE(readUnitOffer(units[0])->endsWith(QStringLiteral("obvyklé pro soubory OBJ).")));
-    EXPECT_TRUE(readUnitOffer(units[1])->endsWith(QStringLiteral("obvyklé pro takové soubory).")));
+    QCoreApplication::installTranslator(&sentences);
+    EXPECT_EQ(text(importWarning(names[0])), "chybí textura 'x and y'; její materiál je jednobarevný");
+    EXPECT_TRUE(importWarning(names[1]).endsWith(QStringLiteral("'a' a 'b'")));
+    EXPECT_TRUE(importWarning(names[2]).endsWith(QStringLiteral("'a', 'b' a další (7)")));
+    EXPECT_TRUE(unit(R"(["{0} files","OBJ"])").endsWith(QStringLiteral("obvyklé pro soubory OBJ).")));
+    EXPECT_TRUE(unit(R"(["such files"])").endsWith(QStringLiteral("obvyklé pro takové soubory).")));
+    EXPECT_EQ(text(told(refusal).shown()), "a {0}.cam: nelze přečíst: takový soubor ani složka tu není");
+    EXPECT_EQ(text(serverText(QStringLiteral("plain"), QStringLiteral("[7]"))), "plain");
+    EXPECT_EQ(text(serverText(QStringLiteral("plain"), QString(100, QLatin1Char('[')))), "plain");
+    EXPECT_EQ(text(serverText({}, QStringLiteral("[\"a new thing {0}\",\"x\"]"))), "a new thing x");
     QCoreApplication::removeTranslator(&czech);
+    QCoreApplication::removeTranslator(&sentences);
 }
 #endif
 
 TEST(Messages, AreReadLineByLine) {
     const QList<Message> messages =
-        readMessages(QStringLiteral("3 warning a b: c\nnonsense\n4 event light 2 off\n5 other x\n6 offer y"));
+        readMessages(QStringLiteral("3 warning a b: c\nnonsense\n4 event light 2 off\n5 other x\n6 offer y"),
+                     QStringLiteral("\n\n[\"light {0} off\",\"2\"]\n\n"));
     ASSERT_EQ(messages.size(), 3);
     EXPECT_TRUE(messages[2].offer);
     EXPECT_TRUE(messages[0].warning);
     EXPECT_EQ(text(messages[0].text), "a b: c");
     EXPECT_EQ(messages[1].number, 4U);
-    EXPECT_EQ(text(eventText(messages[1].text)), "Light 2: off");
-    EXPECT_EQ(text(eventText(QStringLiteral("a new thing"))), "a new thing") << "what is new stays English";
+    EXPECT_EQ(text(eventText(messages[1])), "Light 2: off");
+    EXPECT_EQ(text(eventText(told("[\"a new thing\"]"))), "a new thing") << "what is new stays English";
 }
 
 TEST(Messages, OfOneKindAreCounted) {

@@ -66,7 +66,7 @@ TEST_P(Picture, LooksAsItDid) {
     fs::path reference = scene;
     reference.replace_extension(".png");
     const rtcore::LoadedScene loaded = rtcore::loadScene(scene);
-    for (const std::string& warning : loaded.warnings) ADD_FAILURE() << warning;
+    for (const rtcore::Sentence& warning : loaded.warnings) ADD_FAILURE() << warning.english();
     rtcore::RenderSettings settings;
     rtcore::applySettings(settings, loaded.still);
     const LdrImage result = render(loaded, loaded.camera, settings);

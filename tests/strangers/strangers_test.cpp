@@ -163,7 +163,7 @@ void expectGoodView(const Stranger& stranger) {
 
 std::string saidOf(const rtcore::LoadedScene& scene) {
     std::string all;
-    for (const std::string& warning : scene.warnings) all += warning + "\n";
+    for (const rtcore::Sentence& warning : scene.warnings) all += warning.english() + "\n";
     return all;
 }
 

@@ -72,6 +72,7 @@ TEST_F(PageModules, BothWaysOfDecodingKeepEachPixel) { passes("decoder_test.js")
 TEST_F(PageModules, FieldsShowAnotherUnit) { passes("fields_test.js"); }
 
 TEST_F(PageModules, EachTextIsInBothLanguages) { passes("texts_test.js"); }
+TEST_F(PageModules, WhatTheServerSaysIsTranslatedByItsForm) { passes("texts_test.js"); }
 TEST_F(PageModules, PluralsAreRight) { passes("texts_test.js"); }
 TEST_F(PageModules, SettingsAreCalledAsInTheWindow) { passes("texts_test.js"); }
 

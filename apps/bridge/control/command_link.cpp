@@ -291,7 +291,7 @@ void CommandLink::State::askForMessages(std::uint32_t count) {
         messagesUnderWay = false;
         const bool any = reply.status == ipc::ReplyStatus::Done && !reply.text.empty();
         knownMessages = any ? lastNumberOf(reply.text, count) : count; // more may have come meanwhile
-        if (any) events.messages(reply.text);
+        if (any) events.messages(reply.text, reply.detail);
     });
 }
 

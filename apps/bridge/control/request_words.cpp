@@ -2,6 +2,7 @@
 
 #include "rtcore/io/text/scn.h"
 #include "rtcore/io/text/sun_date.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/number_text.h"
 
 #include <fmt/core.h>
@@ -22,22 +23,23 @@ using app::ArgumentType;
 using app::CommandArgument;
 using nlohmann::json;
 
-std::string nameOf(const CommandArgument& argument) {
-    return argument.name.empty() ? "a word" : std::string(argument.name);
+rtcore::Sentence nameOf(const CommandArgument& argument) {
+    return argument.name.empty() ? rtcore::say("a word") : rtcore::Sentence(argument.name);
 }
 
 double numberOf(const CommandArgument& argument, const json& value) {
-    if (!value.is_number()) throw Refused(fmt::format("{} is a number", nameOf(argument)));
+    if (!value.is_number()) throw Refused(rtcore::say("{0} is a number", nameOf(argument)));
     const auto number = value.get<double>();
     if (!std::isfinite(number) || std::abs(number) > app::kMaxNumber)
-        throw Refused(fmt::format("{} is out of range", nameOf(argument)));
+        throw Refused(rtcore::say("{0} is out of range", nameOf(argument)));
     return number;
 }
 
 std::string wholeWord(const CommandArgument& argument, const json& value, double min, double max) {
     const double number = numberOf(argument, value);
     if (number != std::floor(number) || number < min || number > max)
-        throw Refused(fmt::format("{} is a whole number, at least {}", nameOf(argument), min));
+        throw Refused(
+            rtcore::say("{0} is a whole number, at least {1}", nameOf(argument), fmt::format("{}", min)));
     return fmt::format("{}", static_cast<std::int64_t>(number));
 }
 
@@ -95,7 +97,7 @@ std::string wordOf(const CommandArgument& argument, const json& value, const Req
     case ArgumentType::Number:
         return rtcore::shortestText(numberOf(argument, value));
     case ArgumentType::Choice:
-        throw Refused(fmt::format("a word is one of {}", argument.words));
+        throw Refused(rtcore::say("a word is one of {0}", argument.words));
     case ArgumentType::Setting:
         return settingWord(value);
     case ArgumentType::Date:
@@ -116,7 +118,7 @@ std::string wordOf(const CommandArgument& argument, const json& value, const Req
     case ArgumentType::Action:
         break;
     }
-    throw Refused(fmt::format("pages give no {}", nameOf(argument)));
+    throw Refused(rtcore::say("pages give no {0}", nameOf(argument)));
 }
 
 } // namespace bridge

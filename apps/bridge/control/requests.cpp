@@ -7,6 +7,8 @@
 #include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -38,7 +40,7 @@ const json& argumentsOf(const json& request) {
     const auto found = request.find("args");
     const json& all = found == request.end() ? none : *found;
     if (!all.is_array() || all.size() > kMaxArguments)
-        throw Refused(fmt::format("'args' is a list of {} at most", kMaxArguments));
+        throw Refused(rtcore::say("'args' is a list of {0} at most", kMaxArguments));
     return all;
 }
 
@@ -62,18 +64,18 @@ void checkLocks(const CommandSpec& command, const RequestContext& context) {
         throw Refused("some settings are locked; reset others one by one");
     if (setsNothing(command, context)) return;
     for (const std::string_view name : command.sets)
-        if (limits.isLocked(name)) throw Refused(fmt::format("{} is locked", name));
+        if (limits.isLocked(name)) throw Refused(rtcore::say("{0} is locked", name));
 }
 
 void checkAmounts(const CommandSpec& command, const json& arguments, const RequestContext& context) {
     const bool adds = command.id == CommandId::LightAdd || command.id == CommandId::LightCopy;
     if (adds && context.lights >= kMaxLights)
-        throw Refused(fmt::format("there are {} lights, the most that pages may have", context.lights));
+        throw Refused(rtcore::say("there are {0} lights, the most that pages may have", context.lights));
     if (command.id != CommandId::Resolution) return;
     const double width = arguments[0].get<double>(), height = arguments[1].get<double>();
     if (width * height > static_cast<double>(context.limits.maxPixels))
-        throw Refused(
-            fmt::format("{} x {} are more than {} pixels", width, height, context.limits.maxPixels));
+        throw Refused(rtcore::say("{0} x {1} are more than {2} pixels", fmt::format("{}", width),
+                                  fmt::format("{}", height), context.limits.maxPixels));
 }
 
 std::vector<std::string> wordsOf(const CommandSpec& command, const json& given,
@@ -92,7 +94,7 @@ std::vector<std::string> wordsOf(const CommandSpec& command, const json& given,
     try {
         app::checkArguments(command, words);
     } catch (const app::UsageError& error) {
-        throw Refused(error.what());
+        throw Refused(error.sentence());
     }
     return words;
 }

@@ -6,6 +6,8 @@
 
 #include "common/commands/command_table.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <span>
@@ -15,9 +17,9 @@
 namespace bridge {
 
 /// A request that cannot be done; the text is a sentence for people.
-class Refused : public std::runtime_error {
+class Refused : public std::runtime_error, public rtcore::Worded {
   public:
-    using std::runtime_error::runtime_error;
+    explicit Refused(const rtcore::Sentence& why) : std::runtime_error(why.english()), Worded(why) {}
 };
 
 struct PlannedCommand {

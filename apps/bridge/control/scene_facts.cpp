@@ -1,5 +1,6 @@
 #include "bridge/control/scene_facts.h"
 
+#include "bridge/control/page_sentence.h"
 #include "bridge/control/setting_value.h"
 
 #include "common/cli/command_line.h"
@@ -229,19 +230,23 @@ std::string withoutFolders(std::string_view text) {
     return kept;
 }
 
-std::vector<json> messageEvents(std::string_view lines) {
+std::vector<json> messageEvents(std::string_view lines, std::string_view details) {
+    const auto takeLine = [](std::string_view& text) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        return line;
+    };
     std::vector<json> events;
     while (!lines.empty()) {
-        std::string_view line = lines.substr(0, lines.find('\n'));
-        lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+        const std::string_view line = takeLine(lines), detail = takeLine(details);
         const std::size_t first = line.find(' ');
         const std::size_t second = first == std::string_view::npos ? first : line.find(' ', first + 1);
         const auto number = app::parseInteger(line.substr(0, first));
         if (!number || second == std::string_view::npos) continue;
         events.push_back({{"event", "message"},
                           {"number", *number},
-                          {"kind", line.substr(first + 1, second - first - 1)},
-                          {"text", withoutFolders(line.substr(second + 1))}});
+                          {"kind", line.substr(first + 1, second - first - 1)}});
+        addSentence(events.back(), line.substr(second + 1), detail);
     }
     return events;
 }

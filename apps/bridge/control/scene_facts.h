@@ -51,8 +51,8 @@ nlohmann::json lightKindsJson();
 nlohmann::json sceneJson(const app::StateReport& state);
 /// The event `status`.
 nlohmann::json statusJson(const ipc::Status& status);
-/// Events `message` of lines as `messages` answers them, without folders.
-std::vector<nlohmann::json> messageEvents(std::string_view lines);
+/// Events `message` of lines as `messages` answers them, with the details of that answer, without folders.
+std::vector<nlohmann::json> messageEvents(std::string_view lines, std::string_view details = {});
 /// The text with folders cut from the paths in it.
 std::string withoutFolders(std::string_view text);
 

@@ -22,7 +22,7 @@ struct ServerEvents {
     std::function<void(const ipc::Status&)> status;          ///< when it changed, ten times a second at most
     std::function<void(std::string report)>
         state; ///< the answer to `state`, when it changed, or after refresh()
-    std::function<void(std::string lines)> messages; ///< new ones of the server
+    std::function<void(std::string lines, std::string details)> messages; ///< new ones of the server
     std::function<void(std::string lines)> bindings; ///< the answer to `bindings`, asked for with the state
 };
 

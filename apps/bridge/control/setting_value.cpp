@@ -2,6 +2,7 @@
 
 #include "bridge/control/requests.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/main_settings.h"
 #include "rtcore/settings/quality.h"
 
@@ -107,7 +108,7 @@ std::string settingValueText(const std::string& name, const json& value, const L
     const rtcore::Setting* const setting = rtcore::findSetting(name);
     if (setting == nullptr || setting->name != name || !setting->browser.offered)
         throw Refused("there is no such setting");
-    if (limits.isLocked(setting->name)) throw Refused(fmt::format("{} is locked", setting->name));
+    if (limits.isLocked(setting->name)) throw Refused(rtcore::say("{0} is locked", setting->name));
     try {
         const rtcore::SettingValue checked = rtcore::checkSetting(*setting, valueOf(*setting, value));
         rtcore::checkLive(*setting, checked);
@@ -117,12 +118,14 @@ std::string settingValueText(const std::string& name, const json& value, const L
         // The caps are decimal numbers, most values floats.
         const auto rounded = [](double bound) { return static_cast<double>(static_cast<float>(bound)); };
         if (isNumber(setting->type) && number > rounded(maxOf(*setting)))
-            throw Refused(fmt::format("{} is {} at most here", setting->name, maxOf(*setting)));
+            throw Refused(
+                rtcore::say("{0} is {1} at most here", setting->name, fmt::format("{}", maxOf(*setting))));
         if (isNumber(setting->type) && number < rounded(minOf(*setting)))
-            throw Refused(fmt::format("{} is {} at least here", setting->name, minOf(*setting)));
+            throw Refused(
+                rtcore::say("{0} is {1} at least here", setting->name, fmt::format("{}", minOf(*setting))));
         return rtcore::settingText(checked);
     } catch (const std::invalid_argument& error) {
-        throw Refused(error.what());
+        throw Refused(rtcore::sentenceOf(error));
     }
 }
 

@@ -11,7 +11,8 @@ file(MAKE_DIRECTORY ${made})
 file(GLOB modules CONFIGURE_DEPENDS ${page}/js/*.js)
 
 # Texts that the window has, too, without Qt.
-set(translations ${CMAKE_SOURCE_DIR}/apps/gui/translations/tables_cs.ts ${CMAKE_SOURCE_DIR}/apps/gui/translations/gui_cs.ts)
+set(translations ${CMAKE_SOURCE_DIR}/apps/gui/translations)
+set(translations ${translations}/tables_cs.ts ${translations}/sentences_cs.ts ${translations}/gui_cs.ts)
 add_custom_command(
     OUTPUT ${made}/tables_cs.js
     COMMAND ${Python3_EXECUTABLE} ${page}/tables_cs.py ${translations} ${modules} -o ${made}/tables_cs.js

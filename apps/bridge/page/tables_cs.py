@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the module with the Czech texts of settings, edits, lights, sky and materials from the window's translations.
+"""Makes the module with the Czech texts of settings, edits, lights, sky, materials and of what the server and the bridge say
+from the window's translations.
 
-  tables_cs.py tables_cs.ts gui_cs.ts MODULE.js... -o tables_cs.js
+  tables_cs.py tables_cs.ts sentences_cs.ts gui_cs.ts MODULE.js... -o tables_cs.js
 
-All of the contexts Settings, Edits and LightKinds, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
+All of the contexts Settings, Edits, LightKinds and Server, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
 a text has no translation.
 """
 import json
@@ -11,7 +12,7 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 
-WHOLE = ("Settings", "Edits", "LightKinds")
+WHOLE = ("Settings", "Edits", "LightKinds", "Server")
 ASKED = re.compile(r'\bof\("(\w+)", "((?:[^"\\]|\\.)*)"')
 
 

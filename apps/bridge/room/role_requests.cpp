@@ -2,6 +2,8 @@
 
 #include "bridge/control/plain_name.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -21,14 +23,16 @@ std::string wordOf(const json& request) {
     return found != request.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-RoleAnswer answerIf(bool ok, const char* otherwise) { return {ok, ok ? "" : otherwise}; }
+RoleAnswer answerIf(bool ok, const char* otherwise) {
+    return {ok, ok ? rtcore::Sentence() : rtcore::Sentence(otherwise)};
+}
 
 RoleAnswer askToDrive(Roles& roles, SessionId by, double now) {
     switch (roles.ask(by, now)) {
     case Roles::Asked::NotAllowed:
-        return {false, "this link is for looking only"};
+        return {false, rtcore::say("this link is for looking only")};
     case Roles::Asked::Waits:
-        return {true, "the driver is asked", roles.driver()};
+        return {true, rtcore::say("the driver is asked"), roles.driver()};
     case Roles::Asked::Drives:
         break;
     }
@@ -40,14 +44,14 @@ RoleAnswer handOver(Roles& roles, SessionId by, const json& request, double now)
     const bool ok = to != request.end() && to->is_number_unsigned() &&
                     to->get<std::uint64_t>() <= std::numeric_limits<SessionId>::max() &&
                     roles.give(by, to->get<SessionId>(), now);
-    return answerIf(ok, "only the driver hands over, to one with a driver's link");
+    return answerIf(ok, rtcore::form("only the driver hands over, to one with a driver's link"));
 }
 
 RoleAnswer rename(Roles& roles, SessionId by, const json& request) {
     const auto name = request.find("name");
     const bool ok = name != request.end() && name->is_string();
     if (ok) roles.rename(by, plainName(name->get<std::string>()));
-    return answerIf(ok, "'name' is a text");
+    return answerIf(ok, rtcore::form("'name' is a text"));
 }
 
 } // namespace
@@ -63,7 +67,7 @@ RoleAnswer doRoleRequest(Roles& roles, SessionId by, const json& request, double
     if (word == "give") return handOver(roles, by, request, now);
     if (word == "name") return rename(roles, by, request);
     const bool ok = word == "keep" ? roles.keep(by) : roles.release(by);
-    return answerIf(ok, "only the driver may do that");
+    return answerIf(ok, rtcore::form("only the driver may do that"));
 }
 
 } // namespace bridge

@@ -3,6 +3,8 @@
 
 #include "bridge/control/roles.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <optional>
@@ -12,7 +14,7 @@ namespace bridge {
 
 struct RoleAnswer {
     bool ok = true;
-    std::string text;                 ///< for people
+    rtcore::Sentence text{};          ///< for people
     std::optional<SessionId> toAsk{}; ///< the driver, who is to be told that `by` asks
 };
 

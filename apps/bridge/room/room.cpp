@@ -1,7 +1,10 @@
 #include "bridge/room/room.h"
 
+#include "bridge/control/page_sentence.h"
 #include "bridge/room/page_request.h"
 #include "bridge/room/role_requests.h"
+
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +14,7 @@ namespace bridge {
 namespace {
 
 using nlohmann::json;
+using rtcore::say;
 
 std::string textOfEvent(const json& event) {
     return event.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -78,9 +82,9 @@ ServerEvents Room::serverEvents() {
     events.state = [this, post = post_](std::string report) {
         post([this, report = std::move(report)] { stateChanged(report); });
     };
-    events.messages = [this, post = post_](std::string lines) {
-        post([this, lines = std::move(lines)] {
-            for (const json& event : messageEvents(lines)) sendAll(event);
+    events.messages = [this, post = post_](std::string lines, std::string details) {
+        post([this, lines = std::move(lines), details = std::move(details)] {
+            for (const json& event : messageEvents(lines, details)) sendAll(event);
         });
     };
     if (input_.lockedKeys().possible())
@@ -138,8 +142,10 @@ void Room::sendAll(const json& event) {
     for (auto& [id, session] : sessions_) session.outlet->sendText(text);
 }
 
-void Room::notice(SessionId id, const char* code, const std::string& text) {
-    send(id, {{"event", "notice"}, {"code", code}, {"text", text}});
+void Room::notice(SessionId id, const char* code, const rtcore::Sentence& said) {
+    json event{{"event", "notice"}, {"code", code}};
+    addSentence(event, said);
+    send(id, event);
 }
 
 void Room::sendServer(SessionId id) {
@@ -190,7 +196,7 @@ void Room::text(SessionId id, std::string_view message) {
         requests_.request(id, roles_.drives(id), request.content, request.id);
         roles_.touch(id, now());
     } catch (const Refused& refusal) {
-        requests_.answer(id, request.id, false, refusal.what(), {});
+        requests_.answer(id, request.id, false, refusal.sentence());
     }
 }
 
@@ -213,8 +219,8 @@ json Room::rolesEvent() const {
 void Room::rolesChanged(std::optional<SessionId> before) {
     if (before != driver()) {
         input_.release(before, *commands_);
-        if (before) notice(*before, "taken", driver() ? "another drives now" : "there is no driver now");
-        if (driver()) notice(*driver(), "handed", "you drive now");
+        if (before) notice(*before, "taken", say(driver() ? "another drives now" : "there is no driver now"));
+        if (driver()) notice(*driver(), "handed", say("you drive now"));
     }
     rolesUntold_ = true;
 }
@@ -247,23 +253,22 @@ bool Room::answerItself(SessionId id, const PageRequest& request) {
     if (wantsState) {
         const bool known = server_.facts.known();
         if (known) sendState(id, server_.facts.all());
-        requests_.answer(id, request.id, known, known ? "" : "there is no state yet", {});
+        requests_.answer(id, request.id, known, known ? rtcore::Sentence() : say("there is no state yet"));
         return true;
     }
     const std::optional<SessionId> before = driver();
     const RoleAnswer answer = doRoleRequest(roles_, id, request.content, now());
     if (answer.toAsk) sendAsked(*answer.toAsk, id);
-    requests_.answer(id, request.id, answer.ok, answer.text, {});
+    requests_.answer(id, request.id, answer.ok, answer.text);
     if (answer.ok) rolesChanged(before);
     return true;
 }
 
 void Room::sendAsked(SessionId driver, SessionId by) {
     const std::string name = nameOfPerson(by);
-    send(driver, {{"event", "notice"},
-                  {"code", "asked"},
-                  {"by", by},
-                  {"text", (name.empty() ? "A viewer" : name) + " asks to drive"}});
+    json event{{"event", "notice"}, {"code", "asked"}, {"by", by}};
+    addSentence(event, name.empty() ? say("A viewer asks to drive") : say("{0} asks to drive", name));
+    send(driver, event);
 }
 
 // --- The server ---
@@ -283,7 +288,7 @@ void Room::serverChanged(ServerLink link, const std::string& why) {
 void Room::statusChanged(const ipc::Status& status) {
     noteOwnMovement();
     if (input_.movedByOther(status) && driver())
-        notice(*driver(), "elsewhere", "another client moves the camera");
+        notice(*driver(), "elsewhere", say("another client moves the camera"));
     if (status.frameSeconds != server_.status.frameSeconds) server_.lastFrame = now(); // pages may take none
     server_.status = status;
     server_.statusAt = now();
@@ -308,7 +313,7 @@ void Room::tick() {
     const std::optional<SessionId> before = driver();
     if (roles_.tick(now())) rolesChanged(before);
     if (driver() && input_.expire(*driver(), *commands_))
-        notice(*driver(), "released", "keys were released: nothing came for half a second");
+        notice(*driver(), "released", say("keys were released: nothing came for half a second"));
     requests_.tick();
     tellRoles();
     const bool statusDue = server_.hasStatus && now() - lastStatusSent_ >= kStatusEvery && !sessions_.empty();

@@ -11,6 +11,8 @@
 #include "bridge/room/room_stream.h"
 #include "bridge/room/services.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <nlohmann/json.hpp>
 
 #include <map>
@@ -79,7 +81,7 @@ class Room {
     void sendServer(SessionId id);
     void sendState(SessionId id, const nlohmann::json& content);
     void sendAsked(SessionId driver, SessionId by);
-    void notice(SessionId id, const char* code, const std::string& text);
+    void notice(SessionId id, const char* code, const rtcore::Sentence& said);
     void sendStatus();
 
     // Who drives.

@@ -1,8 +1,11 @@
 #include "bridge/room/room_requests.h"
 
+#include "bridge/control/page_sentence.h"
 #include "bridge/control/scene_facts.h"
 
 #include "common/commands/command_lines.h"
+
+#include "rtcore/platform/sentence.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,12 +29,16 @@ RoomRequests::RoomRequests(const Limits& limits, const KnownServer& server, cons
                            RequestLinks links)
     : limits_(limits), server_(server), clock_(clock), links_(std::move(links)) {}
 
-void RoomRequests::answer(SessionId to, std::uint32_t id, bool ok, const std::string& text, json content) {
-    if (!content.is_object()) content = json::object();
+void RoomRequests::answer(SessionId to, std::uint32_t id, bool ok, const rtcore::Sentence& said) {
+    json content = json::object();
+    addSentence(content, said);
+    send(to, id, ok, std::move(content));
+}
+
+void RoomRequests::send(SessionId to, std::uint32_t id, bool ok, json content) {
     content["event"] = "answer";
     content["id"] = id;
     content["ok"] = ok;
-    content["text"] = withoutFolders(text);
     links_.send(to, content);
 }
 
@@ -82,7 +89,9 @@ void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand
     --asker->second.open;
     const bool done = reply.status == ipc::ReplyStatus::Done;
     json content = done ? answerContent(planned.id, reply.text) : json::object();
-    answer(by, id, done, content.empty() ? reply.text : std::string(), std::move(content));
+    const bool told = content.empty();
+    addSentence(content, told ? reply.text : "", told ? reply.detail : "");
+    send(by, id, done, std::move(content));
 }
 
 bool RoomRequests::stateRead() {
@@ -106,10 +115,9 @@ void RoomRequests::tick() {
             back.push_back(each.name);
         }
         links_.refresh();
-        links_.sendAll({{"event", "notice"},
-                        {"code", "heavy"},
-                        {"back", back},
-                        {"text", "undone, since a frame took more than 5 s"}});
+        json notice{{"event", "notice"}, {"code", "heavy"}, {"back", back}};
+        addSentence(notice, rtcore::say("undone, since a frame took more than 5 s"));
+        links_.sendAll(notice);
     }
     if (moving_ == 0 && server_.status.idle != 0) heavy_.settle(now);
 }

@@ -11,6 +11,8 @@
 
 #include "ipc/endpoint/client.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
@@ -43,7 +45,8 @@ class RoomRequests {
 
     /// Plans it and sends it on; its answer follows. Throws Refused.
     void request(SessionId by, bool drives, const nlohmann::json& content, std::uint32_t id);
-    void answer(SessionId to, std::uint32_t id, bool ok, const std::string& text, nlohmann::json content);
+    /// `content`, if any, with `text` and `sentence` (control/page_sentence.h) as they are, or of `said`.
+    void answer(SessionId to, std::uint32_t id, bool ok, const rtcore::Sentence& said);
 
     /// Whether something is under way that may move the camera.
     bool moving() const { return moving_ > 0; }
@@ -62,6 +65,7 @@ class RoomRequests {
         TokenBucket asked{50, 100}; ///< of those that viewers may send, a second
     };
     std::string lineOf(SessionId by, const PlannedCommand& planned) const;
+    void send(SessionId to, std::uint32_t id, bool ok, nlohmann::json content);
     void answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply);
 
     const Limits& limits_;

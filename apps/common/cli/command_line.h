@@ -3,6 +3,8 @@
 
 #include "common/cli/options.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,9 +16,9 @@
 namespace app {
 
 /// The command line is wrong: runProgram() adds "Try 'Program --help'." and returns ExitCode::Usage.
-class UsageError : public std::runtime_error {
+class UsageError : public std::runtime_error, public rtcore::Worded {
   public:
-    using std::runtime_error::runtime_error;
+    explicit UsageError(const rtcore::Sentence& why) : std::runtime_error(why.english()), Worded(why) {}
 };
 
 /// One option as it was given; `name` is the long spelling, whichever was used.

@@ -2,6 +2,7 @@
 
 #include "common/cli/command_line.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
 
 #include <fmt/core.h>
@@ -13,27 +14,31 @@ namespace app {
 
 namespace {
 
+using rtcore::say;
+using rtcore::Sentence;
+
 constexpr std::size_t kMaxWords = 3; ///< of a name
 
 std::string shortNumber(double value) { return fmt::format("{:.9g}", value); }
 
 // "a number from 0 to 1", "a whole number, at least 1".
-std::string kindOf(const CommandArgument& argument) {
+Sentence kindOf(const CommandArgument& argument) {
     const bool whole = argument.type == ArgumentType::Integer;
-    const std::string kind = whole ? "a whole number" : "a number";
+    const Sentence kind = say(whole ? "a whole number" : "a number");
     const double limit = whole ? kMaxWhole : kMaxNumber;
     const std::string min = shortNumber(argument.minimum), max = shortNumber(argument.maximum);
-    if (argument.open) return kind + " above " + min + " and below " + max;
-    if (argument.maximum < limit) return kind + " from " + min + " to " + max;
-    return argument.minimum > -limit ? kind + ", at least " + min : kind;
+    if (argument.open) return say("{0} above {1} and below {2}", kind, min, max);
+    if (argument.maximum < limit) return say("{0} from {1} to {2}", kind, min, max);
+    return argument.minimum > -limit ? say("{0}, at least {1}", kind, min) : kind;
 }
 
-std::string rangeOf(const CommandArgument& argument) {
+Sentence rangeOf(const CommandArgument& argument) {
     const bool numeric = argument.type == ArgumentType::Integer || argument.type == ArgumentType::Number;
-    std::string text = numeric ? kindOf(argument) : "";
+    std::optional<Sentence> range;
+    if (numeric) range = kindOf(argument);
     for (const std::string_view word : wordsOf(argument))
-        text.append(text.empty() ? "" : " or ").append(word);
-    return text;
+        range = range ? say("{0} or {1}", *range, word) : Sentence(word);
+    return range.value_or(Sentence());
 }
 
 bool holds(const CommandArgument& argument, double value) {
@@ -77,8 +82,9 @@ bool mayCount(const CommandSpec& command, std::size_t count) {
     const std::string two = words.size() > 1 ? words[0] + " " + words[1] : words[0];
     const bool near = words.size() > 1 && !rtcore::nearestName(two, names).empty();
     if (!longer.empty() && !near)
-        throw UsageError(rtcore::inQuotes(words[0]) + " is the beginning of several commands: " + longer);
-    throw UsageError(rtcore::unknownNameMessage("command", two, names));
+        throw UsageError(
+            say("{0} is the beginning of several commands: {1}", rtcore::inQuotes(words[0]), longer));
+    throw UsageError(rtcore::unknownNameMessage(rtcore::form("command"), two, names));
 }
 
 } // namespace
@@ -98,14 +104,17 @@ FoundCommand findCommand(std::span<const std::string> words) {
 void checkArguments(const CommandSpec& command, std::span<const std::string> arguments) {
     if (!mayCount(command, arguments.size())) {
         const std::string label = argumentsLabel(command);
-        throw UsageError(std::string(command.name) + " takes " + (label.empty() ? "no arguments" : label));
+        throw UsageError(label.empty() ? say("{0} takes no arguments", command.name)
+                                       : say("{0} takes {1}", command.name, label));
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const CommandArgument& argument = command.arguments[std::min(i, command.arguments.size() - 1)];
         if (takes(argument, arguments[i])) continue;
-        throw UsageError(std::string(command.name) + " takes " + rangeOf(argument) +
-                         (argument.name.empty() ? "" : " for " + std::string(argument.name)) + ", not " +
-                         rtcore::inQuotes(arguments[i]));
+        const std::string given = rtcore::inQuotes(arguments[i]);
+        throw UsageError(argument.name.empty()
+                             ? say("{0} takes {1}, not {2}", command.name, rangeOf(argument), given)
+                             : say("{0} takes {1} for {3}, not {2}", command.name, rangeOf(argument), given,
+                                   argument.name));
     }
 }
 

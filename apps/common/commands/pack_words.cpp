@@ -1,5 +1,6 @@
 #include "common/commands/pack_words.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
 
 #include <fmt/core.h>
@@ -13,8 +14,6 @@ namespace app {
 namespace {
 
 constexpr std::string_view kOn = "on ", kOff = "off";
-constexpr std::string_view kBefore = "the scene names files outside of its folder: ";
-constexpr std::string_view kBehind = "; 'pack FOLDER outside' takes them along";
 
 } // namespace
 
@@ -29,7 +28,7 @@ std::optional<double> packedFraction(std::string_view answer) {
     return read.ec == std::errc() ? std::optional(percent / 100.0) : std::nullopt;
 }
 
-std::string packRefusal(std::span<const std::filesystem::path> outside) {
+rtcore::Sentence packRefusal(std::span<const std::filesystem::path> outside) {
     std::string names;
     for (const std::filesystem::path& file : outside) {
         names += (names.empty() ? "" : ", ") + rtcore::inQuotes(file.string());
@@ -37,15 +36,7 @@ std::string packRefusal(std::span<const std::filesystem::path> outside) {
         const std::filesystem::path end = std::filesystem::weakly_canonical(file, none);
         if (!none && end != file) names += ", a link to " + rtcore::inQuotes(end.string());
     }
-    return std::string(kBefore).append(names).append(kBehind);
-}
-
-std::optional<std::string> refusedFiles(std::string_view message) {
-    const std::size_t before = message.find(kBefore), behind = message.rfind(kBehind);
-    if (before == std::string_view::npos || behind == std::string_view::npos) return std::nullopt;
-    const std::size_t first = before + kBefore.size();
-    if (behind < first) return std::nullopt;
-    return std::string(message.substr(first, behind - first));
+    return rtcore::say(kPackRefusal, names);
 }
 
 } // namespace app

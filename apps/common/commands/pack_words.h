@@ -1,6 +1,8 @@
 /// What the server says of a pack and the programs that ask for one understand.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -14,10 +16,14 @@ std::string packProgressText(std::optional<double> fraction);
 /// The other way round.
 std::optional<double> packedFraction(std::string_view answer);
 
+/// The form of packRefusal(): {0} are the names.
+inline constexpr const char* kPackRefusal =
+    "the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along";
+/// Lines of the answer to `pack`, but for the first: {0} is a file that was left out.
+inline constexpr const char* kLeftOut = "left out, since nothing of it is used: {0}";
+
 /// Why a pack is refused: names files, and how they would be taken along all the same. A link is named with
 /// the file that it leads to.
-std::string packRefusal(std::span<const std::filesystem::path> outside);
-/// The names in a message that holds such a one; nothing in others.
-std::optional<std::string> refusedFiles(std::string_view message);
+rtcore::Sentence packRefusal(std::span<const std::filesystem::path> outside);
 
 } // namespace app

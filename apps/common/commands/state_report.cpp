@@ -6,6 +6,7 @@
 #include "rtcore/io/text/strict_table.h"
 #include "rtcore/io/text/toml_parser.h"
 #include "rtcore/io/text/toml_writer.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/plain_text.h"
 
@@ -152,7 +153,7 @@ std::string formatStateReport(const StateReport& state, std::size_t max) {
         std::string text = format(state, extent);
         if (text.ends_with('\n')) text.pop_back();
         if (text.size() <= max) return text;
-        if (extent.max == 0) throw std::runtime_error("the state takes more bytes than an answer has");
+        if (extent.max == 0) throw rtcore::Refusal("the state takes more bytes than an answer has");
         if (!extent.lights && !extent.names) extent.max /= 2;
         if (!extent.lights) extent.names = false;
         extent.lights = false;

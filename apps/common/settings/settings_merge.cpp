@@ -1,5 +1,7 @@
 #include "common/settings/settings_merge.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -81,28 +83,31 @@ std::string inOneList(const std::string& a, const std::string& b) {
 
 } // namespace
 
-std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
-                               rtcore::Scene& scene) {
-    std::string other;
+rtcore::Sentence applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
+                                    rtcore::Scene& scene) {
+    using rtcore::say;
+    rtcore::Sentence other;
     if (camera.lights && camera.lights->size() > scene.lights.size()) {
         const std::size_t lights = camera.lights->size();
-        other = fmt::format("switches {} light{}, but the scene has {}", lights, lights == 1 ? "" : "s",
-                            scene.lights.size());
+        other = say(lights == 1 ? "switches {0} light, but the scene has {1}"
+                                : "switches {0} lights, but the scene has {1}",
+                    lights, scene.lights.size());
     } else if (camera.lights) {
         for (std::size_t i = 0; i < camera.lights->size(); ++i)
             scene.lights[i].light.on = (*camera.lights)[i] ? 1U : 0U;
     }
     const std::string missing =
         inOneList(switchLights(camera.lightsOn, true, scene), switchLights(camera.lightsOff, false, scene));
-    if (!missing.empty()) other += "names lights that the scene lacks (" + missing + ")";
+    if (!missing.empty()) other = say("names lights that the scene lacks ({0})", missing);
     const auto count = static_cast<int>(scene.environments.size());
     if (camera.environment && *camera.environment > 0 && *camera.environment >= count) {
-        other += fmt::format("{}asks for environment {} (counted from 0), but the scene has {}",
-                             other.empty() ? "" : " and ", *camera.environment, count);
+        const rtcore::Sentence asks = say("asks for environment {0} (counted from 0), but the scene has {1}",
+                                          *camera.environment, count);
+        other = other.empty() ? asks : say("{0} and {1}", other, asks);
     } else if (camera.environment) {
         scene.activeEnvironment = *camera.environment;
     }
-    return other.empty() ? "" : fmt::format("{} {}; these stay as they are", file.string(), other);
+    return other.empty() ? other : say("{0} {1}; these stay as they are", file.string(), other);
 }
 
 } // namespace app

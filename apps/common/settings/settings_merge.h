@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/io/text/cam.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/settings/settings_table.h"
@@ -33,7 +34,7 @@ std::vector<rtcore::SettingAssignment> settingsOf(const rtcore::CameraFile& came
 /// Switches the lights and picks the environment that a .cam file asks for. Where the scene lacks some of
 /// them, or has fewer than a .cam of version 1 switches, the .cam was made for another scene: these stay as
 /// they are, and a warning that names `file` is returned, else "".
-std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
-                               rtcore::Scene& scene);
+rtcore::Sentence applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
+                                    rtcore::Scene& scene);
 
 } // namespace app

@@ -2,13 +2,21 @@
 
 #include "gui/models/translated.h"
 
+#include "common/commands/told_forms.h"
+
+#include "rtcore/io/import/import_forms.h"
+
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <array>
+
 namespace gui {
 
 namespace {
+
+namespace told = app::told;
 
 // Warnings that differ only in what they name are of one kind.
 QString kindOf(const QString& warning) {
@@ -16,122 +24,87 @@ QString kindOf(const QString& warning) {
     return QString(warning).replace(names, QStringLiteral("…"));
 }
 
-// Quoted names, or the first ones of many.
-QString namesText(const QString& names) {
-    static const QRegularExpression more(QStringLiteral("^(.*') and (\\d+) more$"));
-    static const QRegularExpression two(QStringLiteral("^(.*') and ('[^']*')$"));
-    if (const auto found = more.match(names); found.hasMatch())
-        return tr("%1 and %2 more").arg(found.captured(1), found.captured(2));
-    if (const auto found = two.match(names); found.hasMatch())
-        return tr("%1 and %2").arg(found.captured(1), found.captured(2));
-    return names;
-}
-
-// Without the folders of the file, and in the user's language as far as it is known.
-QString warningText(QString warning) {
+// Without the folders of the file.
+QString withoutFolder(QString warning) {
     static const QRegularExpression folders(QStringLiteral("^/(?:[^:]*/)?(?=[^/:]*: )"));
-    static const QRegularExpression missing(
-        QStringLiteral("(\\d+) textures are missing, so their materials are plain: (.*)$"));
-    static const QRegularExpression one(
-        QStringLiteral("texture ('[^']*') is missing; its material is plain$"));
-    warning.remove(folders);
-    if (const auto found = missing.match(warning); found.hasMatch())
-        return warning.left(found.capturedStart()) +
-               tr("%1 textures are missing, so their materials are plain: %2")
-                   .arg(found.captured(1), namesText(found.captured(2)));
-    if (const auto found = one.match(warning); found.hasMatch())
-        return warning.left(found.capturedStart()) +
-               tr("texture %1 is missing; its material is plain").arg(found.captured(1));
-    return warning;
-}
-
-// Why something was guessed so.
-QString reasonText(const QString& why) {
-    static const QRegularExpression files(QStringLiteral("^usual for (.*) files$"));
-    if (why == QLatin1String("usual for such files")) return tr("usual for such files");
-    if (const auto found = files.match(why); found.hasMatch())
-        return tr("usual for %1 files").arg(found.captured(1));
-    if (why.startsWith(QLatin1String("usual for "))) return tr("usual for %1").arg(why.mid(10));
-    if (why == QLatin1String("by its shape")) return tr("by its shape");
-    return why == QLatin1String("by its size") ? tr("by its size") : why;
+    return warning.remove(folders);
 }
 
 QString countedText(const QString& first, qsizetype count) {
-    const QString text = warningText(first);
+    const QString text = withoutFolder(first);
     return count == 1 ? text : tr("%1 (and others like this: %2)").arg(text, QString::number(count - 1));
 }
 
+// What the window says in words of its own; %1 is the first place of the form.
+struct OwnWords {
+    const char *form, *words;
+};
+constexpr std::array kOwnWords{
+    OwnWords{told::kWalking, QT_TRANSLATE_NOOP("gui", "Walking")},
+    OwnWords{told::kFlying, QT_TRANSLATE_NOOP("gui", "Flying")},
+    OwnWords{told::kUnseenFloor, QT_TRANSLATE_NOOP("gui", "No floor here: walking on an invisible ground")},
+    OwnWords{
+        told::kNoRoom,
+        QT_TRANSLATE_NOOP("gui", "There is no room to stand here, or no floor below; move elsewhere first.")},
+    OwnWords{told::kBloomOn, QT_TRANSLATE_NOOP("gui", "Bloom: on")},
+    OwnWords{told::kBloomOff, QT_TRANSLATE_NOOP("gui", "Bloom: off")},
+    OwnWords{told::kLightOn, QT_TRANSLATE_NOOP("gui", "Light %1: on")},
+    OwnWords{told::kLightOff, QT_TRANSLATE_NOOP("gui", "Light %1: off")},
+    OwnWords{told::kNoLight, QT_TRANSLATE_NOOP("gui", "There is no light %1.")},
+    OwnWords{told::kEnvironment, QT_TRANSLATE_NOOP("gui", "Environment map %1")},
+    OwnWords{told::kNoEnvironment, QT_TRANSLATE_NOOP("gui", "There is no environment map %1.")},
+};
+
 } // namespace
 
-QList<Message> readMessages(const QString& answer) {
+QString Message::shown() const { return said ? translated(*said) : text; }
+
+QList<Message> readMessages(const QString& answer, const QString& detail) {
     QList<Message> messages;
-    for (const QString& line : answer.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+    const QStringList lines = answer.split(QLatin1Char('\n'));
+    const QStringList details = detail.split(QLatin1Char('\n'));
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        const QString& line = lines[i];
         bool counted = false;
         const quint64 number = line.section(QLatin1Char(' '), 0, 0).toULongLong(&counted);
         const QString kind = line.section(QLatin1Char(' '), 1, 1), text = line.section(QLatin1Char(' '), 2);
         const bool warning = kind == QLatin1String("warning");
         const bool offer = kind == QLatin1String("offer");
         if (counted && (warning || offer || kind == QLatin1String("event")))
-            messages.append({number, warning, text, offer});
+            messages.append({number, warning, text, offer, readSentence(details.value(i))});
     }
     return messages;
 }
 
-QString eventText(const QString& event) {
-    const QStringList words = event.split(QLatin1Char(' '));
-    if (event == QLatin1String("walking")) return tr("Walking");
-    if (event == QLatin1String("flying")) return tr("Flying");
-    if (event.startsWith(QLatin1String("nothing is below")))
-        return tr("No floor here: walking on an invisible ground");
-    if (event.startsWith(QLatin1String("there is no room to stand")))
-        return tr("There is no room to stand here, or no floor below; move elsewhere first.");
-    if (event == QLatin1String("bloom on")) return tr("Bloom: on");
-    if (event == QLatin1String("bloom off")) return tr("Bloom: off");
-    if (words.size() == 3 && words[0] == QLatin1String("light"))
-        return (words[2] == QLatin1String("on") ? tr("Light %1: on") : tr("Light %1: off")).arg(words[1]);
-    if (words.size() == 2 && words[0] == QLatin1String("environment"))
-        return tr("Environment map %1").arg(words[1]);
-    if (event.startsWith(QLatin1String("there is no light ")))
-        return tr("There is no light %1.").arg(words.last());
-    if (event.startsWith(QLatin1String("there is no environment ")))
-        return tr("There is no environment map %1.").arg(words.last());
-    return event;
+QString importWarning(const QString& printed) { return translatedAs(printed, rtcore::import_forms::kAll); }
+
+QString eventText(const Message& event) {
+    if (!event.said) return event.text;
+    for (const OwnWords& own : kOwnWords) {
+        const QString words = tr(own.words);
+        if (event.said->form != QLatin1String(own.form)) continue;
+        return event.said->arguments.isEmpty() ? words : words.arg(event.said->argument(0));
+    }
+    return event.shown();
 }
 
-std::optional<UpOffer> readUpOffer(const QString& offer) {
-    static const QRegularExpression form(
-        QStringLiteral("^([+-][xyz]) is taken for up \\((.*)\\); 'up ([+-][xyz])' turns the model$"));
-    const QRegularExpressionMatch found = form.match(offer);
-    if (!found.hasMatch()) return std::nullopt;
-    return UpOffer{
-        tr("%1 is up (guessed, %2).").arg(found.captured(1).toUpper(), reasonText(found.captured(2))),
-        found.captured(3)};
+std::optional<UpOffer> readUpOffer(const Message& offer) {
+    if (!offer.said || offer.said->form != QLatin1String(told::kUpOffer)) return std::nullopt;
+    const ServerSentence& said = *offer.said;
+    return UpOffer{tr("%1 is up (guessed, %2).").arg(said.argument(0).toUpper(), said.argument(1)),
+                   said.argument(2)};
 }
 
-std::optional<QString> readUnitOffer(const QString& offer) {
-    static const QRegularExpression form(
-        QStringLiteral("^([0-9.e+-]+) m are taken for a unit \\((.*)\\); 'units' sets another$"));
-    const QRegularExpressionMatch found = form.match(offer);
-    if (!found.hasMatch()) return std::nullopt;
+std::optional<QString> readUnitOffer(const Message& offer) {
+    if (!offer.said || offer.said->form != QLatin1String(told::kUnitOffer)) return std::nullopt;
     return tr("1 unit = %1 m (guessed, %2).")
-        .arg(QLocale().toString(found.captured(1).toDouble(), 'g', 4), reasonText(found.captured(2)));
+        .arg(QLocale().toString(offer.said->argument(0).toDouble(), 'g', 4), offer.said->argument(1));
 }
 
-std::optional<QString> readMaterialOffer(const QString& offer) {
-    static const QRegularExpression form(
-        QStringLiteral("^(\\d+) materials? (?:is|are) guessed by name \\((.*)\\); 'material reset \\*' takes "
-                       "them as they are$"));
-    const QRegularExpressionMatch found = form.match(offer);
-    if (!found.hasMatch()) return std::nullopt;
-    const QHash<QString, QString> kinds{
-        {QStringLiteral("glass"), tr("glass")},    {QStringLiteral("water"), tr("water")},
-        {QStringLiteral("mirror"), tr("mirror")},  {QStringLiteral("chrome"), tr("chrome")},
-        {QStringLiteral("metal"), tr("metal")},    {QStringLiteral("polished"), tr("polished")},
-        {QStringLiteral("lacquer"), tr("lacquer")}};
-    QStringList named;
-    for (const QString& kind : found.captured(2).split(QStringLiteral(", ")))
-        named.append(kinds.value(kind, kind));
-    return tr("Materials guessed by name: %1 (%2).").arg(found.captured(1), named.join(QStringLiteral(", ")));
+std::optional<QString> readMaterialOffer(const Message& offer) {
+    if (!offer.said || offer.said->form != QLatin1String(told::kMaterialOffer)) return std::nullopt;
+    const ServerSentence guessed = offer.said->arguments.value(0);
+    return tr("Materials guessed by name: %1 (%2).").arg(guessed.argument(0), guessed.argument(1));
 }
 
 QString warningsText(const QStringList& warnings) {

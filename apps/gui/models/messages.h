@@ -1,6 +1,8 @@
 /// What a server has to say, as its command `messages` prints it: NUMBER warning|offer|event TEXT.
 #pragma once
 
+#include "gui/session/server_sentence.h"
+
 #include <QList>
 #include <QString>
 #include <QStringList>
@@ -14,6 +16,9 @@ struct Message {
     bool warning = false; ///< else what a key did, or an offer
     QString text;         ///< in English
     bool offer = false;   ///< what was decided for the user, who may want it otherwise
+    std::optional<ServerSentence> said = {};
+
+    QString shown() const; ///< in the user's language
 };
 
 /// What an offer of another up axis says.
@@ -21,22 +26,26 @@ struct UpOffer {
     QString text;  ///< in the user's language
     QString other; ///< axis: "+y"
 };
-/// Nothing where the text is none.
-std::optional<UpOffer> readUpOffer(const QString& offer);
+/// Nothing where the message is none.
+std::optional<UpOffer> readUpOffer(const Message& offer);
 
 /// What an offer of another unit says, in the user's language: "1 unit = 0.01 m (guessed, by its size).";
-/// nothing where the text is none.
-std::optional<QString> readUnitOffer(const QString& offer);
+/// nothing where the message is none.
+std::optional<QString> readUnitOffer(const Message& offer);
 
 /// What an offer to take guessed materials back says, in the user's language.
-std::optional<QString> readMaterialOffer(const QString& offer);
+std::optional<QString> readMaterialOffer(const Message& offer);
 
-/// Lines that are none are left out.
-QList<Message> readMessages(const QString& answer);
+/// Lines that are none are left out. `detail` is that of the answer.
+QList<Message> readMessages(const QString& answer, const QString& detail);
 
-/// What a key did, in the user's language as far as it is known: "Light 3: off".
-QString eventText(const QString& event);
-/// Many warnings in a few lines: those of one kind are counted, files stand without their folders.
+/// A warning that an import printed, in the user's language.
+QString importWarning(const QString& printed);
+
+/// What a key did, in the user's language: "Light 3: off".
+QString eventText(const Message& event);
+/// Many warnings, in the user's language, in a few lines: those of one kind are counted, files stand without
+/// their folders.
 QString warningsText(const QStringList& warnings);
 
 } // namespace gui

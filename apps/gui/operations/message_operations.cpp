@@ -52,7 +52,7 @@ void MessageOperations::onStatus() {
                           [this](const Answer& answer) {
                               asking_ = false;
                               if (!answer.done) return;
-                              take(readMessages(answer.text));
+                              take(readMessages(answer.text, answer.detail));
                               onStatus();
                           });
 }
@@ -63,10 +63,10 @@ void MessageOperations::take(const QList<Message>& messages) {
     for (const Message& message : messages) {
         known_ = message.number;
         heard_.append(message.text);
-        if (message.offer) offer(message.text);
+        if (message.offer) offer(message);
         if (message.offer) continue;
-        if (message.warning) warnings.append(message.text);
-        if (!message.warning && message.number > before_) context_.view.tell(eventText(message.text));
+        if (message.warning) warnings.append(message.shown());
+        if (!message.warning && message.number > before_) context_.view.tell(eventText(message));
     }
     if (messages.isEmpty()) known_ = context_.session.status().messages; // forgotten: another scene came
     warn(warnings);
@@ -77,7 +77,9 @@ void MessageOperations::onScene() {
     if (!context_.keeper.ours()) return;
     const QStringList warnings = context_.keeper.models().warnings(context_.editor.scene());
     heard_ += warnings;
-    warn(warnings);
+    QStringList shown;
+    for (const QString& each : warnings) shown.append(importWarning(each));
+    warn(shown);
 }
 
 void MessageOperations::warn(const QStringList& warnings) {
@@ -89,10 +91,10 @@ void MessageOperations::warn(const QStringList& warnings) {
     notify();
 }
 
-void MessageOperations::offer(const QString& text) {
-    const std::optional<UpOffer> up = readUpOffer(text);
-    const std::optional<QString> unit = readUnitOffer(text);
-    const std::optional<QString> materials = readMaterialOffer(text);
+void MessageOperations::offer(const Message& message) {
+    const std::optional<UpOffer> up = readUpOffer(message);
+    const std::optional<QString> unit = readUnitOffer(message);
+    const std::optional<QString> materials = readMaterialOffer(message);
     if (!up && !unit && !materials) return;
     forgetClosed();
     if (materials) materialOffer_ = *materials;

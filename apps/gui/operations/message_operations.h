@@ -24,7 +24,7 @@ class MessageOperations : public QObject {
     void take(const QList<Message>& messages);
     void onScene();
     void warn(const QStringList& warnings);
-    void offer(const QString& text);
+    void offer(const Message& message);
     void forgetOffers();
     void forgetClosed();
     void notify();

@@ -19,6 +19,8 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include <array>
+
 namespace gui {
 
 namespace {
@@ -140,11 +142,14 @@ void SaveOperations::packInto(const QString& folder, bool outside) {
 
 void SaveOperations::onPacked(const Answer& answer, const QString& folder) {
     context_.view.tell(answer.done ? tr("Packed into “%1”.").arg(folder) : QString());
-    if (const auto files = app::refusedFiles(answer.text.toStdString()))
-        return confirmOutside(QString::fromStdString(*files), folder);
+    const auto said = readSentence(answer.detail);
+    if (const auto* const refusal = said ? said->find(app::kPackRefusal) : nullptr)
+        return confirmOutside(refusal->argument(0), folder);
     // What was left out stands in lines of its own.
-    const QString more = answer.done ? answer.text.section(QLatin1Char('\n'), 1) : answer.text;
-    if (!more.isEmpty()) context_.notice.explain(more, {});
+    if (!answer.done) return context_.notice.explain(answer.text, {});
+    QStringList lines = answer.text.split(QLatin1Char('\n')).mid(1);
+    for (QString& line : lines) line = translatedAs(line, std::array{app::kLeftOut});
+    if (!lines.isEmpty()) context_.notice.explain(lines.join(QLatin1Char('\n')), {});
 }
 
 void SaveOperations::confirmOutside(QString files, const QString& folder) {

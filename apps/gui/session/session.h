@@ -1,6 +1,7 @@
 /// The conversation with one server: its frames, its status, commands and keys. Needs no window.
 #pragma once
 
+#include "gui/session/server_sentence.h"
 #include "gui/session/server_status.h"
 
 #include "common/commands/command_lines.h"
@@ -30,7 +31,8 @@ enum class SessionState {
 /// The server's answer to a command.
 struct Answer {
     bool done = false;
-    QString text; ///< of a failure: what went wrong
+    QString text;        ///< of a failure: what went wrong, in the user's language
+    QString detail = {}; ///< the same for programs (server_sentence.h); may be empty
 };
 
 /// One thread, that of its event loop; nothing waits. Frames and answers are looked for every few

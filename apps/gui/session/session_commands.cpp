@@ -95,7 +95,8 @@ void Session::collectAnswers() {
         if (reply.status == ipc::ReplyStatus::TimedOut) return false;
         const bool done = reply.status == ipc::ReplyStatus::Done;
         const QString text = QString::fromStdString(reply.text);
-        ready.emplace_back(std::move(order), Answer{done, text});
+        const QString detail = QString::fromStdString(reply.detail);
+        ready.emplace_back(std::move(order), Answer{done, done ? text : serverText(text, detail), detail});
         return true;
     });
     for (const auto& [order, answer] : ready) {

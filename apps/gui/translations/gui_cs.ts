@@ -636,10 +636,6 @@
         <translation>zaostřuje se</translation>
     </message>
     <message>
-        <source>%1 textures are missing, so their materials are plain: %2</source>
-        <translation>Chybějící textury: %1; jejich materiály jsou jednobarevné: %2</translation>
-    </message>
-    <message>
         <source>No floor here: walking on an invisible ground</source>
         <translation>Není tu podlaha: chodíte po neviditelné zemi</translation>
     </message>
@@ -660,14 +656,6 @@
         <translation>Kolik kamera vidí, jako úhel nebo objektiv; mění to i Ctrl s kolečkem</translation>
     </message>
     <message>
-        <source>usual for %1</source>
-        <translation>obvyklé pro %1</translation>
-    </message>
-    <message>
-        <source>by its shape</source>
-        <translation>podle tvaru</translation>
-    </message>
-    <message>
         <source>%1 is up (guessed, %2).</source>
         <translation>Vzhůru míří %1 (odhad, %2).</translation>
     </message>
@@ -678,10 +666,6 @@
     <message>
         <source>Which axis of the model is up, and how long a unit of it is</source>
         <translation>Která osa modelu míří vzhůru a jak dlouhá je jeho jednotka</translation>
-    </message>
-    <message>
-        <source>by its size</source>
-        <translation>podle velikosti</translation>
     </message>
     <message>
         <source>1 unit = %1 m (guessed, %2).</source>
@@ -828,26 +812,6 @@
         <translation>Skrýt všechny panely a zase je ukázat</translation>
     </message>
     <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 a další (%2)</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 a %2</translation>
-    </message>
-    <message>
-        <source>texture %1 is missing; its material is plain</source>
-        <translation>chybí textura %1; její materiál je jednobarevný</translation>
-    </message>
-    <message>
-        <source>usual for such files</source>
-        <translation>obvyklé pro takové soubory</translation>
-    </message>
-    <message>
-        <source>usual for %1 files</source>
-        <translation>obvyklé pro soubory %1</translation>
-    </message>
-    <message>
         <source>&amp;Orbit</source>
         <translation>&amp;Otáčet model</translation>
     </message>
@@ -962,34 +926,6 @@
     <message>
         <source>The part that is selected, from the side where you are</source>
         <translation>Vybraná část ze strany, kde jste</translation>
-    </message>
-    <message>
-        <source>glass</source>
-        <translation>sklo</translation>
-    </message>
-    <message>
-        <source>water</source>
-        <translation>voda</translation>
-    </message>
-    <message>
-        <source>mirror</source>
-        <translation>zrcadlo</translation>
-    </message>
-    <message>
-        <source>chrome</source>
-        <translation>chrom</translation>
-    </message>
-    <message>
-        <source>metal</source>
-        <translation>kov</translation>
-    </message>
-    <message>
-        <source>polished</source>
-        <translation>leštěné</translation>
-    </message>
-    <message>
-        <source>lacquer</source>
-        <translation>lak</translation>
     </message>
     <message>
         <source>Materials guessed by name: %1 (%2).</source>

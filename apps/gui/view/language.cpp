@@ -28,6 +28,7 @@ void useLanguage(const QString& name) {
     translate(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     translate(locale, QStringLiteral("gui"), QStringLiteral(":/translations"));
     translate(locale, QStringLiteral("tables"), QStringLiteral(":/translations"));
+    translate(locale, QStringLiteral("sentences"), QStringLiteral(":/translations"));
 }
 
 } // namespace gui

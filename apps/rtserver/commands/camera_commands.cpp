@@ -3,7 +3,10 @@
 #include "rtserver/commands/model_objects.h"
 #include "rtserver/commands/seen_surface.h"
 
+#include "common/commands/told_forms.h"
+
 #include "rtcore/motion/orbit.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/render/lens.h"
 #include "rtcore/scene/focal_length.h"
 #include "rtcore/scene/part_list.h"
@@ -152,7 +155,7 @@ rtcore::Box3 boxToFit(const Call& call) {
 }
 
 void fitTo(const Call& call, rtcore::Camera camera, const rtcore::Box3& box) {
-    if (box.empty()) throw std::runtime_error("there is nothing to show");
+    if (box.empty()) throw rtcore::Refusal("there is nothing to show");
     const rtcore::RenderSettings& settings = call.document().settings();
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     camera.up = rtcore::upwardsOf(camera.forward, call.document().scene()->up);
@@ -252,7 +255,7 @@ Result units(const Call& call) {
 
 Result walk(const Call& call) {
     call.walk().setWalking(true);
-    return {.answer = call.walk().onUnseenFloor() ? kUnseenFloor : ""};
+    return {.answer = call.walk().onUnseenFloor() ? app::told::kUnseenFloor : ""};
 }
 
 Result fly(const Call& call) {
@@ -273,7 +276,7 @@ Result focus(const Call& call) {
                                                           right * static_cast<float>(settings.width),
                                                           down * static_cast<float>(settings.height));
     if (!(distance < rtcore::kInfiniteFocus))
-        throw std::runtime_error("there is nothing to focus on; the focus stays as it was");
+        throw rtcore::Refusal("there is nothing to focus on; the focus stays as it was");
     settings.depthOfField.on = true;
     settings.depthOfField.focus = distance;
     call.document().setSettings(settings);

@@ -3,6 +3,7 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/motion/key_codes.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <optional>
@@ -18,16 +19,17 @@ int keyOf(const std::string& name) {
     const std::optional<int> code = rtcore::keyNamed(name);
     if (!code) {
         throw app::UsageError(
-            "unknown key " + rtcore::inQuotes(name) +
-            "; there are letters, digits, Space, Left, Right, Up, Down, Shift, Control, CapsLock "
-            "and others");
+            rtcore::say("unknown key {0}; there are letters, digits, Space, Left, Right, Up, Down, Shift, "
+                        "Control, CapsLock and others",
+                        rtcore::inQuotes(name)));
     }
     return *code;
 }
 
 std::filesystem::path pathOf(const std::string& text) {
     std::filesystem::path path(text);
-    if (!path.is_absolute()) throw app::UsageError("the path " + rtcore::inQuotes(text) + " is not absolute");
+    if (!path.is_absolute())
+        throw app::UsageError(rtcore::say("the path {0} is not absolute", rtcore::inQuotes(text)));
     return path;
 }
 

@@ -1,5 +1,6 @@
 #include "rtserver/commands/command_service.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <chrono>
@@ -12,7 +13,7 @@ namespace rtserver {
 namespace {
 
 constexpr auto kPatience = std::chrono::seconds(1); ///< for files that are being written when the server ends
-constexpr const char* kPaused = "the server was paused";
+const rtcore::Sentence kPaused = rtcore::say("the server was paused");
 constexpr std::size_t kMaxPending = 64; ///< of a client; then its further commands stay in its queue
 
 bool isEnd(const ipc::Command& command) { return command.text == "quit" || command.text == "exit"; }
@@ -65,10 +66,11 @@ Served CommandService::serveOne(const ipc::Command& command) {
 }
 
 // The answer, if it is there. `served` stays Done where it comes later without the command.
-std::optional<std::string> CommandService::begin(const ipc::Command& command, Result result, Served& served) {
+std::optional<CommandService::Answer> CommandService::begin(const ipc::Command& command, Result result,
+                                                            Served& served) {
     switch (result.when) {
     case ReplyWhen::Done:
-        return std::move(result.answer);
+        return Answer{std::move(result.answer), std::move(result.detail)};
     case ReplyWhen::Again:
         served = Served::Again;
         break;
@@ -94,7 +96,7 @@ std::optional<std::string> CommandService::begin(const ipc::Command& command, Re
 
 void CommandService::finishSideWork() {
     for (const SideWork::Done& done : sideWork_.takeDone()) {
-        answerBy(done.command, [&] { return std::optional(done.finish()); });
+        answerBy(done.command, [&] { return std::optional(Answer{done.finish()}); });
         commands_.resume(done.command.client);
     }
     // A client that has left, by Ctrl-C for example, takes no answer any more.
@@ -102,7 +104,7 @@ void CommandService::finishSideWork() {
         return command.wantsAnswer && !services_.replies.isConnected(command);
     });
     for (const SideWork::Done& done : longWork_.takeDone())
-        answerBy(done.command, [&] { return std::optional(done.finish()); });
+        answerBy(done.command, [&] { return std::optional(Answer{done.finish()}); });
 }
 
 // --- Answering ---
@@ -110,18 +112,20 @@ void CommandService::finishSideWork() {
 // Nothing: the answer comes later.
 void CommandService::answerBy(const ipc::Command& command, const Act& act) {
     try {
-        const std::optional<std::string> text = act();
-        if (!text) return;
+        const std::optional<Answer> answer = act();
+        if (!answer) return;
         services_.publishStatus();
-        services_.replies.answer(command, *text);
+        services_.replies.answer(command, answer->text, answer->detail);
     } catch (const std::exception& error) {
         refuseFor(command, error);
-        if (!command.wantsAnswer) messages_.complain(rtcore::inQuotes(command.text) + ": " + error.what());
+        if (!command.wantsAnswer)
+            messages_.complain(
+                rtcore::say("{0}: {1}", rtcore::inQuotes(command.text), rtcore::sentenceOf(error)));
     }
 }
 
 void CommandService::loaded(const std::optional<Failure>& failure) {
-    if (failure) return requests_.loadFailed(failure->code, failure->text);
+    if (failure) return requests_.loadFailed(failure->code, failure->why);
     if (requests_.waitsForLoad()) services_.publishStatus();
     requests_.loaded();
 }
@@ -135,27 +139,28 @@ void CommandService::answerRequests(bool idle) {
     }
     if (state_.paused) requests_.refuseKeys(app::ExitCode::Failed, kPaused, release);
     if (state_.paused || !state_.idles)
-        requests_.refuseIdle(app::ExitCode::Failed, state_.paused ? kPaused : "idling was turned off");
+        requests_.refuseIdle(app::ExitCode::Failed,
+                             state_.paused ? kPaused : rtcore::say("idling was turned off"));
     if (!idle || !requests_.waitForIdle()) return;
     services_.publishStatus();
     requests_.idle();
 }
 
-void CommandService::refuseWaiting(const std::string& why) {
+void CommandService::refuseWaiting(const rtcore::Sentence& why) {
     requests_.refuseIdle(app::ExitCode::TryAgain, why);
     refuseAll(commands_.takeWaiting(), why);
 }
 
-void CommandService::refuseObstructing(const std::string& why) {
+void CommandService::refuseObstructing(const rtcore::Sentence& why) {
     refuseAll(commands_.takeObstructing(), why);
 }
 
 void CommandService::refuseFor(const ipc::Command& command, const std::exception& error) {
     const Failure failure = failureOf(error);
-    services_.replies.refuse(command, failure.code, failure.text);
+    services_.replies.refuse(command, failure.code, failure.why);
 }
 
-void CommandService::refuseAll(const std::vector<ipc::Command>& commands, const std::string& why) {
+void CommandService::refuseAll(const std::vector<ipc::Command>& commands, const rtcore::Sentence& why) {
     for (const ipc::Command& command : commands)
         services_.replies.refuse(command, static_cast<int>(app::ExitCode::TryAgain), why);
 }
@@ -183,8 +188,8 @@ Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
 // The status stays as it is: it tells of the frame that is drawn, too.
 void CommandService::tell(const ipc::Command& command) {
     try {
-        services_.replies.answer(command,
-                                 runCommand(command.text, state_, services_.host, command.client).answer);
+        const Result result = runCommand(command.text, state_, services_.host, command.client);
+        services_.replies.answer(command, result.answer, result.detail);
     } catch (const std::exception& error) {
         refuseFor(command, error);
     }

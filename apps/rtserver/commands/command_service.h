@@ -13,6 +13,8 @@
 
 #include "ipc/endpoint/server.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -52,9 +54,9 @@ class CommandService {
     /// Answers those that wait for keys or for idleness, which is there or not.
     void answerRequests(bool idle);
     /// Refuses those that wait for a frame for which there is no memory.
-    void refuseWaiting(const std::string& why);
+    void refuseWaiting(const rtcore::Sentence& why);
     /// Refuses those that wait for a frame while more commands wait behind them.
-    void refuseObstructing(const std::string& why);
+    void refuseObstructing(const rtcore::Sentence& why);
 
     /// As of the last serve(): a command needs the whole frame of what is shown.
     bool waits() const { return commands_.waits(); }
@@ -68,14 +70,17 @@ class CommandService {
     Arrivals addDuringFrame(std::vector<ipc::Command> commands);
 
   private:
-    using Act = std::function<std::optional<std::string>()>;
+    struct Answer {
+        std::string text, detail = {};
+    };
+    using Act = std::function<std::optional<Answer>()>;
 
     Served serveOne(const ipc::Command& command);
-    std::optional<std::string> begin(const ipc::Command& command, Result result, Served& served);
+    std::optional<Answer> begin(const ipc::Command& command, Result result, Served& served);
     void answerBy(const ipc::Command& command, const Act& act);
     void tell(const ipc::Command& command);
     void refuseFor(const ipc::Command& command, const std::exception& error);
-    void refuseAll(const std::vector<ipc::Command>& commands, const std::string& why);
+    void refuseAll(const std::vector<ipc::Command>& commands, const rtcore::Sentence& why);
 
     Workspace& state_;
     Messages& messages_;

@@ -6,6 +6,8 @@
 #include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -67,8 +69,8 @@ Prefixes takePrefixes(std::vector<std::string>& words, app::FoundCommand& found)
         found = app::findCommand(words);
         const bool again = found.command->id == app::CommandId::Also && isBy;
         if (!found.command->edits() && !again)
-            throw app::UsageError(std::string(prefix.name) + " is for edits; " +
-                                  std::string(found.command->name) + " is none");
+            throw app::UsageError(
+                rtcore::say("{0} is for edits; {1} is none", prefix.name, found.command->name));
     }
     return prefixes;
 }
@@ -107,7 +109,7 @@ Result runCommand(std::string_view text, Workspace& state, Host& host, std::uint
     const Prefixes prefixes = takePrefixes(words, found);
     const app::CommandSpec& command = *found.command;
     if (command.runner != app::Runner::Server)
-        throw app::UsageError(std::string(command.name) + " is what CUI does itself, not the server");
+        throw app::UsageError(rtcore::say("{0} is what CUI does itself, not the server", command.name));
     const std::span<const std::string> arguments = std::span(words).subspan(found.words);
     app::checkArguments(command, arguments);
     return run({state, host, arguments, client}, command, prefixes);

@@ -46,6 +46,7 @@ enum class ReplyWhen {
 struct Result {
     ReplyWhen when = ReplyWhen::Done;
     std::string answer = {};
+    std::string detail = {}; ///< of Done: the answer for programs (ipc::Reply)
     std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
     Work work = {};          ///< for Beside and Apart; what it returns gives the answer
     StopFlag stop = {};      ///< for Apart: gives the work up

@@ -6,6 +6,7 @@
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/text/set.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -28,8 +29,7 @@ namespace {
 bool frameSuits(const Call& call) {
     const FrameMaker& frames = call.host.frames();
     const bool drawn = !frames.image().empty();
-    if (call.state.paused && !drawn)
-        throw std::runtime_error("there is no frame yet, and the server is paused");
+    if (call.state.paused && !drawn) throw rtcore::Refusal("there is no frame yet, and the server is paused");
     return drawn && frames.whole() && (call.state.paused || !frames.stale(call.document()));
 }
 
@@ -140,7 +140,7 @@ Result screenshot(const Call& call) {
     const std::vector<rtcore::ImageText> texts = app::imageTexts(call.document().settings());
     if (rtcore::isHdrFormat(path)) {
         if (!frames.hasRadiance())
-            throw std::runtime_error("the server was paused in the midst of a frame; resume it first");
+            throw rtcore::Refusal("the server was paused in the midst of a frame; resume it first");
         const auto picture = std::make_shared<const rtcore::HdrImage>(frames.radiance());
         return writeBeside(
             call, "", [path, picture, texts] { rtcore::writeHdrImage(path, *picture, texts); },

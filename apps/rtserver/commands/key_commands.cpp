@@ -5,6 +5,7 @@
 
 #include "rtcore/motion/key_bindings.h"
 #include "rtcore/motion/key_codes.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
 
 #include <fmt/core.h>
@@ -26,7 +27,7 @@ Result press(const Call& call) {
         call.walk().keyboard().press(key);
         return {};
     }
-    if (call.state.paused) throw std::runtime_error("the server is paused; resume it first");
+    if (call.state.paused) throw rtcore::Refusal("the server is paused; resume it first");
     const std::uint64_t press =
         call.walk().keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
     return {.when = ReplyWhen::WhenReleased, .press = press};
@@ -64,7 +65,7 @@ rtcore::Action actionOf(const std::string& name) {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < rtcore::kActions; ++i)
         names.push_back(rtcore::actionName(static_cast<rtcore::Action>(i)));
-    throw app::UsageError(rtcore::unknownNameMessage("action", name, names));
+    throw app::UsageError(rtcore::unknownNameMessage(rtcore::form("action"), name, names));
 }
 
 std::string textOf(const rtcore::KeyBinding& binding) {
@@ -99,7 +100,8 @@ Result bind(const Call& call) {
     const Keys keys = keysOf(call[0]);
     rtcore::KeyBinding binding{keys.key, actionOf(call[1]), keys.with};
     if (rtcore::hasNumber(binding.action) != (call.size() == 3)) {
-        throw app::UsageError(call[1] + (call.size() == 3 ? " takes no number" : " takes a number, from 1"));
+        throw app::UsageError(
+            rtcore::say(call.size() == 3 ? "{0} takes no number" : "{0} takes a number, from 1", call[1]));
     }
     if (call.size() == 3) binding.number = integer(call[2]);
     std::vector<rtcore::KeyBinding> list = without(call.walk(), keys);
@@ -111,7 +113,7 @@ Result bind(const Call& call) {
 Result unbind(const Call& call) {
     const std::vector<rtcore::KeyBinding> list = without(call.walk(), keysOf(call[0]));
     if (list.size() == call.walk().bindings().list().size())
-        throw app::UsageError(rtcore::inQuotes(call[0]) + " is not bound");
+        throw app::UsageError(rtcore::say("{0} is not bound", rtcore::inQuotes(call[0])));
     call.walk().setBindings(rtcore::KeyBindings(list));
     return {};
 }

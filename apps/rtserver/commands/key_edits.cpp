@@ -1,5 +1,9 @@
 #include "rtserver/commands/key_edits.h"
 
+#include "common/commands/told_forms.h"
+
+#include "rtcore/platform/sentence.h"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -10,26 +14,28 @@ namespace rtserver {
 
 namespace {
 
-std::string toggleBloom(Workspace& state, Host& host) {
+rtcore::Sentence toggleBloom(Workspace& state, Host& host) {
     const auto isOn = [&] { return state.document.settings().bloom.radius != 0; };
     runCommand(app::CommandId::Bloom, std::array<std::string, 1>{isOn() ? "off" : "on"}, state, host);
-    return isOn() ? "bloom on" : "bloom off";
+    return rtcore::say(isOn() ? app::told::kBloomOn : app::told::kBloomOff);
 }
 
-std::string toggleLight(int id, Workspace& state, Host& host) {
-    const std::string number = std::to_string(id), name = "light " + number;
+rtcore::Sentence toggleLight(int id, Workspace& state, Host& host) {
+    using rtcore::say;
     const std::optional<std::size_t> light = rtcore::lightWithId(*state.document.scene(), id);
-    if (!light) return "there is no " + name;
-    runCommand(app::CommandId::Light, std::array<std::string, 2>{number, "toggle"}, state, host);
-    return name + (state.document.scene()->lights[*light].light.on != 0 ? " on" : " off");
+    if (!light) return say(app::told::kNoLight, id);
+    runCommand(app::CommandId::Light, std::array<std::string, 2>{std::to_string(id), "toggle"}, state, host);
+    const bool on = state.document.scene()->lights[*light].light.on != 0;
+    return say(on ? app::told::kLightOn : app::told::kLightOff, id);
 }
 
-std::string selectEnvironment(int environment, Workspace& state, Host& host) {
-    const std::string number = std::to_string(environment), name = "environment " + number;
+rtcore::Sentence selectEnvironment(int environment, Workspace& state, Host& host) {
+    using rtcore::say;
     const std::size_t count = state.document.scene()->environments.size();
-    if (environment < 1 || std::cmp_greater(environment, count)) return "there is no " + name;
-    runCommand(app::CommandId::Environment, std::array{number}, state, host);
-    return name;
+    if (environment < 1 || std::cmp_greater(environment, count))
+        return say(app::told::kNoEnvironment, environment);
+    runCommand(app::CommandId::Environment, std::array{std::to_string(environment)}, state, host);
+    return say(app::told::kEnvironment, environment);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/light_power.h"
 #include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
@@ -88,9 +89,10 @@ class Place {
                           : word_ == "at" || word_ == "along" ? numbers == 3
                                                               : numbers == 0;
         if (!fits)
-            throw app::UsageError(word_ + (word_ == "seen" ? " takes nothing, or RIGHT and DOWN"
-                                           : word_ == "at" || word_ == "along" ? " takes three numbers"
-                                                                               : " takes no numbers"));
+            throw app::UsageError(rtcore::say(word_ == "seen" ? "{0} takes nothing, or RIGHT and DOWN"
+                                              : word_ == "at" || word_ == "along" ? "{0} takes three numbers"
+                                                                                  : "{0} takes no numbers",
+                                              word_));
     }
 
     const std::string& word() const { return word_; }
@@ -102,13 +104,13 @@ class Place {
         const auto fraction = [&](std::size_t i) {
             const float value = number(call_[i]);
             if (!(value >= 0 && value <= 1))
-                throw app::UsageError("seen takes numbers from 0 to 1, not '" + call_[i] + "'");
+                throw app::UsageError(rtcore::say("seen takes numbers from 0 to 1, not '{0}'", call_[i]));
             return value;
         };
         const bool given = call_.size() > first_;
         const auto surface = given ? surfaceAt(call_.document(), fraction(first_), fraction(first_ + 1))
                                    : surfaceAt(call_.document(), 0.5F, 0.5F);
-        if (!surface) throw std::runtime_error("there is no surface there; the light stays as it was");
+        if (!surface) throw rtcore::Refusal("there is no surface there; the light stays as it was");
         return *surface;
     }
 
@@ -202,8 +204,8 @@ float powerOfWords(const Call& call, const rtcore::Light& light) {
     const std::string& unit = call[2];
     const bool placed = traitsOf(light).position;
     if (unit == (placed ? "lx" : "lm"))
-        throw std::invalid_argument(placed ? "lx is for directional lights; others give off lm or W"
-                                           : "a directional light has no lm; give lx, or W for W/m2");
+        throw rtcore::BadValue(placed ? "lx is for directional lights; others give off lm or W"
+                                      : "a directional light has no lm; give lx, or W for W/m2");
     const double watts = unit == "W" ? value : value / rtcore::kLumensPerWatt;
     return static_cast<float>(
         rtcore::powerOfWatts(light, watts, double{call.document().scene()->metresPerUnit}));
@@ -236,7 +238,7 @@ Result mirrored(const Call& call) {
 
 Result rename(const Call& call) {
     if (rtcore::findInvalidUtf8(call[1]) != std::string::npos)
-        throw std::invalid_argument("the name of a light is a text in UTF-8");
+        throw rtcore::BadValue("the name of a light is a text in UTF-8");
     return change(call, [&](LightDescription& light) { light.name = call[1]; });
 }
 

@@ -7,6 +7,7 @@
 
 #include "rtcore/io/text/scn.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/survey/seen_object.h"
 
@@ -41,7 +42,7 @@ Result materialSet(const Call& call) {
     try {
         editMaterials(call.document(), all, rtcore::parseMaterialKey(call[1], call.arguments.subspan(2)));
     } catch (const rtcore::FileError& error) {
-        throw app::UsageError(error.what());
+        throw app::UsageError(rtcore::sentenceOf(error));
     }
     return {};
 }
@@ -92,7 +93,7 @@ Result seen(const Call& call) {
     const auto object = rtcore::seenObject(sceneOf(call), *call.document().tracer(), view,
                                            number(call[0]) * static_cast<float>(settings.width),
                                            number(call[1]) * static_cast<float>(settings.height));
-    if (!object) throw std::runtime_error("nothing of the model is seen there");
+    if (!object) throw rtcore::Refusal("nothing of the model is seen there");
     return {.answer = seenText(sceneOf(call), *object)};
 }
 

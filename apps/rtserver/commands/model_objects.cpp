@@ -6,6 +6,7 @@
 #include "common/settings/named_numbers.h"
 
 #include "rtcore/io/text/scn.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/material_textures.h"
@@ -25,13 +26,15 @@ std::string_view materialName(const rtcore::Scene& scene, std::size_t index) {
     return scene.model.name(scene.materials[index].nameOffset);
 }
 
-/// At least one.
-std::vector<std::size_t> named(const std::string& text, std::size_t count, const std::string& what,
+constexpr const char* kNoMaterial = rtcore::form("no material of the model is {0}; 'materials' lists them");
+constexpr const char* kNoPart = rtcore::form("no part of the model is {0}; 'parts' lists them");
+
+/// At least one; `unknown` is a form.
+std::vector<std::size_t> named(const std::string& text, std::size_t count, const char* unknown,
                                const app::NameOf& nameOf) {
     std::vector<std::size_t> all = app::numbersNamed(text, count, nameOf);
     if (!all.empty()) return all;
-    throw app::UsageError(
-        fmt::format("no {} of the model is {}; '{}s' lists them", what, rtcore::inQuotes(text), what));
+    throw app::UsageError(rtcore::say(unknown, rtcore::inQuotes(text)));
 }
 
 /// Lines as long as there is room; `lineOf` gives those from 0 on.
@@ -53,7 +56,7 @@ std::string withName(std::string text, std::string_view name) {
 } // namespace
 
 std::vector<std::size_t> materialsNamed(const rtcore::Scene& scene, const std::string& text) {
-    return named(text, scene.materials.size(), "material",
+    return named(text, scene.materials.size(), kNoMaterial,
                  [&](std::size_t i) { return materialName(scene, i); });
 }
 
@@ -62,7 +65,7 @@ std::vector<std::uint8_t> partsNamed(std::span<const rtcore::NamedPart> parts,
     std::vector<std::uint8_t> chosen(parts.size());
     for (const std::string& text : texts) {
         for (const std::size_t i :
-             named(text, parts.size(), "part", [&](std::size_t k) { return parts[k].name; }))
+             named(text, parts.size(), kNoPart, [&](std::size_t k) { return parts[k].name; }))
             chosen[i] = 1;
     }
     return chosen;

@@ -1,5 +1,7 @@
 #include "rtserver/commands/requests.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <utility>
 
 namespace rtserver {
@@ -14,28 +16,28 @@ void Requests::addForKey(const ipc::Command& command, std::uint64_t press) {
 
 void Requests::loaded() {
     const std::optional<ipc::Command> loader = std::exchange(loader_, std::nullopt);
-    if (loader) replies_.answer(*loader, {});
+    if (loader) replies_.answer(*loader, {}, {});
 }
 
-void Requests::loadFailed(int code, const std::string& text) {
+void Requests::loadFailed(int code, const rtcore::Sentence& why) {
     const std::optional<ipc::Command> loader = std::exchange(loader_, std::nullopt);
-    if (loader) replies_.refuse(*loader, code, text);
+    if (loader) replies_.refuse(*loader, code, why);
 }
 
 void Requests::idle() {
-    for (const ipc::Command& command : std::exchange(idle_, {})) replies_.answer(command, {});
+    for (const ipc::Command& command : std::exchange(idle_, {})) replies_.answer(command, {}, {});
 }
 
-void Requests::refuseIdle(app::ExitCode code, const std::string& text) {
+void Requests::refuseIdle(app::ExitCode code, const rtcore::Sentence& why) {
     for (const ipc::Command& command : std::exchange(idle_, {}))
-        replies_.refuse(command, static_cast<int>(code), text);
+        replies_.refuse(command, static_cast<int>(code), why);
 }
 
-void Requests::refuseKeys(app::ExitCode code, const std::string& text,
+void Requests::refuseKeys(app::ExitCode code, const rtcore::Sentence& why,
                           const std::function<void(std::uint64_t)>& release) {
     for (const KeyRequest& request : std::exchange(keys_, {})) {
         release(request.press);
-        replies_.refuse(request.command, static_cast<int>(code), text);
+        replies_.refuse(request.command, static_cast<int>(code), why);
     }
 }
 
@@ -47,7 +49,7 @@ void Requests::answerReleased(const std::function<bool(std::uint64_t)>& down,
             return true;
         }
         if (down(request.press)) return false;
-        replies_.answer(request.command, {});
+        replies_.answer(request.command, {}, {});
         return true;
     });
 }

@@ -5,6 +5,8 @@
 
 #include "ipc/endpoint/server.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,8 +19,9 @@ namespace rtserver {
 class Replies {
   public:
     virtual ~Replies() = default;
-    virtual void answer(const ipc::Command& command, const std::string& text) = 0;
-    virtual void refuse(const ipc::Command& command, int code, const std::string& text) = 0;
+    /// `detail`: as of Result.
+    virtual void answer(const ipc::Command& command, const std::string& text, const std::string& detail) = 0;
+    virtual void refuse(const ipc::Command& command, int code, const rtcore::Sentence& why) = 0;
     /// Whether the client that sent the command is still there.
     virtual bool isConnected(const ipc::Command& command) const = 0;
 };
@@ -37,18 +40,18 @@ class Requests {
     /// The scene stands: answers, if a client asked for it.
     void loaded();
     /// It does not: refuses, if a client asked for it.
-    void loadFailed(int code, const std::string& text);
+    void loadFailed(int code, const rtcore::Sentence& why);
     bool waitsForLoad() const { return loader_.has_value(); }
 
     bool waitForIdle() const { return !idle_.empty(); }
     /// All is shown: answers each that waits for it.
     void idle();
     /// It will not be shown: refuses each.
-    void refuseIdle(app::ExitCode code, const std::string& text);
+    void refuseIdle(app::ExitCode code, const rtcore::Sentence& why);
 
     bool waitForKeys() const { return !keys_.empty(); }
     /// Their time does not go on: refuses each, and ends its press by `release`.
-    void refuseKeys(app::ExitCode code, const std::string& text,
+    void refuseKeys(app::ExitCode code, const rtcore::Sentence& why,
                     const std::function<void(std::uint64_t press)>& release);
     /// Answers those whose key is no longer `down`. A stopped or killed client holds no key: `release` is
     /// called for its press.

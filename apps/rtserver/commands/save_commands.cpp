@@ -8,6 +8,7 @@
 
 #include "rtcore/io/text/cam.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
 
@@ -52,7 +53,7 @@ Result saveTo(const Call& call, const fs::path& path, bool replace) {
 Result save(const Call& call) {
     const fs::path path = sourceOf(call.document());
     if (path.extension() != ".scn")
-        throw std::runtime_error("a model is shown, not a scene; 'save as' makes a scene of it");
+        throw rtcore::Refusal("a model is shown, not a scene; 'save as' makes a scene of it");
     return saveTo(call, path, call.size() > 0);
 }
 
@@ -76,7 +77,7 @@ ScenePack packOf(const Document& document, bool outside) {
 std::string answerOf(const PackedScene& packed) {
     std::string text = fmt::format("{} files", packed.files);
     for (const fs::path& file : packed.leftOut)
-        text += "\nleft out, since nothing of it is used: " + rtcore::printable(file.string());
+        text += '\n' + rtcore::say(app::kLeftOut, rtcore::printable(file.string())).english();
     return text;
 }
 
@@ -127,7 +128,7 @@ rtcore::SceneBookmarks::iterator named(rtcore::SceneBookmarks& bookmarks, const 
             return rtcore::printable(each.name) == name;
         });
     if (found == bookmarks.end())
-        throw std::invalid_argument("the scene has no bookmark " + rtcore::inQuotes(name));
+        throw rtcore::BadValue(rtcore::say("the scene has no bookmark {0}", rtcore::inQuotes(name)));
     return bookmarks.begin() + (found - bookmarks.cbegin());
 }
 
@@ -154,7 +155,7 @@ std::string keep(Document& document, const std::string& name, rtcore::Camera cam
 
 void checkName(const std::string& name) {
     const bool text = rtcore::findInvalidUtf8(name) == std::string_view::npos;
-    if (name.empty() || !text) throw std::invalid_argument("a bookmark needs a name, in UTF-8");
+    if (name.empty() || !text) throw rtcore::BadValue("a bookmark needs a name, in UTF-8");
 }
 
 Result addBookmark(const Call& call) {
@@ -180,7 +181,7 @@ Result renameBookmark(const Call& call) {
     const auto bookmark = named(all, call[0]);
     const auto other = rtcore::findBookmark(all, call[1]);
     if (other != all.end() && other != bookmark)
-        throw std::invalid_argument("another bookmark is called " + rtcore::inQuotes(call[1]));
+        throw rtcore::BadValue(rtcore::say("another bookmark is called {0}", rtcore::inQuotes(call[1])));
     bookmark->name = call[1];
     call.document().setBookmarks(std::move(all));
     return {};

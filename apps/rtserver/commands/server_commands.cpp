@@ -1,6 +1,8 @@
 // Commands to the server itself.
 #include "rtserver/commands/command_call.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <array>
 #include <stdexcept>
 
@@ -46,14 +48,16 @@ Result frameTime(const Call& call) {
 }
 
 Result waitIdle(const Call& call) {
-    if (!call.state.idles) throw std::runtime_error("the server never idles; 'idle on' lets it");
-    if (call.state.paused) throw std::runtime_error("the server is paused; resume it first");
+    if (!call.state.idles) throw rtcore::Refusal("the server never idles; 'idle on' lets it");
+    if (call.state.paused) throw rtcore::Refusal("the server is paused; resume it first");
     return {.when = ReplyWhen::WhenIdle};
 }
 
 Result messages(const Call& call) {
     const int known = call.size() > 0 ? integer(call[0]) : 0;
-    return {.answer = call.host.messages().since(static_cast<std::uint32_t>(known))};
+    const Messages& all = call.host.messages();
+    const auto number = static_cast<std::uint32_t>(known);
+    return {.answer = all.since(number), .detail = all.detailsSince(number)};
 }
 
 constexpr std::array kServerFunctions{

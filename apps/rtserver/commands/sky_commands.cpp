@@ -5,6 +5,7 @@
 #include "rtcore/io/images/environment_file.h"
 #include "rtcore/io/text/sun_date.h"
 #include "rtcore/look/lighting_preset.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -55,7 +56,9 @@ Result skyHour(const Call& call) {
 
 Result skyDate(const Call& call) {
     const auto day = rtcore::calendarDateOf(call[0]);
-    if (!day) throw app::UsageError("'" + call[0] + "' is no day from 1800 to 2200 such as 2026-06-21");
+    if (!day)
+        throw app::UsageError(
+            rtcore::say("'{0}' is no day from 1800 to 2200 such as {1}", call[0], std::string("2026-06-21")));
     return editSky(call, [&](rtcore::Sky& sky) {
         rtcore::SunDate& date = dateOf(sky);
         date.year = day->year;

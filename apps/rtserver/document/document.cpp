@@ -4,6 +4,7 @@
 
 #include "common/settings/settings_merge.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -131,13 +132,13 @@ void Document::useModelUnits(const rtcore::ModelUnits& units) {
 void Document::setCamera(const rtcore::Camera& camera) {
     const bool finite = isFinite(camera.eye) && isFinite(camera.forward) && isFinite(camera.up);
     if (!finite || normalize(camera.forward) == rtcore::Vec3{})
-        throw std::invalid_argument("the camera needs a direction to look in");
+        throw rtcore::BadValue("the camera needs a direction to look in");
     if (normalize(camera.up) == rtcore::Vec3{} || rtcore::areParallel(camera.forward, camera.up))
-        throw std::invalid_argument("the direction that is up must be another one than that to look in");
+        throw rtcore::BadValue("the direction that is up must be another one than that to look in");
     if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
-        throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
+        throw rtcore::BadValue("the field of view is more than 0 and less than 180 degrees");
     if (camera.kind == rtcore::CameraKind::Orthographic && !(camera.orthographicWidth > 0))
-        throw std::invalid_argument("the width of an orthographic view is more than 0");
+        throw rtcore::BadValue("the width of an orthographic view is more than 0");
     placeCamera(camera);
 }
 
@@ -154,7 +155,7 @@ void Document::moveCamera(const rtcore::Camera& camera) {
 std::string Document::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
     const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
     rtcore::Scene edited = *scene_;
-    std::string warning = app::applyCameraToScene(file, path, edited);
+    std::string warning = app::applyCameraToScene(file, path, edited).english();
     setSettings(app::mergeSettings({.scene = now, .camera = &file}));
     publish(std::move(edited));
     placeCamera(file.camera);
@@ -232,9 +233,9 @@ void Document::makeOf(const EditStep& step, const Snapshot& from, const Snapshot
 
 std::string Document::undo(std::optional<int> number) {
     const EditStep* const step = history_.last();
-    if (step == nullptr) throw std::runtime_error("there is nothing to undo");
+    if (step == nullptr) throw rtcore::Refusal("there is nothing to undo");
     if (number && step->number != *number)
-        throw std::runtime_error(fmt::format("edit {} is not the last one", *number));
+        throw rtcore::Refusal(rtcore::say("edit {0} is not the last one", *number));
     makeOf(*step, step->after, step->before);
     history_.moveBack();
     return step->label;
@@ -242,9 +243,9 @@ std::string Document::undo(std::optional<int> number) {
 
 std::string Document::redo(std::optional<int> number) {
     const EditStep* const step = history_.next();
-    if (step == nullptr) throw std::runtime_error("there is nothing to redo");
+    if (step == nullptr) throw rtcore::Refusal("there is nothing to redo");
     if (number && step->number != *number)
-        throw std::runtime_error(fmt::format("edit {} is not the one that was taken back", *number));
+        throw rtcore::Refusal(rtcore::say("edit {0} is not the one that was taken back", *number));
     makeOf(*step, step->before, step->after);
     history_.moveForth();
     return step->label;

@@ -3,6 +3,7 @@
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/math/blackbody.h"
 #include "rtcore/math/constants.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/light_power.h"
 
 #include <fmt/core.h>
@@ -34,9 +35,8 @@ constexpr float kReach = 0.1F;            ///< diagonals: so far away it brings 
 constexpr float kInner = 25, kOuter = 35; ///< degrees
 constexpr double kMaxDisc = 180;          ///< degrees
 
-[[noreturn]] void refuse(const Light& light, const char* what) {
-    throw std::runtime_error(fmt::format("a {} light has no {}", traitsOf(light).name, what));
-}
+/// The word of its kind, in the place of a form.
+rtcore::Sentence kindOf(const Light& light) { return traitsOf(light).name.data(); }
 
 Vec3 unitOr(Vec3 direction, Vec3 otherwise) {
     const Vec3 unit = normalize(direction);
@@ -73,13 +73,13 @@ void complete(Light& light, const SceneExtent& extent) {
 
 void scale(LightDescription& light, float factor) {
     const Colour scaled = light.light.intensity * factor;
-    if (!isFinite(scaled)) throw std::invalid_argument("so much light cannot be counted");
+    if (!isFinite(scaled)) throw rtcore::BadValue("so much light cannot be counted");
     light.light.intensity = scaled;
 }
 
 void setDisc(Light& light, double degrees, bool another) {
     if (another || degrees > kMaxDisc)
-        throw std::invalid_argument("a directional light takes one angle, in degrees, at most 180");
+        throw rtcore::BadValue("a directional light takes one angle, in degrees, at most 180");
     light.discSine = rtcore::sineOfHalf(degrees);
 }
 
@@ -109,7 +109,7 @@ void setPower(LightDescription& light, float watts) {
 
 void setColour(LightDescription& light, Colour colour) {
     if (!(luminance(colour) > 0))
-        throw std::invalid_argument("black is no colour of a light; switch it off instead");
+        throw rtcore::BadValue("black is no colour of a light; switch it off instead");
     const float watts = powerOf(light);
     LightDescription changed = light;
     changed.temperature = 0;
@@ -152,8 +152,9 @@ void setSize(LightDescription& light, double size, std::optional<double> height)
     const rtcore::LightTraits& traits = traitsOf(light.light);
     if (traits.disc) return setDisc(light.light, size, height.has_value());
     if (traits.sides != height.has_value())
-        throw std::invalid_argument(fmt::format("a {} light takes {}", traits.name,
-                                                traits.sides ? "WIDTH and HEIGHT" : "a radius alone"));
+        throw rtcore::BadValue(rtcore::say(traits.sides ? "a {0} light takes WIDTH and HEIGHT"
+                                                        : "a {0} light takes a radius alone",
+                                           kindOf(light.light)));
     if (traits.sides) {
         light.light.width = static_cast<float>(size);
         light.light.height = static_cast<float>(*height);
@@ -163,33 +164,35 @@ void setSize(LightDescription& light, double size, std::optional<double> height)
 }
 
 void setMirrored(LightDescription& light, bool on) {
-    if (on && !isAreaLight(light.light.kind)) refuse(light.light, "surface that mirrors show");
+    if (on && !isAreaLight(light.light.kind))
+        throw rtcore::Refusal(
+            rtcore::say("a {0} light has no surface that mirrors show", kindOf(light.light)));
     light.light.mirrored = on ? 1 : 0;
 }
 
 void setAngles(LightDescription& light, float inner, float outer) {
-    if (traitsOf(light.light).beam != rtcore::Beam::Cone) refuse(light.light, "cone");
+    if (traitsOf(light.light).beam != rtcore::Beam::Cone)
+        throw rtcore::Refusal(rtcore::say("a {0} light has no cone", kindOf(light.light)));
     const float cosInner = rtcore::cosineOfDegrees(static_cast<double>(inner)),
                 cosOuter = rtcore::cosineOfDegrees(static_cast<double>(outer));
     if (!(cosOuter < cosInner))
-        throw std::invalid_argument(
-            "the inner angle must be below the outer one, by enough to tell them apart");
+        throw rtcore::BadValue("the inner angle must be below the outer one, by enough to tell them apart");
     light.light.cosInner = cosInner;
     light.light.cosOuter = cosOuter;
 }
 
 void setPosition(LightDescription& light, Vec3 position) {
     if (!traitsOf(light.light).position)
-        throw std::runtime_error("a directional light has no position; 'light aim' turns it");
+        throw rtcore::Refusal("a directional light has no position; 'light aim' turns it");
     light.light.position = position;
 }
 
 void setDirection(LightDescription& light, Vec3 direction) {
     if (!traitsOf(light.light).direction)
-        throw std::runtime_error(fmt::format("a {} light shines to all sides; 'light kind' changes that",
-                                             traitsOf(light.light).name));
+        throw rtcore::Refusal(
+            rtcore::say("a {0} light shines to all sides; 'light kind' changes that", kindOf(light.light)));
     const Vec3 unit = normalize(direction);
-    if (unit == Vec3{}) throw std::invalid_argument("the direction is zero; give where the light shines to");
+    if (unit == Vec3{}) throw rtcore::BadValue("the direction is zero; give where the light shines to");
     light.light.direction = unit;
     if (!traitsOf(light.light).sides) return;
     const Vec3 right = normalize(light.light.right - unit * dot(light.light.right, unit));

@@ -1,5 +1,6 @@
 #include "rtserver/document/light_list.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/sky/scene_sky.h"
 
 #include <fmt/format.h>
@@ -14,18 +15,18 @@ namespace rtserver {
 namespace {
 
 /// "only number 3", "numbers 1 to 4", "numbers 1, 3 and 4".
-std::string idsOf(const rtcore::Scene& scene) {
+rtcore::Sentence idsOf(const rtcore::Scene& scene) {
     std::vector<int> ids;
     for (const rtcore::SceneLight& each : scene.lights) ids.push_back(each.notes.id);
     std::ranges::sort(ids);
-    if (ids.empty()) return "none";
-    if (ids.size() == 1) return fmt::format("only number {}", ids.front());
+    if (ids.empty()) return rtcore::say("none");
+    if (ids.size() == 1) return rtcore::say("only number {0}", ids.front());
     constexpr std::size_t kMax = 20;
     const bool inRow = std::cmp_equal(ids.back() - ids.front() + 1, ids.size());
-    if (inRow || ids.size() > kMax) return fmt::format("numbers {} to {}", ids.front(), ids.back());
+    if (inRow || ids.size() > kMax) return rtcore::say("numbers {0} to {1}", ids.front(), ids.back());
     const int last = ids.back();
     ids.pop_back();
-    return fmt::format("numbers {} and {}", fmt::join(ids, ", "), last);
+    return rtcore::say("numbers {0} and {1}", fmt::format("{}", fmt::join(ids, ", ")), last);
 }
 
 } // namespace
@@ -33,7 +34,7 @@ std::string idsOf(const rtcore::Scene& scene) {
 std::size_t lightOf(const rtcore::Scene& scene, int id) {
     const std::optional<std::size_t> light = rtcore::lightWithId(scene, id);
     if (!light)
-        throw std::invalid_argument(fmt::format("there is no light {}; the scene has {}", id, idsOf(scene)));
+        throw rtcore::BadValue(rtcore::say("there is no light {0}; the scene has {1}", id, idsOf(scene)));
     return *light;
 }
 

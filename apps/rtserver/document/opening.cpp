@@ -4,6 +4,7 @@
 
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/set.h"
+#include "rtcore/platform/sentence.h"
 
 #include <filesystem>
 #include <optional>
@@ -43,7 +44,7 @@ Opening openingOf(World& world, const Options& options, const rtcore::RenderSett
     std::optional<rtcore::CameraFile> camera;
     if (const std::filesystem::path path = cameraPathOf(world, options, first); !path.empty()) {
         camera = rtcore::readCameraFile(path);
-        const std::string warning = app::applyCameraToScene(*camera, path, scene);
+        const rtcore::Sentence warning = app::applyCameraToScene(*camera, path, scene);
         if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;
     }

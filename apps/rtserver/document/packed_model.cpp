@@ -5,6 +5,7 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -57,20 +58,21 @@ std::uint32_t digestOf(const rtcore::Model& model) {
 /// Whether the packed model is read from the pack alone.
 void checkFound(const fs::path& model, const fs::path& root, const std::set<fs::path>& found,
                 const std::set<fs::path>& expected) {
-    const auto refuse = [&](const std::string& why) {
+    const auto refuse = [&](const rtcore::Sentence& why) {
         throw rtcore::FileError(rtcore::FailureKind::BadData, model.filename().string(), why);
     };
     for (const fs::path& file : found) {
         const fs::path seen = file.lexically_relative(root);
         if (seen.empty() || *seen.begin() == "..")
-            refuse("names " + file.string() +
-                   " by its absolute path, which no copy of the model would find; export it with relative "
-                   "ones, or make a .bsp of it by BSPBuilder and pack that");
+            refuse(rtcore::say(
+                "names {0} by its absolute path, which no copy of the model would find; export it "
+                "with relative ones, or make a .bsp of it by BSPBuilder and pack that",
+                file.string()));
     }
     for (const fs::path& file : expected) {
         if (found.count(file) == 0)
-            refuse("its copy does not find " + file.lexically_relative(root).string() +
-                   "; make a .bsp of it by BSPBuilder and pack that");
+            refuse(rtcore::say("its copy does not find {0}; make a .bsp of it by BSPBuilder and pack that",
+                               file.lexically_relative(root).string()));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/platform/temporary_folder.h"
 
 #include <algorithm>
@@ -24,16 +25,17 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
-[[noreturn]] void failPacking(const fs::path& path, const std::string& why) {
-    throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(), "cannot be written: " + why);
+[[noreturn]] void failPacking(const fs::path& path, const rtcore::Sentence& why) {
+    throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(),
+                            rtcore::say("cannot be written: {0}", why));
 }
 
 void refuseFull(const fs::path& folder) {
     std::error_code none;
     if (!fs::is_directory(folder.parent_path(), none))
-        failPacking(folder, "there is no such folder to make it in");
+        failPacking(folder, rtcore::say("there is no such folder to make it in"));
     if (fs::exists(folder, none) && !fs::is_empty(folder, none))
-        failPacking(folder, "it is there already, and not empty; name another folder");
+        failPacking(folder, rtcore::say("it is there already, and not empty; name another folder"));
 }
 
 /// All that the scene names; what the pack may hold.
@@ -145,7 +147,8 @@ PackedScene packScene(const fs::path& path, ScenePack pack, PackProgress& progre
         fs::rename(root, folder);
         return {files.count() + 1, files.leftOut()};
     } catch (const fs::filesystem_error& error) {
-        failPacking(folder, error.code().message() + " (" + error.path1().string() + ")");
+        failPacking(folder, rtcore::say("{0} ({1})", rtcore::systemReason(error.code().value()),
+                                        error.path1().string()));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "rtcore/platform/backups.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <optional>
@@ -24,9 +25,10 @@ std::optional<fs::path> keepOld(const fs::path& path, bool replace) {
     if (!replace) {
         throw rtcore::FileError(
             rtcore::FailureKind::CannotWrite, path.string(),
-            "it was written or changed by hand, and its comments and its layout would be lost; "
-            "add 'replace', then it is kept as " +
-                rtcore::inQuotes(path.filename().string() + "~"));
+            rtcore::say(
+                "it was written or changed by hand, and its comments and its layout would be lost; add "
+                "'replace', then it is kept as {0}",
+                rtcore::inQuotes(path.filename().string() + "~")));
     }
     return rtcore::keepBackup(path);
 }
@@ -35,8 +37,8 @@ std::optional<fs::path> keepOld(const fs::path& path, bool replace) {
 
 void saveScene(const fs::path& path, const rtcore::SceneFile& scene, bool replace) {
     if (path.extension() != ".scn")
-        throw app::UsageError("a scene is saved as a .scn file, not as " +
-                              rtcore::inQuotes(path.filename().string()));
+        throw app::UsageError(rtcore::say("a scene is saved as a .scn file, not as {0}",
+                                          rtcore::inQuotes(path.filename().string())));
     const std::optional<fs::path> old = keepOld(path, replace);
     try {
         rtcore::writeSceneFile(path, scene);

@@ -1,5 +1,6 @@
 #include "rtserver/document/sky_edits.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/sky/scene_sky.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace {
 
 /// The active one, of files. Throws std::runtime_error where there is none.
 std::size_t shownFile(const rtcore::Scene& scene) {
-    if (scene.environment() == nullptr) throw std::runtime_error("no environment map is shown");
+    if (scene.environment() == nullptr) throw rtcore::Refusal("no environment map is shown");
     return static_cast<std::size_t>(scene.activeEnvironment);
 }
 
@@ -40,11 +41,11 @@ void switchHeadlight(const Document& document, rtcore::Scene& edited, bool on) {
 
 // For users they are counted from 1.
 [[noreturn]] void refuseEnvironment(int environment, std::size_t count) {
-    const std::string has = count == 0   ? "none"
-                            : count == 1 ? "only number 1"
-                                         : fmt::format("numbers 1 to {}", count);
-    throw std::invalid_argument(
-        fmt::format("there is no environment {}; the scene has {}", environment + 1, has));
+    using rtcore::say;
+    const rtcore::Sentence has = count == 0   ? say("none")
+                                 : count == 1 ? say("only number {0}", 1)
+                                              : say("numbers {0} to {1}", 1, count);
+    throw rtcore::BadValue(say("there is no environment {0}; the scene has {1}", environment + 1, has));
 }
 
 } // namespace
@@ -99,7 +100,7 @@ void leaveEnvironment(Document& document) {
 
 void rotateEnvironment(Document& document, float degrees) {
     rtcore::Scene edited = *document.scene();
-    if (showsSky(edited)) throw std::runtime_error("the sky is turned by 'sky north'");
+    if (showsSky(edited)) throw rtcore::Refusal("the sky is turned by 'sky north'");
     rtcore::setEnvironmentRotation(edited, shownFile(edited), degrees);
     document.publish(std::move(edited));
 }

@@ -2,6 +2,7 @@
 
 #include "rtserver/frames/frame_detail.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/render/frame_renderer.h"
 
 #include <fmt/format.h>
@@ -87,8 +88,10 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
     const Outcome outcome = traces ? trace(waitedFor) : Outcome::Published;
     // A setting with which no frame is ever finished must remain changeable.
     if (outcome == Outcome::Obstructed)
-        return {outcome, "given up: the frame that it needs takes too long for the commands behind it; send "
-                         "them later"};
+        return {
+            outcome,
+            rtcore::say("given up: the frame that it needs takes too long for the commands behind it; send "
+                        "them later")};
     if (outcome != Outcome::Published) return {outcome};
     frames_.develop(state_.document);
     publish();
@@ -191,13 +194,14 @@ void FrameDrawing::publish() {
 // --- Without memory ---
 
 FrameDrawing::Drawn FrameDrawing::goBack() {
-    std::string text = "not enough memory for frames of " + sizeText(state_.document.settings()) +
-                       " at these settings; " + "back to those of the last frame, " + sizeText(drawn_);
+    rtcore::Sentence why = rtcore::say("not enough memory for frames of {0} at these settings; back to those "
+                                       "of the last frame, {1}",
+                                       sizeText(state_.document.settings()), sizeText(drawn_));
     frames_.drop();
     state_.document.goBackTo(drawn_);
     // Even those may need more than there is now. The last frame stands, and memory may come back.
     if (std::exchange(wentBack_, true)) pacer_.pauseUntil(Clock::now() + kMemoryPause);
-    return {Outcome::NoMemory, std::move(text)};
+    return {Outcome::NoMemory, std::move(why)};
 }
 
 } // namespace rtserver

@@ -12,6 +12,8 @@
 
 #include "ipc/layout/frame_info.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <chrono>
 #include <cstdint>
 #include <exception>
@@ -46,7 +48,7 @@ class FrameDrawing {
     };
     struct Drawn {
         Outcome outcome = Outcome::Published;
-        std::string why = {}; ///< of the last two, for those whose commands are refused
+        rtcore::Sentence why = {}; ///< of the last two, for those whose commands are refused
     };
     /// `waitedFor`: commands need the whole frame of the state. Throws std::bad_alloc when there is no memory
     /// for the first whole frame.

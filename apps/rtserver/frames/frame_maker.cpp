@@ -1,6 +1,7 @@
 #include "rtserver/frames/frame_maker.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/shading/fog/fog.h"
 
@@ -190,9 +191,10 @@ void FrameMaker::requireMemory(const rtcore::RenderSettings& settings, bool live
     void* trial = ::operator new(bytesOf(settings, live), std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
-    throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
-                            fmt::format("not enough memory for frames of {} x {}; ask for a lower resolution",
-                                        settings.width, settings.height));
+    throw rtcore::FileError(
+        rtcore::FailureKind::TryAgain, "",
+        rtcore::say("not enough memory for frames of {0} x {1}; ask for a lower resolution", settings.width,
+                    settings.height));
 }
 
 void FrameMaker::drop() {

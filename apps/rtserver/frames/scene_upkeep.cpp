@@ -1,8 +1,10 @@
 #include "rtserver/frames/scene_upkeep.h"
 
+#include "common/commands/told_forms.h"
 #include "common/settings/guess_text.h"
 
 #include "rtcore/platform/file_waits.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 
 #include <fmt/format.h>
@@ -24,7 +26,7 @@ std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
 // --- Loading ---
 
 void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
-    if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
+    if (load_ != nullptr) throw rtcore::Refusal("another scene is being loaded");
     rtcore::ImportOptions import = options_.import;
     rtcore::LightingOptions lighting = options_.lighting;
     if (state_.document.ready()) { // what was said of the first model
@@ -42,7 +44,7 @@ std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
         show(load->take());
     } catch (const std::exception& error) {
         if (!state_.document.ready()) throw;
-        messages_.complain(error.what());
+        messages_.complain(rtcore::sentenceOf(error));
         return Loaded{failureOf(error)};
     }
     return Loaded{};
@@ -55,11 +57,11 @@ void SceneUpkeep::show(std::unique_ptr<World> world) {
     tellModelUnits();
     const rtcore::LoadedScene& loaded = state_.document.world().loaded;
     if (!loaded.guesses.empty()) {
-        const std::string text = rtcore::guessedText(loaded.guesses);
-        Messages::print(state_.document.title() + ": " + text);
-        messages_.offer(text + "; 'material reset *' takes them as they are");
+        const rtcore::Sentence said = rtcore::guessedText(loaded.guesses);
+        Messages::print(state_.document.title() + ": " + said.english());
+        messages_.offer(rtcore::say(app::told::kMaterialOffer, said));
     }
-    for (const std::string& warning : loaded.warnings) messages_.warn(warning);
+    for (const rtcore::Sentence& warning : loaded.warnings) messages_.warn(warning);
 }
 
 void SceneUpkeep::tellModelUnits() {
@@ -68,11 +70,11 @@ void SceneUpkeep::tellModelUnits() {
     if (guess.empty()) return;
     Messages::print(state_.document.title() + ": " + guess);
     if (units.unitSaid == rtcore::Said::Guessed && units.metresPerUnit != 1)
-        messages_.offer(fmt::format("{} m are taken for a unit ({}); 'units' sets another",
-                                    units.metresPerUnit, units.unitWhy));
+        messages_.offer(
+            rtcore::say(app::told::kUnitOffer, fmt::format("{}", units.metresPerUnit), units.unitWhy));
     if (!units.surprising) return;
-    messages_.offer(fmt::format("{} is taken for up ({}); 'up {}' turns the model",
-                                rtcore::axisName(units.up), units.upWhy, rtcore::axisName(units.otherUp)));
+    messages_.offer(rtcore::say(app::told::kUpOffer, rtcore::axisName(units.up), units.upWhy,
+                                rtcore::axisName(units.otherUp)));
 }
 
 // --- What is kept of the scene ---

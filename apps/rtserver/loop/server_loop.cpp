@@ -3,10 +3,13 @@
 #include "rtserver/commands/key_edits.h"
 #include "rtserver/loop/server_status.h"
 
+#include "common/commands/sentence_json.h"
 #include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/raw_memory.h"
+#include "rtcore/platform/sentence.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -151,7 +154,7 @@ void ServerLoop::move() {
                          [this](const rtcore::ActionTap& tap) { editByKey(tap, state_, *this, messages_); });
     } catch (const rtcore::FileError& error) {
         state_.walk.stopPlaying();
-        messages_.complain(std::string("playing ended: ") + error.what());
+        messages_.complain(rtcore::say("playing ended: {0}", rtcore::sentenceOf(error)));
     }
 }
 
@@ -161,8 +164,12 @@ void ServerLoop::record() {
     try {
         state_.walk.settleRecording(frames().exposure());
     } catch (const rtcore::FileError& error) {
-        messages_.complain(std::string("recording ended: ") + error.what());
+        messages_.complain(rtcore::say("recording ended: {0}", rtcore::sentenceOf(error)));
     }
+}
+
+void ServerLoop::refuse(const ipc::Command& command, int code, const rtcore::Sentence& why) {
+    server_.refuse(command, code, rtcore::printable(why.english()), app::sentenceJson(why));
 }
 
 // --- Frames ---

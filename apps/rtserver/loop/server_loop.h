@@ -17,6 +17,8 @@
 
 #include "ipc/endpoint/server.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -50,12 +52,10 @@ class ServerLoop : private Host, private Replies {
     const FrameMaker& frames() const override { return drawing_.frames(); }
     const Messages& messages() const override { return messages_; }
 
-    void answer(const ipc::Command& command, const std::string& text) override {
-        server_.answer(command, text);
+    void answer(const ipc::Command& command, const std::string& text, const std::string& detail) override {
+        server_.answer(command, text, detail);
     }
-    void refuse(const ipc::Command& command, int code, const std::string& text) override {
-        server_.refuse(command, code, text);
-    }
+    void refuse(const ipc::Command& command, int code, const rtcore::Sentence& why) override;
     bool isConnected(const ipc::Command& command) const override { return server_.isConnected(command); }
 
     void turn();

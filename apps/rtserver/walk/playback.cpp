@@ -2,6 +2,7 @@
 
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <system_error>
@@ -22,7 +23,7 @@ Playback::Playback(const std::filesystem::path& list) : files_(rtcore::readCamer
         std::error_code unknown;
         if (!std::filesystem::exists(file, unknown))
             throw rtcore::FileError(rtcore::FailureKind::NoInput, list.string(),
-                                    "it names " + file.string() + ", which is not there");
+                                    rtcore::say("it names {0}, which is not there", file.string()));
     }
     readNext();
 }

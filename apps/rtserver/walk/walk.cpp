@@ -3,11 +3,13 @@
 #include "rtserver/document/exports.h"
 
 #include "common/commands/key_restraint.h"
+#include "common/commands/told_forms.h"
 #include "common/settings/settings_merge.h"
 
 #include "rtcore/look/doorstep.h"
 #include "rtcore/motion/walk_shape.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/format.h>
 
@@ -30,10 +32,10 @@ rtcore::Axes axesOfPlayer(const rtcore::Scene& scene) {
     return rtcore::Axes(scene.up, scene.metresPerUnit * usual / height);
 }
 
-std::string tooSmallToWalk(const rtcore::Survey& found, float metresPerUnit) {
+rtcore::Sentence tooSmallToWalk(const rtcore::Survey& found, float metresPerUnit) {
     const float height = rtcore::extentAlong(found.subject.bounds, found.axes.up) * metresPerUnit;
-    return fmt::format("the model is too small to walk: it is {:.2g} m high; 'units' says how large it is",
-                       height);
+    return rtcore::say("the model is too small to walk: it is {0} m high; 'units' says how large it is",
+                       fmt::format("{:.2g}", height));
 }
 
 /// But for which of them are on.
@@ -59,7 +61,7 @@ Walk::~Walk() { document_.setFollower(nullptr); }
 
 void Walk::sceneOpened() {
     stopPlaying();
-    if (recording_) endRecording("another scene was shown");
+    if (recording_) endRecording(rtcore::say("another scene was shown"));
     pivot_.reset();
     makePlayer();
     if (!firstPath_) return;
@@ -71,8 +73,8 @@ void Walk::sceneOpened() {
 // light. What carries a walker, and where it falls, is found anew where other parts are visible.
 void Walk::sceneEdited(const rtcore::Scene& before, const rtcore::Changes& changes) {
     if (recording_ && !sameLights(before, *document_.scene())) {
-        endRecording("the lights were edited");
-        messages_.warn(recordingFailure_);
+        endRecording(rtcore::say("the lights were edited"));
+        messages_.warn(*recordingFailure_);
     }
     if (!changes.has(rtcore::Change::Visibility)) return;
     treeReplaced();
@@ -167,9 +169,11 @@ void Walk::apply(const rtcore::ActionTap& tap, const EditByKey& edit) {
 void Walk::toggleWalking() {
     try {
         setWalking(!walking());
-        messages_.tell(onUnseenFloor() ? kUnseenFloor : walking() ? "walking" : "flying");
+        messages_.tell(onUnseenFloor() ? app::told::kUnseenFloor
+                       : walking()     ? app::told::kWalking
+                                       : app::told::kFlying);
     } catch (const std::runtime_error& error) {
-        messages_.tell(error.what());
+        messages_.tell(rtcore::sentenceOf(error));
     }
 }
 
@@ -202,7 +206,7 @@ void Walk::beginWalking() {
     const rtcore::Mesh& mesh = scene.model.mesh;
     const rtcore::KdTree& tree = document_.visible().tree();
     const rtcore::Survey found = rtcore::survey(tree, mesh, axesOfPlayer(scene));
-    if (rtcore::isTooSmallToWalk(found)) throw std::runtime_error(tooSmallToWalk(found, scene.metresPerUnit));
+    if (rtcore::isTooSmallToWalk(found)) throw rtcore::Refusal(tooSmallToWalk(found, scene.metresPerUnit));
     const rtcore::Camera before = player_->camera();
     if (rtcore::hoversOutside(tree, mesh, found, before.eye)) {
         for (const rtcore::Camera& camera : rtcore::doorsteps(tree, mesh, found, before)) {
@@ -211,8 +215,7 @@ void Walk::beginWalking() {
         }
         player_->setCamera(before);
     }
-    if (!player_->setMode(rtcore::MotionMode::Walk))
-        throw std::runtime_error("there is no room to stand here, or no floor below; move elsewhere first");
+    if (!player_->setMode(rtcore::MotionMode::Walk)) throw rtcore::Refusal(app::told::kNoRoom);
 }
 
 void Walk::resetCamera() {
@@ -239,22 +242,22 @@ rtcore::Vec3 Walk::pivot() {
 
 void Walk::refuseSecondRecording() const {
     if (recording_) {
-        throw std::runtime_error("a recording is under way: " + recording_->list().string() +
-                                 "; 'export video stop' ends it");
+        throw rtcore::Refusal(rtcore::say("a recording is under way: {0}; 'export video stop' ends it",
+                                          recording_->list().string()));
     }
 }
 
 void Walk::startRecording(std::unique_ptr<Recording> recording) {
     refuseSecondRecording();
-    recordingFailure_.clear();
+    recordingFailure_.reset();
     recording_ = std::move(recording);
     recordedList_ = recording_->list();
 }
 
 int Walk::stopRecording(float exposure) {
     if (!recording_) {
-        throw std::runtime_error("nothing is being recorded" +
-                                 (recordingFailure_.empty() ? "" : "; " + recordingFailure_));
+        const rtcore::Sentence none = rtcore::say("nothing is being recorded");
+        throw rtcore::Refusal(recordingFailure_ ? rtcore::say("{0}; {1}", none, *recordingFailure_) : none);
     }
     const std::unique_ptr<Recording> recording = std::move(recording_);
     recording->settle(exposure);
@@ -267,14 +270,14 @@ void Walk::settleRecording(float exposure) {
     try {
         recording_->settle(exposure);
     } catch (const rtcore::FileError& error) {
-        endRecording(error.what());
+        endRecording(rtcore::sentenceOf(error));
         throw;
     }
 }
 
-void Walk::endRecording(const std::string& reason) {
-    recordingFailure_ = fmt::format("the recording {} ended after {} frames: {}", recording_->list().string(),
-                                    recording_->frames(), reason);
+void Walk::endRecording(const rtcore::Sentence& reason) {
+    recordingFailure_ = rtcore::say("the recording {0} ended after {1} frames: {2}",
+                                    recording_->list().string(), recording_->frames(), reason);
     recording_.reset();
 }
 
@@ -297,10 +300,10 @@ void Walk::show(const Playback::Shot& shot) {
     camera.time.reset();
     if (camera == playedView_) return;
     rtcore::Scene edited = *document_.scene();
-    const std::string warning = app::applyCameraToScene(camera, shot.path, edited);
+    const rtcore::Sentence warning = app::applyCameraToScene(camera, shot.path, edited);
     document_.publish(std::move(edited));
     // Once: the other cameras of the path say the same.
-    if (!warning.empty() && !playedView_) Messages::print("warning: " + warning);
+    if (!warning.empty() && !playedView_) Messages::print("warning: " + warning.english());
     player_->setCamera(camera.camera);
     takeCamera();
     document_.setPlayedExposure(camera.exposure);

@@ -11,6 +11,7 @@
 
 #include "rtcore/motion/key_bindings.h"
 #include "rtcore/motion/player.h"
+#include "rtcore/platform/sentence.h"
 
 #include <bitset>
 #include <chrono>
@@ -22,10 +23,6 @@
 #include <utility>
 
 namespace rtserver {
-
-/// Tells people of onUnseenFloor().
-inline constexpr const char* kUnseenFloor =
-    "nothing is below: walking on a floor at the model's lowest point that is not seen";
 
 /// Tells the document where the camera is, and follows where edits place it. What keys edit it leaves to
 /// others. Moving needs a document that is ready. For the thread that edits the document; others may read
@@ -108,7 +105,7 @@ class Walk final : private DocumentFollower {
     void apply(const rtcore::ActionTap& tap, const EditByKey& edit);
     void toggleWalking();
     void takeRecordedView();
-    void endRecording(const std::string& reason);
+    void endRecording(const rtcore::Sentence& reason);
     void show(const Playback::Shot& shot);
 
     Document& document_;
@@ -121,7 +118,7 @@ class Walk final : private DocumentFollower {
     std::bitset<ipc::kMaxKeys> clientKeys_;
     std::bitset<ipc::kMaxKeys> lastDown_; ///< and those of commands, at the last look
     std::unique_ptr<Recording> recording_;
-    std::string recordingFailure_; ///< why the last one ended by itself; "" = it did not
+    std::optional<rtcore::Sentence> recordingFailure_; ///< why the last one ended by itself
     std::filesystem::path recordedList_;
     std::unique_ptr<Playback> playback_;
     std::optional<rtcore::CameraFile> playedView_; ///< of the path that is played, without its time

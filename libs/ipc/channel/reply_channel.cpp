@@ -34,15 +34,17 @@ void ReplyWriter::reset(ReplyRing& ring) {
     ring.tail.store(0, std::memory_order_relaxed);
 }
 
-RingResult ReplyWriter::write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t code,
-                              std::string_view text) {
+RingResult ReplyWriter::write(ReplyRing& ring, const ReplyRecord& reply) {
     const std::uint64_t used = head_ - ring.tail.load(std::memory_order_acquire);
     if (used > kReplyBytes) return RingResult::Broken;
-    const std::size_t need = sizeof(ReplyHeader) + alignedBytes(text.size());
+    const std::string &text = reply.text, &detail = reply.detail;
+    const std::size_t need = sizeof(ReplyHeader) + alignedBytes(text.size() + detail.size());
     if (need > kReplyBytes - used) return RingResult::Nothing;
-    const ReplyHeader header{sequence, code, static_cast<std::uint32_t>(text.size())};
+    const ReplyHeader header{reply.sequence, reply.code, static_cast<std::uint16_t>(detail.size()),
+                             static_cast<std::uint32_t>(text.size())};
     put(ring, head_, &header, sizeof(header));
     put(ring, head_ + sizeof(header), text.data(), text.size());
+    put(ring, head_ + sizeof(header) + text.size(), detail.data(), detail.size());
     faultPoint("reply written");
     head_ += need;
     ring.head.store(head_, std::memory_order_release);
@@ -55,12 +57,16 @@ RingResult ReplyReader::read(ReplyRing& ring, ReplyRecord& reply) {
     ReplyHeader header;
     if (used > kReplyBytes || used < sizeof(header)) return RingResult::Broken;
     get(ring, tail_, &header, sizeof(header));
-    const std::size_t bytes = sizeof(header) + alignedBytes(header.textBytes);
-    if (header.textBytes > kMaxAnswerText || bytes > used) return RingResult::Broken;
+    if (header.textBytes > kMaxAnswerText) return RingResult::Broken;
+    const std::size_t bytes =
+        sizeof(header) + alignedBytes(std::size_t{header.textBytes} + header.detailBytes);
+    if (bytes > used) return RingResult::Broken;
     reply.sequence = header.sequence;
     reply.code = header.code;
     reply.text.resize(header.textBytes);
     get(ring, tail_ + sizeof(header), reply.text.data(), reply.text.size());
+    reply.detail.resize(header.detailBytes);
+    get(ring, tail_ + sizeof(header) + reply.text.size(), reply.detail.data(), reply.detail.size());
     tail_ += bytes;
     ring.tail.store(tail_, std::memory_order_release);
     return RingResult::Done;

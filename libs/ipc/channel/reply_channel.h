@@ -12,8 +12,9 @@ namespace ipc {
 
 struct ReplyRecord {
     std::uint64_t sequence = 0;
-    std::uint32_t code = 0; ///< as ReplyHeader has it
+    std::uint16_t code = 0; ///< as ReplyHeader has it
     std::string text;
+    std::string detail; ///< the same for programs; may be empty
 };
 
 enum class RingResult {
@@ -27,8 +28,8 @@ class ReplyWriter {
   public:
     /// Empties the ring for a new client.
     void reset(ReplyRing& ring);
-    /// `text` has at most kMaxAnswerText bytes.
-    RingResult write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t code, std::string_view text);
+    /// Text and detail have at most kMaxAnswerText bytes.
+    RingResult write(ReplyRing& ring, const ReplyRecord& reply);
 
   private:
     std::uint64_t head_ = 0;

@@ -122,8 +122,9 @@ void Client::State::collectAnswers() {
         if (attachment->slot().repliesWait.load(std::memory_order_relaxed) != 0) ring(link.block().bell);
         if (open.erase(record.sequence) == 0) continue;
         const ReplyStatus given = record.code == 0 ? ReplyStatus::Done : ReplyStatus::Failed;
-        constexpr std::uint32_t kMax = 255;
-        keep(record.sequence, {given, std::move(record.text), static_cast<int>(std::min(record.code, kMax))});
+        constexpr int kMax = 255;
+        keep(record.sequence,
+             {given, std::move(record.text), std::min(int{record.code}, kMax), std::move(record.detail)});
     }
 }
 

@@ -28,8 +28,9 @@ enum class ReplyStatus {
 
 struct Reply {
     ReplyStatus status = ReplyStatus::NotSent;
-    std::string text; ///< up to 65,520 bytes, as the server gave it
-    int code = 0;     ///< of Failed: the exit code that suits it, 1..255, as the server gave it
+    std::string text;        ///< up to 65,520 bytes, as the server gave it
+    int code = 0;            ///< of Failed: the exit code that suits it, 1..255, as the server gave it
+    std::string detail = {}; ///< the text for programs, in a form of the server's own; may be empty
 };
 
 /// A command that was sent; 0 = none.

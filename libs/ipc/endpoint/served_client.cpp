@@ -114,12 +114,13 @@ bool ServedClient::tooManyMalformed() {
     return ++inWindow_ > kMaxMalformedPerSecond;
 }
 
-void ServedClient::answer(ClientSlot& slot, const Command& command, std::uint32_t code,
-                          std::string_view text) {
+void ServedClient::answer(ClientSlot& slot, const Command& command, ReplyRecord reply) {
     if (!command.wantsAnswer || command.client != tag_ || unanswered_ == 0) return;
     --unanswered_;
-    waiting_.push_back(
-        {command.sequence, code, std::string(text.substr(0, std::min(text.size(), kMaxAnswerText)))});
+    reply.sequence = command.sequence;
+    reply.text.resize(std::min(reply.text.size(), kMaxAnswerText));
+    if (reply.text.size() + reply.detail.size() > kMaxAnswerText) reply.detail.clear();
+    waiting_.push_back(std::move(reply));
     sendWaiting(slot);
 }
 
@@ -128,7 +129,7 @@ bool ServedClient::sendWaiting(ClientSlot& slot) {
     bool sent = false;
     while (!waiting_.empty()) {
         const ReplyRecord& reply = waiting_.front();
-        const RingResult result = replies_.write(slot.replies, reply.sequence, reply.code, reply.text);
+        const RingResult result = replies_.write(slot.replies, reply);
         if (result == RingResult::Broken) {
             drop(slot, DropReason::BadReplies);
             return false;

@@ -32,7 +32,7 @@ class ServedClient {
     /// Sends replies that wait for room, then takes up to `limit` commands.
     void serve(ClientSlot& slot, std::uint64_t epoch, int limit, std::vector<Command>& commands);
     /// `code`: 0 done, else failed.
-    void answer(ClientSlot& slot, const Command& command, std::uint32_t code, std::string_view text);
+    void answer(ClientSlot& slot, const Command& command, ReplyRecord reply);
     void collectKeys(const ClientSlot& slot, KeyState& state) { keys_.collect(slot.keys, state, restraint_); }
     /// The queue is drained, the client served no more.
     void leave(ClientSlot& slot, std::uint64_t epoch, std::vector<Command>& commands);

@@ -197,18 +197,21 @@ std::vector<Command> Server::takeCommands(const ClientSet& later) {
     return std::exchange(state.backlog, {});
 }
 
-void Server::answer(const Command& command, std::string_view text) { reply(command, 0, text); }
-
-void Server::refuse(const Command& command, int code, std::string_view text) {
-    constexpr int kMax = 255;
-    reply(command, static_cast<std::uint32_t>(std::clamp(code, 1, kMax)), text);
+void Server::answer(const Command& command, std::string_view text, std::string_view detail) {
+    reply(command, {0, 0, std::string(text), std::string(detail)});
 }
 
-void Server::reply(const Command& command, std::uint32_t code, std::string_view text) {
+void Server::refuse(const Command& command, int code, std::string_view text, std::string_view detail) {
+    constexpr int kMax = 255;
+    reply(command,
+          {0, static_cast<std::uint16_t>(std::clamp(code, 1, kMax)), std::string(text), std::string(detail)});
+}
+
+void Server::reply(const Command& command, ReplyRecord record) {
     if (command.slot < 0 || command.slot >= kMaxClients) return;
     faultPoint("before answer");
     ClientSlot& slot = state_->block().clients[command.slot];
-    state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, code, text);
+    state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, std::move(record));
 }
 
 bool Server::isConnected(const Command& command) const {

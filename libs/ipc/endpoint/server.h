@@ -37,6 +37,8 @@ struct Command {
     std::string text; ///< up to 8192 bytes without NUL, otherwise as a client sent it
 };
 
+struct ReplyRecord;
+
 using ClientSet = std::bitset<kMaxClients>; ///< by slot
 
 /// One thread at a time, apart from the memory that beginFrame returns. Create it after fork and daemon, in
@@ -68,9 +70,11 @@ class Server {
     /// The command is done. An answer is to be given once to each command that wants one, now or later;
     /// others and those of dead clients are ignored. Text beyond 65,520 bytes is cut off. A client with 64
     /// open answers is not served until some are given.
-    void answer(const Command& command, std::string_view text = {});
+    /// `detail`: the same for programs, in a form that this library does not know; left out where both are
+    /// more than an answer holds.
+    void answer(const Command& command, std::string_view text = {}, std::string_view detail = {});
     /// The same of a command that failed: the exit code, 1..255, that suits it, and why.
-    void refuse(const Command& command, int code, std::string_view text);
+    void refuse(const Command& command, int code, std::string_view text, std::string_view detail = {});
     /// Whether the client that sent it is still connected, as of the last takeCommands() or wait().
     bool isConnected(const Command& command) const;
     /// The keys that any client holds down, and how often each was pressed since the last call.
@@ -94,7 +98,7 @@ class Server {
     void setStatus(const Status& status);
 
   private:
-    void reply(const Command& command, std::uint32_t code, std::string_view text);
+    void reply(const Command& command, ReplyRecord record);
 
     struct State;
     std::unique_ptr<State> state_;

@@ -23,10 +23,11 @@ static_assert(sizeof(MessageHeader) == 32 && std::is_trivially_copyable_v<Messag
 
 inline constexpr std::size_t kMaxMessageBytes = sizeof(MessageHeader) + kMaxCommandText;
 
-/// Followed by the text and by zeros up to a multiple of 16.
+/// Followed by the text, by what programs read of it, and by zeros up to a multiple of 16.
 struct ReplyHeader {
     std::uint64_t sequence; ///< of the command
-    std::uint32_t code;     ///< 0 done, else failed, with the exit code that suits it: 1..255
+    std::uint16_t code;     ///< 0 done, else failed, with the exit code that suits it: 1..255
+    std::uint16_t detailBytes;
     std::uint32_t textBytes;
 };
 static_assert(sizeof(ReplyHeader) == 16 && sizeof(ReplyHeader) + kMaxAnswerText == kReplyBytes);

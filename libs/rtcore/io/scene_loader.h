@@ -7,6 +7,7 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/look/lighting_preset.h"
 #include "rtcore/look/material_names.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/survey/model_units.h"
 
@@ -61,7 +62,7 @@ struct LoadedScene {
     /// skyLight.on where there is a sky, the .scn's own settings, those of the .set that it names, what a
     /// look that the user names needs.
     std::vector<SettingAssignment> live, still;
-    std::vector<std::string> warnings; ///< each one line, with the file's name
+    std::vector<Sentence> warnings; ///< each one line, with the file's name
     std::filesystem::path modelPath;
     /// The model's own and those that it names, absolute; empty where a cachedModel was read in its place.
     std::vector<std::filesystem::path> modelFiles;

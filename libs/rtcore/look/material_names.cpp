@@ -1,5 +1,6 @@
 #include "rtcore/look/material_names.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/scene/name_words.h"
 
@@ -60,25 +61,29 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"glass",
+    {form("glass"),
      glass,
      {"glass", "glas", "verre", "vidrio", "vetro", "sklo", "szklo", "vidro", "glazing", "verglasung", "vitre",
       "cristal", "windowpane"}},
-    {"water", water, {"water", "wasser", "eau", "agua", "acqua", "voda", "woda"}},
-    {"mirror",
+    {form("water"), water, {"water", "wasser", "eau", "agua", "acqua", "voda", "woda"}},
+    {form("mirror"),
      mirrorOf,
      {"mirror", "spiegel", "miroir", "espejo", "specchio", "zrcadlo", "lustro", "espelho"}},
-    {"chrome", chromeOf, {"chrome", "chrom", "cromo", "chroom"}},
-    {"metal", metalOf, {"metal",  "metall", "steel",  "stahl",     "acier",    "acero", "acciaio", "ocel",
-                        "stal",   "inox",   "staal",  "aluminium", "aluminum", "alu",   "hlinik",  "kov",
-                        "silver", "silber", "argent", "plata",     "argento",  "zlato", "gold",    "oro",
-                        "copper", "kupfer", "cuivre", "cobre",     "rame",     "brass", "messing", "laiton"}},
-    {"polished", polishedOf, {"parquet", "parkett", "parket",    "parkety",   "parquete",   "laminate",
-                              "laminat", "marble",  "marmor",    "marbre",    "marmol",     "marmo",
-                              "mramor",  "marmur",  "granite",   "granit",    "tile",       "tiles",
-                              "fliese",  "fliesen", "carrelage", "azulejo",   "piastrella", "dlazba",
-                              "ceramic", "keramik", "keramika",  "porcelain", "porzellan",  "porcelan"}},
-    {"lacquer", lacquerOf, {"lacquer", "lack", "laque", "laca", "lak", "varnish", "carpaint", "autolack"}},
+    {form("chrome"), chromeOf, {"chrome", "chrom", "cromo", "chroom"}},
+    {form("metal"), metalOf, {"metal",  "metall", "steel",   "stahl",  "acier",     "acero",    "acciaio",
+                              "ocel",   "stal",   "inox",    "staal",  "aluminium", "aluminum", "alu",
+                              "hlinik", "kov",    "silver",  "silber", "argent",    "plata",    "argento",
+                              "zlato",  "gold",   "oro",     "copper", "kupfer",    "cuivre",   "cobre",
+                              "rame",   "brass",  "messing", "laiton"}},
+    {form("polished"),
+     polishedOf,
+     {"parquet", "parkett", "parket",   "parkety",   "parquete",  "laminate", "laminat",    "marble",
+      "marmor",  "marbre",  "marmol",   "marmo",     "mramor",    "marmur",   "granite",    "granit",
+      "tile",    "tiles",   "fliese",   "fliesen",   "carrelage", "azulejo",  "piastrella", "dlazba",
+      "ceramic", "keramik", "keramika", "porcelain", "porzellan", "porcelan"}},
+    {form("lacquer"),
+     lacquerOf,
+     {"lacquer", "lack", "laque", "laca", "lak", "varnish", "carpaint", "autolack"}},
 };
 
 /// Words that also count at the end of compounds, which German writes as one word: "Fensterglas", but not
@@ -139,16 +144,17 @@ void useGuesses(Scene& scene, std::span<const MaterialGuess> guesses) {
     closeSurfaces(scene, files);
 }
 
-std::string guessedText(std::span<const MaterialGuess> guesses) {
+Sentence guessedText(std::span<const MaterialGuess> guesses) {
     if (guesses.empty()) return {};
-    std::string kinds;
+    std::optional<Sentence> kinds;
     for (const Kind& kind : kKinds) {
         const bool any = std::ranges::any_of(
             guesses, [&](const MaterialGuess& guess) { return string_view(guess.kind) == kind.name; });
-        if (any) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.name);
+        if (any) kinds = kinds ? say("{0}, {1}", *kinds, kind.name) : Sentence(kind.name);
     }
-    return fmt::format("{} {} guessed by name ({})", guesses.size(),
-                       guesses.size() == 1 ? "material is" : "materials are", kinds);
+    return say(guesses.size() == 1 ? "{0} material is guessed by name ({1})"
+                                   : "{0} materials are guessed by name ({1})",
+               guesses.size(), kinds.value_or(Sentence()));
 }
 
 } // namespace rtcore

@@ -1,6 +1,7 @@
 /// Guesses materials by their names, where a file has nothing but colours for them.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/scene.h"
 
 #include <span>
@@ -25,6 +26,6 @@ std::vector<MaterialGuess> guessMaterials(const Scene& scene);
 void useGuesses(Scene& scene, std::span<const MaterialGuess> guesses);
 
 /// "3 materials are guessed by name (glass, chrome)"; empty without any.
-std::string guessedText(std::span<const MaterialGuess> guesses);
+Sentence guessedText(std::span<const MaterialGuess> guesses);
 
 } // namespace rtcore

@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/output_links_posix.h"
+#include "rtcore/platform/sentence.h"
 
 #include <cerrno>
 #include <string>
@@ -15,12 +16,12 @@ namespace rtcore {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-    const char* advice = error == EEXIST                       ? "; choose another name, or remove it"
-                         : error == ENOENT || error == ENOTDIR ? "; make its folder first"
-                         : error == ENOSPC || error == EDQUOT  ? "; free some space there"
-                                                               : "";
+    const char* advice = error == EEXIST ? form("{0}; choose another name, or remove it")
+                         : error == ENOENT || error == ENOTDIR ? form("{0}; make its folder first")
+                         : error == ENOSPC || error == EDQUOT  ? form("{0}; free some space there")
+                                                               : "{0}";
     throw FileError(FailureKind::CannotWrite, path.string(),
-                    "cannot be written: " + std::generic_category().message(error) + advice);
+                    say("cannot be written: {0}", say(advice, systemReason(error))));
 }
 
 } // namespace

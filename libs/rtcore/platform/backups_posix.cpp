@@ -3,6 +3,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/file_rights_posix.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/platform/sibling_file_posix.h"
 
 #include <cerrno>
@@ -53,8 +54,8 @@ fs::path keepBackup(const fs::path& path) {
         if (keepAs(path, backup)) return backup;
     }
     throw FileError(FailureKind::CannotWrite, path.string(),
-                    std::to_string(kMaxBackups) + " old versions of it are kept, " +
-                        path.filename().string() + "~ and so on; remove those that you do not need");
+                    say("{0} old versions of it are kept, {1}~ and so on; remove those that you do not need",
+                        kMaxBackups, path.filename().string()));
 }
 
 } // namespace rtcore

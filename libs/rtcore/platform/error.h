@@ -2,6 +2,8 @@
 /// Thrown where it is found, caught once at the border of the program, which prints it and exits.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <stdexcept>
 #include <string>
 
@@ -16,12 +18,18 @@ enum class FailureKind {
 };
 
 /// `what()` reads "file:line:column: what is wrong; what to do", with the parts that are known.
-class FileError : public std::runtime_error {
+class FileError : public std::runtime_error, public Worded {
   public:
-    FileError(FailureKind failure, const std::string& file, const std::string& message, int line = 0,
+    FileError(FailureKind failure, const std::string& file, const Sentence& message, int line = 0,
               int column = 0);
 
     FailureKind kind;
+
+  private:
+    FileError(FailureKind failure, const Sentence& whole);
 };
+
+/// What the system says of one of its error numbers.
+Sentence systemReason(int error);
 
 } // namespace rtcore

@@ -3,6 +3,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/raw_memory.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -31,17 +32,17 @@ constexpr std::size_t kStreamLimit = std::size_t{1} << 30;
 /// What room is made for the first bytes of a pipe or a device.
 constexpr std::size_t kFirstBytes = std::size_t{64} << 10;
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& message,
+[[noreturn]] void refuse(const fs::path& path, const Sentence& message,
                          FailureKind kind = FailureKind::NoInput) {
     throw FileError(kind, path.string(), message);
 }
 
 [[noreturn]] void failReading(const fs::path& path, int error) {
-    const char* advice = error == ENOENT || error == ENOTDIR ? "; check the spelling and the folder"
-                         : error == EACCES                   ? "; check its permissions"
-                         : error == EISDIR                   ? "; name a file in it"
-                                                             : "";
-    refuse(path, "cannot be read: " + std::generic_category().message(error) + advice);
+    const char* advice = error == ENOENT || error == ENOTDIR ? form("{0}; check the spelling and the folder")
+                         : error == EACCES                   ? form("{0}; check its permissions")
+                         : error == EISDIR                   ? form("{0}; name a file in it")
+                                                             : "{0}";
+    refuse(path, say("cannot be read: {0}", say(advice, systemReason(error))));
 }
 
 /// Bytes that are not cleared before they are read: a vector would touch all of them twice.
@@ -85,8 +86,8 @@ void refuseHoles(const fs::path& path, const Descriptor& file, const struct stat
     if (::lseek(file.get(), 0, SEEK_SET) != 0) failReading(path, errno);
     if (full) return;
     refuse(path,
-           fmt::format("of its {} MB hardly any were ever written; copy or export it again",
-                       status.st_size / 1'000'000),
+           say("of its {0} MB hardly any were ever written; copy or export it again",
+               status.st_size / 1'000'000),
            FailureKind::BadData);
 }
 
@@ -99,10 +100,10 @@ Opened openForReading(const fs::path& path) {
     if (S_ISDIR(status.st_mode)) failReading(path, EISDIR);
     const bool regular = S_ISREG(status.st_mode);
     if (regular) refuseHoles(path, file, status);
-    if (!regular && regularFilesOnly()) refuse(path, "it is no regular file; give a file");
+    if (!regular && regularFilesOnly()) refuse(path, say("it is no regular file; give a file"));
     constexpr int kMilliseconds = 10'000;
     if (S_ISFIFO(status.st_mode) && !waitUntilReady(file.get(), POLLIN, kMilliseconds))
-        refuse(path, "it is a pipe without a writer; give a file");
+        refuse(path, say("it is a pipe without a writer; give a file"));
     return {std::move(file), regular, regular ? static_cast<std::size_t>(status.st_size) : 0};
 }
 
@@ -152,7 +153,7 @@ void readToEnd(const fs::path& path, const Opened& opened, std::size_t limit, By
     }
     bytes.resize(filled);
     if (filled > limit)
-        refuse(path, fmt::format("holds more than {} bytes; no file of this kind is so large", limit),
+        refuse(path, say("holds more than {0} bytes; no file of this kind is so large", limit),
                FailureKind::BadData);
 }
 
@@ -241,7 +242,8 @@ std::optional<std::string> LineReader::next() {
     std::size_t end = parts.text.find('\n');
     while (end == std::string::npos && !parts.ended) {
         if (parts.text.size() > kLongest)
-            refuse(parts.name, "holds a line of more than a megabyte; it is no text", FailureKind::BadData);
+            refuse(parts.name, say("holds a line of more than a megabyte; it is no text"),
+                   FailureKind::BadData);
         std::array<char, 4096> piece{};
         // Standard input belongs to others, too, and so it blocks.
         waitUntilReady(parts.file.get(), POLLIN);

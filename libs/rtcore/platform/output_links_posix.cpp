@@ -1,6 +1,7 @@
 #include "rtcore/platform/output_links_posix.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/platform/sibling_file_posix.h"
 
 #include <cerrno>
@@ -33,9 +34,9 @@ void refuseForeignLinks(const fs::path& path) {
         at /= part;
         if (isForeignLink(at))
             throw FileError(FailureKind::CannotWrite, path.string(),
-                            "cannot be written: " + at.string() +
-                                " is a link that another user put into a folder where everybody may write; "
-                                "choose another name or another folder");
+                            say("cannot be written: {0} is a link that another user put into a folder where "
+                                "everybody may write; choose another name or another folder",
+                                at.string()));
     }
 }
 

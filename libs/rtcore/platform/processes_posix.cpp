@@ -3,6 +3,7 @@
 #include "rtcore/platform/descriptor_posix.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -41,7 +42,7 @@ struct Pipe {
 
 [[noreturn]] void failForWantOfDescriptors(const std::string& program) {
     throw FileError(FailureKind::TryAgain, program,
-                    std::string("cannot be started: ") + std::strerror(errno) + "; close some programs");
+                    say("cannot be started: {0}; close some programs", systemReason(errno)));
 }
 
 Pipe makePipe(const std::string& program) {
@@ -101,7 +102,7 @@ class SpawnPlan {
         if (error == 0) return pid;
         const bool shortage = error == EAGAIN || error == ENOMEM;
         throw FileError(shortage ? FailureKind::TryAgain : FailureKind::NoInput, program,
-                        std::string("cannot be started: ") + std::strerror(error));
+                        say("cannot be started: {0}", systemReason(error)));
     }
 
   private:
@@ -369,7 +370,7 @@ pid_t startAttached(const std::filesystem::path& program, const std::vector<std:
     rusage ignored{};
     waitForStatus(pid, ignored);
     throw FileError(error == ENOMEM ? FailureKind::TryAgain : FailureKind::NoInput, program.string(),
-                    std::string("cannot be started: ") + std::strerror(error));
+                    say("cannot be started: {0}", systemReason(error)));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/file_rights_posix.h"
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -39,14 +40,15 @@ fs::path freshName(const fs::path& target) {
 } // namespace
 
 void failWriting(const fs::path& shown, int error) {
-    const char* advice = error == ENOSPC || error == EDQUOT                    ? "; free some space there"
-                         : error == ENOENT || error == ENOTDIR                 ? "; make its folder first"
-                         : error == EACCES || error == EPERM || error == EROFS ? "; choose another folder"
-                         : error == EISDIR                                     ? "; name a file in it"
-                         : error == ENAMETOOLONG                               ? "; choose a shorter name"
-                                                                               : "";
+    const char* advice = error == ENOSPC || error == EDQUOT    ? form("{0}; free some space there")
+                         : error == ENOENT || error == ENOTDIR ? form("{0}; make its folder first")
+                         : error == EACCES || error == EPERM || error == EROFS
+                             ? form("{0}; choose another folder")
+                         : error == EISDIR       ? form("{0}; name a file in it")
+                         : error == ENAMETOOLONG ? form("{0}; choose a shorter name")
+                                                 : "{0}";
     throw FileError(FailureKind::CannotWrite, shown.string(),
-                    "cannot be written: " + std::generic_category().message(error) + advice);
+                    say("cannot be written: {0}", say(advice, systemReason(error))));
 }
 
 SiblingFile::SiblingFile(fs::path shown, const fs::path& target, mode_t mode)

@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/processes.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -42,12 +43,12 @@ fs::path create(const fs::path& parent, const std::string& prefix) {
     sweep(parent, prefix);
     std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, processId())).string();
     if (::mkdtemp(name.data()) != nullptr) return name;
-    const std::string reason = std::generic_category().message(errno);
+    const Sentence reason = systemReason(errno);
     // TMPDIR names the folder for temporary files, and no other.
-    const char* const remedy = parent == commonParent() ? "free some space or set TMPDIR to another folder"
-                                                        : "check its permissions, or name another place";
+    const Sentence remedy = say(parent == commonParent() ? "free some space or set TMPDIR to another folder"
+                                                         : "check its permissions, or name another place");
     throw FileError(FailureKind::CannotWrite, parent.string(),
-                    fmt::format("no folder can be made here: {}; {}", reason, remedy));
+                    say("no folder can be made here: {0}; {1}", reason, remedy));
 }
 
 } // namespace

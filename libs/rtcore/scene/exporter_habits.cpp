@@ -1,5 +1,7 @@
 #include "rtcore/scene/exporter_habits.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -18,6 +20,7 @@ struct FormatHabit {
     std::string_view name;
     double zUp;
     Units units;
+    const char* files = form("{0} files"); ///< a form with its name
 };
 
 constexpr Units kSuch{0.4, 0.2, 0, -1, -2.5};
@@ -26,15 +29,15 @@ constexpr Units kSuch{0.4, 0.2, 0, -1, -2.5};
 // made in metres. Assimp turns 3DS and ASE, which count z upwards, but not Blender's own files,
 // trueSpace, Quick3D and height maps.
 constexpr std::array kFormats{
-    FormatHabit{"Stereolithography", "STL files", 2, {0, -0.5, 2, -0.5, -3}},
-    FormatHabit{"Stanford", "PLY files", -0.7, {0.3, 0, 0.3, -2, -3}},
-    FormatHabit{"Wavefront", "OBJ files", -1.5, {0.4, 0.4, -0.2, -1.2, -2.5}},
-    FormatHabit{"AC3D", "AC3D files", -kSure, {3, 0, -1, -0.5, 0}},
-    FormatHabit{"Blender", "Blender files", kSure, {6, 0, -1, -1, -2}},
-    FormatHabit{"TrueSpace", "trueSpace files", kSure, kSuch},
-    FormatHabit{"Quick3D", "Quick3D files", kSure, kSuch},
-    FormatHabit{"Heightmap", "height maps of 3D GameStudio", kSure, kSuch},
-    FormatHabit{"", "such files", -kSure, kSuch},
+    FormatHabit{"Stereolithography", "STL", 2, {0, -0.5, 2, -0.5, -3}},
+    FormatHabit{"Stanford", "PLY", -0.7, {0.3, 0, 0.3, -2, -3}},
+    FormatHabit{"Wavefront", "OBJ", -1.5, {0.4, 0.4, -0.2, -1.2, -2.5}},
+    FormatHabit{"AC3D", "AC3D", -kSure, {3, 0, -1, -0.5, 0}},
+    FormatHabit{"Blender", "Blender", kSure, {6, 0, -1, -1, -2}},
+    FormatHabit{"TrueSpace", "trueSpace", kSure, kSuch},
+    FormatHabit{"Quick3D", "Quick3D", kSure, kSuch},
+    FormatHabit{"Heightmap", "3D GameStudio", kSure, kSuch, form("height maps of {0}")},
+    FormatHabit{"", "", -kSure, kSuch, form("such files")},
 };
 
 struct ProgramHabit {
@@ -97,7 +100,7 @@ const FormatHabit& formatHabit(const ModelOrigin& origin) {
 
 OriginHabits habitsOf(const ModelOrigin& origin) {
     const FormatHabit& format = formatHabit(origin);
-    OriginHabits habits{format.zUp, format.units, std::string(format.name)};
+    OriginHabits habits{format.zUp, format.units, say(format.files, format.name)};
     const std::string words = smallLetters(origin.exporter);
     const auto program = std::find_if(kPrograms.begin(), kPrograms.end(), [&](const ProgramHabit& habit) {
         return words.find(habit.mark) != std::string::npos;

@@ -1,6 +1,7 @@
 /// What programs that write models do unless they are told otherwise, and what is usual in formats.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/model_origin.h"
 
 #include <array>
@@ -17,7 +18,7 @@ struct OriginHabits {
     double zUp = 0; ///< for +z against +y
     /// Against each other; by LengthUnit.
     std::array<double, kLengthUnits> units{};
-    std::string name; ///< of the program, or else of the format: "OpenSCAD", "STL files"
+    Sentence name; ///< of the program, or else of the format: "OpenSCAD", "STL files"
 };
 
 /// Never fails: of an unknown program and format nothing is sure.

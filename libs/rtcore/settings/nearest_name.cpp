@@ -1,5 +1,7 @@
 #include "rtcore/settings/nearest_name.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -62,14 +64,14 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
     return nearest;
 }
 
-std::string unknownNameMessage(std::string_view what, std::string_view name,
-                               std::span<const std::string_view> known) {
-    std::string message = "unknown " + std::string(what) + " " + inQuotes(name);
+Sentence unknownNameMessage(const Sentence& what, std::string_view name,
+                            std::span<const std::string_view> known) {
     const std::string_view nearest = nearestName(name, known);
-    if (!nearest.empty()) return message + "; did you mean " + inQuotes(nearest) + "?";
-    message += "; known:";
-    for (const std::string_view candidate : known) message += " " + std::string(candidate);
-    return message;
+    if (!nearest.empty())
+        return say("unknown {0} {1}; did you mean {2}?", what, inQuotes(name), inQuotes(nearest));
+    std::string all;
+    for (const std::string_view candidate : known) all.append(all.empty() ? "" : " ").append(candidate);
+    return say("unknown {0} {1}; known: {2}", what, inQuotes(name), all);
 }
 
 } // namespace rtcore

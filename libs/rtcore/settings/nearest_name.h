@@ -1,6 +1,7 @@
 /// What the user may have meant: suggestions for misspelt names in files and on command lines.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <span>
@@ -20,7 +21,7 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 
 /// Says that `name` is none of `known`, with the nearest one, or with all of them when none is near:
 ///   unknown key 'eey'; did you mean 'eye'?
-std::string unknownNameMessage(std::string_view what, std::string_view name,
-                               std::span<const std::string_view> known);
+Sentence unknownNameMessage(const Sentence& what, std::string_view name,
+                            std::span<const std::string_view> known);
 
 } // namespace rtcore

@@ -1,5 +1,6 @@
 #include "rtcore/settings/settings_table.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
 #include "rtcore/settings/number_text.h"
 
@@ -391,19 +392,29 @@ std::string spacedWords(std::string_view name) {
 std::string textOf(double limit) { return settingText(static_cast<float>(limit)); }
 
 /// What a number may be.
-std::string rangeWith(const Setting& setting, std::string_view unit) {
+Sentence rangeWith(const Setting& setting, std::string_view unit) {
     const std::string min = textOf(setting.minimum);
-    std::string range =
-        setting.maximum >= kUnlimited ? "at least " + min : min + " to " + textOf(setting.maximum);
-    if (!unit.empty()) range.append(" ").append(unit);
-    return setting.zero.empty() ? range : range.append(", or ").append(setting.zero);
+    Sentence range = setting.maximum >= kUnlimited ? say("at least {0}", min)
+                                                   : say("{0} to {1}", min, textOf(setting.maximum));
+    if (!unit.empty()) range = say("{0} {1}", range, unit);
+    return setting.zero.empty() ? range : say("{0}, or {1}", range, setting.zero);
+}
+
+/// What it may be, whatever its type.
+Sentence rangeOf(const Setting& setting, std::string_view unit) {
+    if (setting.type == SettingType::Boolean) return say("true or false");
+    if (setting.type != SettingType::Choice) return rangeWith(setting, unit);
+    Sentence names = setting.choices.front();
+    for (const std::string_view name : std::span(setting.choices).subspan(1))
+        names = say("{0} or {1}", names, name);
+    return names;
 }
 
 [[noreturn]] void refuse(const Setting& setting, const std::string& given) {
-    const bool number = setting.type == SettingType::Integer || setting.type == SettingType::Number;
-    const std::string takes = number ? rangeWith(setting, setting.unit) : settingRange(setting);
-    const std::string kind = setting.type == SettingType::Integer ? "a whole number, " : "";
-    throw std::invalid_argument(std::string(setting.name) + " is " + given + ", but takes " + kind + takes);
+    const Sentence takes = rangeOf(setting, setting.unit);
+    throw BadValue(setting.type == SettingType::Integer
+                       ? say("{0} is {1}, but takes a whole number, {2}", setting.name, given, takes)
+                       : say("{0} is {1}, but takes {2}", setting.name, given, takes));
 }
 
 /// Compared as floats, so that the limits themselves are taken. Not a number is in no range.
@@ -481,7 +492,7 @@ const Setting& requireSetting(std::string_view name) {
     if (const Setting* setting = findSetting(name)) return *setting;
     std::vector<std::string_view> names;
     for (const Setting& setting : table()) names.push_back(setting.name);
-    throw std::invalid_argument(unknownNameMessage("setting", name, names));
+    throw BadValue(unknownNameMessage(form("setting"), name, names));
 }
 
 SettingValue checkSetting(const Setting& setting, const SettingValue& value) {
@@ -541,9 +552,9 @@ std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings
 void checkLive(const Setting& setting, const SettingValue& value) {
     const std::string* choice = std::get_if<std::string>(&value);
     if (setting.stillChoice.empty() || choice == nullptr || *choice != setting.stillChoice) return;
-    throw std::invalid_argument(fmt::format("{0} is {1}, which is for stills, not for the live view; put it "
-                                            "into [still], or use 'Renderer --setting {0}={1}'",
-                                            setting.name, *choice));
+    throw BadValue(say("{0} is {1}, which is for stills, not for the live view; put it into [still], or use "
+                       "'Renderer --setting {0}={1}'",
+                       setting.name, *choice));
 }
 
 void checkLive(const RenderSettings& settings) {
@@ -585,20 +596,6 @@ std::string settingLabel(std::string_view name) {
     return spacedWords(name.substr(name.rfind('.') + 1));
 }
 
-std::string settingRange(const Setting& setting) {
-    std::string names;
-    switch (setting.type) {
-    case SettingType::Boolean:
-        return "true or false";
-    case SettingType::Integer:
-    case SettingType::Number:
-        return rangeWith(setting, "");
-    case SettingType::Choice:
-        break;
-    }
-    for (const std::string_view name : setting.choices)
-        names += (names.empty() ? "" : " or ") + std::string(name);
-    return names;
-}
+std::string settingRange(const Setting& setting) { return rangeOf(setting, "").english(); }
 
 } // namespace rtcore

@@ -1,5 +1,6 @@
 #include "rtcore/survey/model_units.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/exporter_habits.h"
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/survey/part_roles.h"
@@ -120,7 +121,9 @@ void guessUp(ModelUnits& units, const OriginHabits& habits, const ModelShape& sh
     units.otherUp = zUp ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     const bool usual = (habits.zUp > 0) == zUp;
     const bool named = (byNames > 0) == zUp && std::fabs(byNames) > std::fabs(byShape);
-    units.upWhy = usual ? "usual for " + habits.name : named ? "by its floors and walls" : "by its shape";
+    units.upWhy = usual   ? say("usual for {0}", habits.name)
+                  : named ? say("by its floors and walls")
+                          : say("by its shape");
     constexpr double kDoubtful = 1;
     units.surprising = zUp || std::fabs(odds) < kDoubtful;
 }
@@ -139,7 +142,7 @@ void guessUnit(ModelUnits& units, OriginHabits habits, const ModelShape& shape, 
     size.room = double{roomHeight(tree, mesh, units.up)};
     const Choice choice = chooseUnit(habits, size);
     units.metresPerUnit = static_cast<float>(kMetresIn.at(choice.unit));
-    units.unitWhy = choice.bySize ? "by its size" : "usual for " + habits.name;
+    units.unitWhy = choice.bySize ? say("by its size") : say("usual for {0}", habits.name);
 }
 
 } // namespace
@@ -178,7 +181,8 @@ ModelUnits withUserSays(ModelUnits units, std::optional<Vec3> up, std::optional<
 
 namespace {
 
-std::string reason(Said said, const std::string& why) {
+std::string reason(Said said, const Sentence& because) {
+    const std::string why = because.english();
     switch (said) {
     case Said::Guessed:
         return why.empty() ? "guessed" : "guessed: " + why;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/model.h"
 #include "rtcore/scene/model_origin.h"
 
@@ -22,9 +23,9 @@ struct ModelUnits {
     Vec3 up{0, 1, 0};        ///< one of the six axes
     float metresPerUnit = 1; ///< above 0, finite
     Said upSaid = Said::Guessed, unitSaid = Said::Guessed;
-    Vec3 otherUp{0, 0, 1};      ///< of a guess: what else it may be
-    std::string upWhy, unitWhy; ///< of what is guessed or said by the format: "its shape", "as OpenSCAD does"
-    bool surprising = false;    ///< what is guessed is not what most files are: worth a word
+    Vec3 otherUp{0, 0, 1};   ///< of a guess: what else it may be
+    Sentence upWhy, unitWhy; ///< of what is guessed or said by the format: "its shape", "as OpenSCAD does"
+    bool surprising = false; ///< what is guessed is not what most files are: worth a word
 };
 
 /// Guesses what the origin leaves open, +y or +z for the up axis and metre, centimetre, millimetre, inch or

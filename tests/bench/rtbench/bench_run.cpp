@@ -77,7 +77,8 @@ class Bench {
   private:
     void runScene(const std::filesystem::path& path) {
         const rtcore::LoadedScene loaded = loadForBench(path, options_, progress_);
-        for (const std::string& warning : loaded.warnings) progress_.print("warning: " + warning);
+        for (const rtcore::Sentence& warning : loaded.warnings)
+            progress_.print("warning: " + warning.english());
         if (loaded.scene.mesh().triangles.empty())
             throw rtcore::FileError(rtcore::FailureKind::BadData, path.string(), "it has no triangles");
         std::vector<BenchView> views = views_.viewsOf(path);

@@ -47,6 +47,23 @@ TEST_F(Serving, AnswersAndEnds) {
     refused({"ping"}, 75, "no server '" + instance.name() + "'");
 }
 
+// CUI prints what people read; other clients get the form, too, and say it in their language.
+TEST_F(Serving, RefusalsComeWithTheirForm) {
+    start();
+    refused({"light", "7", "on"}, 2, "there is no light 7; the scene has");
+    ipc::Client client(instance.name());
+    const ipc::Reply refusal = client.request("light 7 on");
+    EXPECT_EQ(refusal.status, ipc::ReplyStatus::Failed);
+    const auto said = nlohmann::json::parse(refusal.detail, nullptr, false);
+    ASSERT_TRUE(said.is_array()) << refusal.detail;
+    EXPECT_EQ(said[0], "there is no light {0}; the scene has {1}");
+    EXPECT_EQ(said[1], "7");
+    EXPECT_TRUE(said[2].is_array());
+    const ipc::Reply missing = client.request("load camera \"/nowhere/a\\\"b\x1e.cam\"");
+    EXPECT_EQ(nlohmann::json::parse(missing.detail, nullptr, false)[0], "{0}: {1}") << missing.detail;
+    EXPECT_EQ(client.request("ping").detail, "");
+}
+
 // Other tests may have servers of the same user, so "the only one that runs" is not tried here.
 TEST_F(Serving, NoServerIsCommandedByAccident) {
     start();

@@ -41,12 +41,12 @@ TEST(SettingsMerge, ACameraSwitchesLights) {
     scene.lights.resize(3);
     rtcore::CameraFile camera;
     camera.lights = std::vector<bool>{false, true};
-    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene).english(), "");
     EXPECT_EQ(scene.lights[0].light.on, 0U);
     EXPECT_EQ(scene.lights[1].light.on, 1U);
     EXPECT_EQ(scene.lights[2].light.on, 1U);
     camera.lights->resize(4);
-    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene),
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene).english(),
               "x.cam switches 4 lights, but the scene has 3; these stay as they are");
     EXPECT_EQ(scene.lights[0].light.on, 0U);
     EXPECT_EQ(scene.lights[1].light.on, 1U);
@@ -57,13 +57,13 @@ TEST(SettingsMerge, ACameraSwitchesLightsByTheirIds) {
     for (const int id : {7, 2, 5}) scene.lights.emplace_back().notes.id = id;
     rtcore::CameraFile camera;
     camera.lightsOff = {7, 2};
-    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene).english(), "");
     EXPECT_EQ(scene.lights[0].light.on, 0U);
     EXPECT_EQ(scene.lights[1].light.on, 0U);
     EXPECT_EQ(scene.lights[2].light.on, 1U);
     camera.lightsOn = {9, 2};
     camera.lightsOff = {1, 5};
-    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene),
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene).english(),
               "x.cam names lights that the scene lacks (9, 1); these stay as they are");
     EXPECT_EQ(scene.lights[1].light.on, 1U);
     EXPECT_EQ(scene.lights[2].light.on, 0U);
@@ -73,11 +73,11 @@ TEST(SettingsMerge, ACameraPicksAnEnvironmentThatExists) {
     rtcore::Scene scene;
     rtcore::CameraFile camera;
     camera.environment = 0;
-    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene).english(), "");
     camera.environment = 1;
     camera.lights = std::vector<bool>{true};
     EXPECT_EQ(
-        app::applyCameraToScene(camera, "x.cam", scene),
+        app::applyCameraToScene(camera, "x.cam", scene).english(),
         "x.cam switches 1 light, but the scene has 0 and asks for environment 1 (counted from 0), but the "
         "scene has 0; these stay as they are");
     EXPECT_EQ(scene.activeEnvironment, 0);

@@ -42,7 +42,7 @@ class LinkToAServer : public testing::Test {
             const std::lock_guard lock(mutex_);
             told_.states.push_back(std::move(report));
         };
-        all.messages = [this](std::string lines) {
+        all.messages = [this](std::string lines, const std::string&) {
             const std::lock_guard lock(mutex_);
             told_.messages.push_back(std::move(lines));
         };

@@ -258,11 +258,14 @@ TEST_F(RoomOfPages, SendsOfTheStateWhatChanged) {
 
 TEST_F(RoomOfPages, PassesMessagesOfTheServerOn) {
     const Page page = join(1), other = join(2, "", false);
-    server().events.messages(
-        "3 warning /secret/folder/room.obj: a texture is missing\n4 event light 2 off\n");
+    server().events.messages("3 warning /secret/folder/room.obj: a texture is missing\n4 event light 2 off\n",
+                             R"(["{0}: {1}","/secret/folder/room.obj",["a texture is missing"]])"
+                             "\n"
+                             R"(["light {0} off","2"])");
     EXPECT_EQ(page->count("message"), 2U);
     EXPECT_EQ(other->count("message"), 2U);
     EXPECT_EQ(page->events[page->events.size() - 2].dump().find("secret"), std::string::npos);
+    EXPECT_EQ(page->events.back()["sentence"].dump(), R"(["light {0} off","2"])");
 }
 
 TEST_F(RoomOfPages, ForgetsAServerThatIsGone) {

@@ -1,3 +1,4 @@
+#include "bridge/control/page_sentence.h"
 #include "bridge/control/scene_facts.h"
 
 #include <gtest/gtest.h>
@@ -89,6 +90,33 @@ TEST(Texts, LoseFoldersWithBlanksToo) {
               "load \"a b.cam\" (z)");
     EXPECT_EQ(bridge::withoutFolders("/"), "");
     EXPECT_EQ(bridge::withoutFolders("light 2 off"), "light 2 off");
+}
+
+TEST(PageSentences, AreThoseOfTheServerWithoutFolders) {
+    const auto sentence = [](std::string_view detail) {
+        json event;
+        bridge::addSentence(event, "in /home/anna/a.scn", detail);
+        EXPECT_EQ(event["text"], "in a.scn");
+        return event.value("sentence", json());
+    };
+    EXPECT_EQ(sentence(R"(["{0}: {1}","/home/anna/a.scn",["no light {0}","'/home/anna/x'"]])").dump(),
+              R"(["{0}: {1}","a.scn",["no light {0}","'x'"]])");
+    const std::string deep = std::string(1000, '[') + "\"a\"" + std::string(1000, ']');
+    for (const std::string& wrong :
+         {std::string(), std::string("\"a\""), std::string("[]"), std::string("[1]"),
+          std::string("[\"a\",7]"), std::string("[\"a\",{}]"), std::string("[\"a\""), std::string("\xFF"),
+          deep, "[\"a\",\"" + std::string(20'000, 'b') + "\"]"})
+        EXPECT_TRUE(sentence(wrong).is_null()) << wrong.substr(0, 50);
+}
+
+TEST(PageSentences, OfTheBridgeHaveTheirForm) {
+    json event;
+    bridge::addSentence(event, rtcore::say("{0} is locked", std::string("maxDepth")));
+    EXPECT_EQ(event["text"], "maxDepth is locked");
+    EXPECT_EQ(event["sentence"].dump(), R"(["{0} is locked","maxDepth"])");
+    bridge::addSentence(event = json(), rtcore::Sentence());
+    EXPECT_EQ(event["text"], "");
+    EXPECT_FALSE(event.contains("sentence"));
 }
 
 } // namespace

@@ -76,12 +76,13 @@ TEST_F(ServerClient, AnswersMayComeLateAndInAnyOrder) {
     while (commands.size() < 2) {
         for (auto& command : server->takeCommands()) commands.push_back(command);
     }
-    server->refuse(commands[1], 66, "no");
+    server->refuse(commands[1], 66, "no", "[]");
     EXPECT_EQ(client.wait(slow, 20ms).status, ReplyStatus::TimedOut);
     const Reply refused = client.wait(quick, 1s);
     EXPECT_EQ(refused.status, ReplyStatus::Failed);
     EXPECT_EQ(refused.code, 66);
     EXPECT_EQ(refused.text, "no");
+    EXPECT_EQ(refused.detail, "[]");
     server->answer(commands[0]);
     server->refuse(commands[0], 1, "twice");
     EXPECT_EQ(client.wait(slow, 1s).status, ReplyStatus::Done);

@@ -75,7 +75,7 @@ TEST(MaterialNames, AreEditsThatCanBeTakenBack) {
     Scene scene = sceneOf({"glass", "wall", "Stahl"});
     const std::vector<Material> files = scene.materials;
     const std::vector<MaterialGuess> guesses = guessMaterials(scene);
-    EXPECT_EQ(guessedText(guesses), "2 materials are guessed by name (glass, metal)");
+    EXPECT_EQ(guessedText(guesses).english(), "2 materials are guessed by name (glass, metal)");
     useGuesses(scene, guesses);
     EXPECT_EQ(scene.materialEdits.size(), 2U);
     EXPECT_EQ(scene.materials[0].opacity, 0);
@@ -84,7 +84,7 @@ TEST(MaterialNames, AreEditsThatCanBeTakenBack) {
     for (const std::size_t i : {0U, 2U}) resetMaterial(scene, files, i);
     EXPECT_EQ(scene.materials, files);
     EXPECT_TRUE(scene.materialEdits.empty());
-    EXPECT_EQ(guessedText({}), "");
+    EXPECT_EQ(guessedText({}).english(), "");
 }
 
 } // namespace

@@ -209,8 +209,9 @@ TEST_F(FrameDrawingTest, WithoutMemoryItGoesBackToTheLastWholeFrame) {
     memory = false;
     const FrameDrawing::Drawn drawn = drawing.draw(true);
     EXPECT_EQ(drawn.outcome, Outcome::NoMemory);
-    EXPECT_EQ(drawn.why, "not enough memory for frames of 64 x 24 at these settings; back to those of the "
-                         "last frame, 32 x 24");
+    EXPECT_EQ(drawn.why.english(),
+              "not enough memory for frames of 64 x 24 at these settings; back to those of the "
+              "last frame, 32 x 24");
     EXPECT_EQ(document.settings().width, 32);
     EXPECT_TRUE(drawing.wantsFrame(false)) << "its memory is gone, too";
     EXPECT_LE(drawing.due(), FrameDrawing::Clock::now());

@@ -50,13 +50,19 @@ TEST(Messages, AreKeptForThoseWhoLookOn) {
     EXPECT_EQ(messages.since(1), "2 event light 2 off");
     EXPECT_EQ(messages.since(2), "");
     EXPECT_EQ(messages.since(7), "") << "more than there are";
+    EXPECT_EQ(messages.detailsSince(1), R"(["light 2 off"])");
+    messages.offer("this or that");
+    messages.withdrawOffers();
+    messages.tell(rtcore::say("{0}: {1}", std::string("a\nb"), rtcore::say("all is lost")));
+    EXPECT_EQ(messages.detailsSince(1), "[\"light 2 off\"]\n[\"{0}: {1}\",\"a\\\\x0ab\",[\"all is lost\"]]")
+        << "a line for each of since()";
     messages.forget();
     EXPECT_EQ(messages.since(0), "");
-    EXPECT_EQ(messages.count(), 2U);
+    EXPECT_EQ(messages.count(), 4U);
     for (int i = 0; i < 1000; ++i) messages.tell(std::string(10'000, 'x'));
-    EXPECT_EQ(messages.count(), 1002U);
+    EXPECT_EQ(messages.count(), 1004U);
     EXPECT_LT(messages.since(0).size(), 65'520U) << "as much as an answer holds";
-    EXPECT_EQ(messages.since(1001).rfind("1002 event xxx", 0), 0U);
+    EXPECT_EQ(messages.since(1003).rfind("1004 event xxx", 0), 0U);
 }
 
 } // namespace

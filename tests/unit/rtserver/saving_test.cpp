@@ -283,7 +283,7 @@ TEST_F(Saving, AFullDiskLeavesTheOldFile) {
     answer("save as DIR/b.scn");
     const std::string before = text("b.scn");
     answer("light 1 off");
-    Failure failure;
+    Failure failure{0, ""};
     {
         const FullDisk disk;
         failure = refusal("save");

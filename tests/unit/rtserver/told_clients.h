@@ -13,11 +13,11 @@ namespace test {
 /// Writes down what each client is told.
 class ToldClients final : public rtserver::Replies {
   public:
-    void answer(const ipc::Command& command, const std::string& text) override {
+    void answer(const ipc::Command& command, const std::string& text, const std::string&) override {
         lines.push_back(command.text + ": " + text);
     }
-    void refuse(const ipc::Command& command, int code, const std::string& text) override {
-        lines.push_back(command.text + ": " + std::to_string(code) + " " + text);
+    void refuse(const ipc::Command& command, int code, const rtcore::Sentence& why) override {
+        lines.push_back(command.text + ": " + std::to_string(code) + " " + why.english());
     }
     bool isConnected(const ipc::Command& command) const override { return command.client != gone; }
     std::vector<std::string> take() { return std::exchange(lines, {}); }

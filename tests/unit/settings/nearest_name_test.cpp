@@ -37,8 +37,9 @@ TEST(NearestName, SuggestsNothingWhenNothingIsNear) {
 }
 
 TEST(NearestName, MessagesListAllNamesWhenNoneIsNear) {
-    EXPECT_EQ(rtcore::unknownNameMessage("key", "eey", kNames), "unknown key 'eey'; did you mean 'eye'?");
-    EXPECT_EQ(rtcore::unknownNameMessage("key", "qqqqqqqq", kNames),
+    EXPECT_EQ(rtcore::unknownNameMessage("key", "eey", kNames).english(),
+              "unknown key 'eey'; did you mean 'eye'?");
+    EXPECT_EQ(rtcore::unknownNameMessage("key", "qqqqqqqq", kNames).english(),
               "unknown key 'qqqqqqqq'; known: eye forward exposure.mode ambientOcclusion.samples");
 }
 

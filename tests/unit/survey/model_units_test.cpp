@@ -142,7 +142,7 @@ TEST(ModelUnits, FormatsThatCountZUpwardsAreNotTurned) {
 
 TEST(ModelUnits, AShapeThatIsPlainWinsOverTheFormat) {
     EXPECT_EQ(guess(table(), kObj).up, kZ);
-    EXPECT_EQ(guess(table(), kObj).upWhy, "by its shape");
+    EXPECT_EQ(guess(table(), kObj).upWhy.english(), "by its shape");
     EXPECT_TRUE(guess(table(), kObj).surprising);
     EXPECT_EQ(guess(upright(table()), kObj).up, kY);
     EXPECT_FALSE(guess(upright(table()), kObj).surprising);
@@ -160,7 +160,7 @@ TEST(ModelUnits, TheUnitIsOneThatGivesAThingASensibleSize) {
     EXPECT_FLOAT_EQ(guess(mesh, kObj).metresPerUnit, 1);
     EXPECT_FLOAT_EQ(guess(scaled(mesh, 100), kObj).metresPerUnit, 0.01F);
     EXPECT_FLOAT_EQ(guess(scaled(mesh, 100), kObj, "Blender").metresPerUnit, 0.01F);
-    EXPECT_EQ(guess(scaled(mesh, 100), kObj, "Blender").unitWhy, "by its size");
+    EXPECT_EQ(guess(scaled(mesh, 100), kObj, "Blender").unitWhy.english(), "by its size");
     EXPECT_FLOAT_EQ(guess(scaled(mesh, 4000), kObj).metresPerUnit, 0.001F);
     EXPECT_FLOAT_EQ(guess(scaled(mesh, 1000), kStl).metresPerUnit, 0.001F);
     EXPECT_FLOAT_EQ(guess(upright(house()), kObj).metresPerUnit, 1);
@@ -179,7 +179,7 @@ TEST(ModelUnits, FloorsLieAndWallsStand) {
                   .guess()
                   .up,
               kZ);
-    EXPECT_EQ(room("podlaha", "st\xC4\x9Bna", "strop").guess().upWhy, "by its floors and walls");
+    EXPECT_EQ(room("podlaha", "st\xC4\x9Bna", "strop").guess().upWhy.english(), "by its floors and walls");
 }
 
 TEST(ModelUnits, BuildingsAreAsLargeAsBuildings) {

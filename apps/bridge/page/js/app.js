@@ -4,7 +4,7 @@ import { showFocusedAgain } from "./fields.js";
 import { Notices } from "./notices.js";
 import { Statistics } from "./statistics.js";
 import { forThisTab } from "./storage.js";
-import { t } from "./texts.js";
+import { said, t } from "./texts.js";
 
 export class App {
     /** @param {Link} link @param {() => {w: number, h: number}} pixels that the page has for the image */
@@ -70,8 +70,8 @@ export class App {
     }
 
     /** What was asked for is not so: panels show what is. */
-    tellRefusal({ text }) {
-        if (text) this.notices.show("failed", text, { warn: true });
+    tellRefusal(answer) {
+        if (answer.text) this.notices.show("failed", said(answer), { warn: true });
         this.panels.show();
         showFocusedAgain();
     }

@@ -1,7 +1,7 @@
 /** What the bridge says goes to the image, the panels and the notices. */
 import { byId } from "./dom.js";
 import { nameSettings, settingLabel } from "./setting_labels.js";
-import { t } from "./texts.js";
+import { said, t } from "./texts.js";
 
 const BUSY_MS = 500; // shorter ones are not worth a word
 
@@ -106,9 +106,10 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         notices.show(key, state === "refused" ? t("refused", text) : t(state), { lasting: true, warn: true });
     });
 
-    on("message", ({ kind, text }) => notices.show("message", text, { warn: kind === "warning" }));
+    on("message", (message) => notices.show("message", said(message), { warn: message.kind === "warning" }));
 
-    on("notice", ({ code, text, back }) => {
+    on("notice", (notice) => {
+        const { code, back } = notice;
         const told = {
             asked: () => {}, // the roles that follow tell it, as what `taken` says
             handed: () => app.roles.people.length > 1 && notices.show("role", t("handed")), // alone, that is no news
@@ -118,7 +119,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
             released: () => notices.show("released", t("released")),
         }[code];
         if (told) told();
-        else notices.show("notice", text, { warn: true });
+        else notices.show("notice", said(notice), { warn: true });
     });
 
     on("lost", ({ code, reason, final }) => {

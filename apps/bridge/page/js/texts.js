@@ -33,6 +33,16 @@ export function counted(key, count) {
 /** An English text of the window, in the page's language; as it is where there is no translation. */
 export const of = (context, text) => shared[context]?.[text] ?? text;
 
+/** A sentence of server or bridge, [form, ...what stands in its places], by the forms of a table. */
+export function inWords(table, part) {
+    if (typeof part === "string") return part;
+    const [form, ...places] = part;
+    return (table[form] ?? form).replace(/\{(\d)\}/g, (place, index) => (index in places ? inWords(table, places[index]) : place));
+}
+
+/** What an event tells, in the page's language. @param {{text: string, sentence?: Array}} event */
+export const said = ({ text, sentence }) => (sentence && shared.Server ? inWords(shared.Server, sentence) : text);
+
 const formats = new Map();
 /** A number for people, with so many digits after the point. */
 export function number(value, digits = 0) {

@@ -1,5 +1,7 @@
 #include "rtcore/io/images/decoded_image.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -93,11 +95,11 @@ void makeOpaqueIfAllClear(LdrImage& image) {
     for (Rgba8& p : image.pixels) p.a = 255;
 }
 
-void badImage(const std::string& name, const std::string& message) {
+void badImage(const std::string& name, const Sentence& message) {
     throw FileError(FailureKind::BadData, name, message);
 }
 
-void cannotEncode(const std::string& name, const std::string& message) {
+void cannotEncode(const std::string& name, const Sentence& message) {
     throw FileError(FailureKind::CannotWrite, name, message);
 }
 

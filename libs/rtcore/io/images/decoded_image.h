@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/image.h"
 
 #include <cstddef>
@@ -34,9 +35,9 @@ bool hasAlpha(const LdrImage& image);
 void makeOpaqueIfAllClear(LdrImage& image);
 
 /// Throws FileError BadData.
-[[noreturn]] void badImage(const std::string& name, const std::string& message);
+[[noreturn]] void badImage(const std::string& name, const Sentence& message);
 /// Throws FileError CannotWrite.
-[[noreturn]] void cannotEncode(const std::string& name, const std::string& message);
+[[noreturn]] void cannotEncode(const std::string& name, const Sentence& message);
 /// Throws FileError BadData unless an image of that size is acceptable.
 void checkImageSize(const std::string& name, std::int64_t width, std::int64_t height);
 /// Throws FileError BadData when `pixels` cannot come out of `bytes`: a header that lies.

@@ -1,5 +1,7 @@
 #include "rtcore/io/import/import_report.h"
 
+#include "rtcore/io/import/import_forms.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace rtcore {
 namespace {
 
 constexpr std::size_t kMaxWarnings = 50;
-const std::string kMore = "there are more warnings than these";
 
 /// One line whatever the text holds: it may come from a damaged file.
 std::string printable(std::string text) {
@@ -64,7 +65,7 @@ void addWarning(ImportReport& report, const std::string& text) {
     const std::string line = printable(text);
     const auto& known = report.warnings;
     if (known.size() > kMaxWarnings || std::find(known.begin(), known.end(), line) != known.end()) return;
-    report.warnings.push_back(known.size() < kMaxWarnings ? line : kMore);
+    report.warnings.push_back(known.size() < kMaxWarnings ? line : import_forms::kMore);
 }
 
 void addFile(ImportReport& report, const std::string& path) { addOnce(report.files, path); }

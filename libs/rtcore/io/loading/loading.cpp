@@ -1,5 +1,8 @@
 #include "rtcore/io/loading/loading.h"
 
+#include "rtcore/io/import/import_forms.h"
+#include "rtcore/platform/sentence.h"
+
 #include "rtcore/sky/scene_sky.h"
 
 #include <utility>
@@ -12,7 +15,7 @@ void Loading::begin(LoadPhase phase) const {
 
 void Loading::warn(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings)
-        out.warnings.push_back(out.modelPath.string() + ": " + warning);
+        out.warnings.push_back(say("{0}: {1}", out.modelPath.string(), readAs(warning, import_forms::kAll)));
 }
 
 void Loading::take(const std::vector<SettingAssignment>& settings, bool last) {

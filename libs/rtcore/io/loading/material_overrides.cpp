@@ -77,7 +77,9 @@ void overrideMaterials(Loading& loading, const std::filesystem::path& path, cons
             changeMaterial(scene.model, change, texture, pictures, scene.materials[i]);
         }
         if (!used)
-            loading.out.warnings.push_back(unusedSection(path, "material", change.pattern, change.number));
+            loading.out.warnings.push_back(
+                unusedSection(path, form("no material of the model has the number {0}"),
+                              form("no material of the model is named like \"{0}\""), change));
     }
     if (!pictures.empty()) addTextures(scene.model, pictures);
 }

@@ -61,7 +61,7 @@ class ModelReading {
             out_.files.push_back(*loading_.options.cachedModel);
             return true;
         } catch (const FileError& error) {
-            out_.warnings.emplace_back(error.what());
+            out_.warnings.push_back(error.sentence());
             return false;
         }
     }

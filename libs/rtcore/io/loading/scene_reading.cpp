@@ -32,8 +32,9 @@ class SceneReading {
         InputFile model(file.model);
         const FileKind kind = kindOfFile(file.model, model);
         if (kind == FileKind::Scene) {
-            throw FileError(FailureKind::BadData, path.string(),
-                            "its model is a scene file too; name a .bsp or a model: " + file.model.string());
+            throw FileError(
+                FailureKind::BadData, path.string(),
+                say("its model is a scene file too; name a .bsp or a model: {0}", file.model.string()));
         }
         ImportOptions import = loading_.options.import;
         if (!import.creaseAngle) import.creaseAngle = file.creaseAngle;
@@ -75,7 +76,9 @@ class SceneReading {
             for (std::size_t i = 0; i < parts.size(); ++i)
                 chosen[i] = isNamed(each.pattern, each.number, i, parts[i].name) ? 1 : 0;
             if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end())
-                out_.warnings.push_back(unusedSection(path, "part", each.pattern, each.number));
+                out_.warnings.push_back(unusedSection(path, form("no part of the model has the number {0}"),
+                                                      form("no part of the model is named like \"{0}\""),
+                                                      each));
             scene.hiddenParts = withParts(scene.model, parts, chosen, each.hidden, scene.hiddenParts);
         }
     }
@@ -94,9 +97,11 @@ class SceneReading {
         const std::string& name = environment.parts.front();
         auto shown = pictureOfShell(out_.scene, out_.tree, pieces, name);
         if (!shown) {
-            out_.warnings.push_back(path.string() +
-                                    ": no parts of the model that show a picture are named \"" + name +
-                                    "\"; that environment is black");
+            out_.warnings.push_back(
+                say("{0}: {1}", path.string(),
+                    say("no parts of the model that show an image are named \"{0}\"; that "
+                        "environment is black",
+                        name)));
             shown = Environment::fromEquirectangular(HdrImage(2, 1), name);
         }
         addEnvironment(out_.scene, environment, std::move(*shown));

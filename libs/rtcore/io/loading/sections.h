@@ -1,6 +1,8 @@
 /// Sections of a .scn that are for something of the model: by a pattern of its name or by its number.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -12,8 +14,12 @@ namespace rtcore {
 /// Whether a section for `pattern`, or for the `number` counted from 1, is for the element `index` of a list.
 bool isNamed(const std::string& pattern, std::optional<int> number, std::size_t index, std::string_view name);
 
-/// The warning of a section that is for no `what` of the model; `path` of the .scn.
-std::string unusedSection(const std::filesystem::path& path, const std::string& what,
-                          const std::string& pattern, std::optional<int> number);
+/// The warning of a section, of a material or a part, that is for nothing of the model; `path` of the .scn.
+/// The forms are for a number and for a pattern.
+Sentence unusedSection(const std::filesystem::path& path, const char* ofNumber, const char* ofPattern,
+                       const auto& section) {
+    return say("{0}: {1}", path.string(),
+               section.number ? say(ofNumber, *section.number) : say(ofPattern, section.pattern));
+}
 
 } // namespace rtcore

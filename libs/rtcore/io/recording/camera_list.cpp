@@ -2,6 +2,7 @@
 
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/utf8.h"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ std::string cameraListLine(const std::filesystem::path& list, const std::filesys
     const bool holds = trimmedLine(line) == line && line.find('\n') == std::string::npos;
     if (!holds || camera.empty())
         throw FileError(FailureKind::CannotWrite, list.string(),
-                        "a list cannot hold the path '" + camera.string() + "'; rename the file");
+                        say("a list cannot hold the path '{0}'; rename the file", camera.string()));
     return line + "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -17,9 +18,10 @@ std::filesystem::path makeFolder(const std::filesystem::path& list) {
     std::error_code error;
     const bool made = std::filesystem::create_directory(folder, error);
     if (made) return folder;
-    throw FileError(FailureKind::CannotWrite, list.string(),
-                    error ? "its folder " + folder.string() + " cannot be made: " + error.message()
-                          : "its folder " + folder.string() + " exists already; choose another name");
+    throw FileError(
+        FailureKind::CannotWrite, list.string(),
+        error ? say("its folder {0} cannot be made: {1}", folder.string(), systemReason(error.value()))
+              : say("its folder {0} exists already; choose another name", folder.string()));
 }
 
 /// Throws CannotWrite for what could not be read back.
@@ -29,7 +31,7 @@ std::string checkedText(const CameraFile& frame, const std::filesystem::path& pa
         parseCameraFile(text, path);
     } catch (const FileError& error) {
         throw FileError(FailureKind::CannotWrite, path.string(),
-                        "not written, since it could not be read back: " + std::string(error.what()));
+                        say("not written, since it could not be read back: {0}", error.sentence()));
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include "rtcore/io/text/camera_section.h"
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/scene_light.h"
 #include "rtcore/settings/settings_table.h"
 
@@ -27,17 +28,17 @@ void readLightIds(StrictTable& root, CameraFile& file) {
     const auto read = [&](std::string_view key) {
         const auto ids = root.integers(key, 1, kMaxLightId);
         if (ids) root.needVersion(kByIds, key);
-        if (ids && file.lights) root.fail(key, "lights and " + std::string(key) + " are both given");
+        if (ids && file.lights) root.fail(key, say("{0} and {1} are both given", std::string("lights"), key));
         return ids.value_or(std::vector<int>());
     };
     file.lightsOn = read("lightsOn");
     file.lightsOff = read("lightsOff");
     std::set<int> named;
     for (const int id : file.lightsOn) {
-        if (!named.insert(id).second) root.fail("lightsOn", fmt::format("light {} is named twice", id));
+        if (!named.insert(id).second) root.fail("lightsOn", say("light {0} is named twice", id));
     }
     for (const int id : file.lightsOff) {
-        if (!named.insert(id).second) root.fail("lightsOff", fmt::format("light {} is named twice", id));
+        if (!named.insert(id).second) root.fail("lightsOff", say("light {0} is named twice", id));
     }
 }
 

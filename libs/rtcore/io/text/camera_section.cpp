@@ -1,5 +1,6 @@
 #include "rtcore/io/text/camera_section.h"
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/image.h"
 
 namespace rtcore {
@@ -26,22 +27,26 @@ Camera readCamera(StrictTable& table, Vec3 up, bool lookAtAllowed) {
 
     Camera camera;
     camera.eye = table.require("eye", eye);
-    if (forward && lookAt) table.fail("lookAt", "forward and lookAt are both given; leave one out");
+    if (forward && lookAt)
+        table.fail("lookAt", say("{0} and {1} are both given; leave one out", std::string("forward"),
+                                 std::string("lookAt")));
     if (lookAt) forward = *lookAt - camera.eye;
     camera.forward = table.require("forward", forward);
     camera.up = givenUp.value_or(upwardsOf(camera.forward, up));
-    if (fov && width) table.fail("fov", "fov and orthographicWidth are both given; leave one out");
+    if (fov && width)
+        table.fail("fov", say("{0} and {1} are both given; leave one out", std::string("fov"),
+                              std::string("orthographicWidth")));
     camera.horizontalFov = fov.value_or(camera.horizontalFov);
     if (width) camera.kind = CameraKind::Orthographic;
     camera.orthographicWidth = width.value_or(0);
     camera.aspect = aspect.value_or(0);
 
     if (lookAt && isZero(camera.forward))
-        table.fail("lookAt", "lookAt is where eye is; the camera needs a direction");
-    if (isZero(camera.forward)) table.fail("forward", "forward is zero; the camera needs a direction");
-    if (isZero(camera.up)) table.fail("up", "up is zero; give the direction that is up in the image");
+        table.fail("lookAt", say("lookAt is where eye is; the camera needs a direction"));
+    if (isZero(camera.forward)) table.fail("forward", say("forward is zero; the camera needs a direction"));
+    if (isZero(camera.up)) table.fail("up", say("up is zero; give the direction that is up in the image"));
     if (areParallel(camera.forward, camera.up))
-        table.fail("up", "up is parallel to the view direction; give another up");
+        table.fail("up", say("up is parallel to the view direction; give another up"));
     return camera;
 }
 

@@ -6,6 +6,7 @@
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
 #include "rtcore/io/text/written_mark.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 
 #include <fmt/core.h>
@@ -83,8 +84,7 @@ class SceneReader {
         std::set<int> ids;
         for (StrictTable& table : root_.tables("light")) {
             const int id = scene_.lights.emplace_back(readLight(table)).id;
-            if (id > 0 && !ids.insert(id).second)
-                table.fail("id", fmt::format("two lights have the id {}", id));
+            if (id > 0 && !ids.insert(id).second) table.fail("id", say("two lights have the id {0}", id));
         }
         for (StrictTable& table : root_.tables("material"))
             scene_.materials.push_back(readMaterial(table, folder_));
@@ -119,8 +119,8 @@ class SceneReader {
         if (index == kNoEnvironment) root_.needVersion(2, "activeEnvironment");
         if (index && *index >= count)
             root_.fail("activeEnvironment",
-                       fmt::format("activeEnvironment is {}, but there are {} {}, counted from 0", *index,
-                                   count, scene_.sky ? "with the [sky]" : "[[environment]]"));
+                       say("activeEnvironment is {0}, but there are {1} {2}, counted from 0", *index, count,
+                           say(scene_.sky ? "with the [sky]" : "[[environment]]")));
     }
 
     void readSections() {
@@ -140,7 +140,7 @@ class SceneReader {
         }
         for (const std::string_view key : kCameraKeys) {
             if (table.value(key) != nullptr)
-                table.fail(key, "file and " + std::string(key) + " are both given; leave one out");
+                table.fail(key, say("{0} and {1} are both given; leave one out", std::string("file"), key));
         }
         table.finish();
     }

@@ -1,5 +1,6 @@
 #include "rtcore/io/text/camera_section.h"
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
@@ -14,9 +15,9 @@ SceneBookmarks readBookmarks(StrictTable& root, Vec3 up) {
         SceneBookmark bookmark;
         bookmark.camera = readCamera(table, up, true);
         bookmark.name = table.require("name", name);
-        if (bookmark.name.empty()) table.fail("name", "name is empty; a bookmark is known by its name");
+        if (bookmark.name.empty()) table.fail("name", say("name is empty; a bookmark is known by its name"));
         if (findBookmark(bookmarks, bookmark.name) != bookmarks.end())
-            table.fail("name", "another bookmark is called " + inQuotes(bookmark.name) + ", too");
+            table.fail("name", say("another bookmark is called {0}, too", inQuotes(bookmark.name)));
         bookmarks.push_back(std::move(bookmark));
     }
     return bookmarks;

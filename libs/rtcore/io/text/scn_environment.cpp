@@ -1,5 +1,6 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/text_file.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -37,20 +38,21 @@ EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path&
         environment.files = *faces;
         ++given;
         if (faces->size() != kFaces)
-            table.fail("faces", fmt::format("faces has {} files, but takes six: +x, -x, +y, -y, +z, -z",
-                                            faces->size()));
+            table.fail("faces",
+                       say("faces has {0} files, but takes six: +x, -x, +y, -y, +z, -z", faces->size()));
     }
     if (const auto parts = table.texts("parts")) {
         table.needVersion(2, "parts");
         environment.kind = EnvironmentKind::Parts;
         environment.parts = *parts;
         ++given;
-        if (parts->empty()) table.fail("parts", "parts names no part; give at least one");
+        if (parts->empty()) table.fail("parts", say("parts names no part; give at least one"));
     }
     table.finish();
     if (given != 1)
         table.fail(
-            "", "an environment has exactly one of the keys equirectangular, cross, strip, faces and parts");
+            "",
+            say("an environment has exactly one of the keys equirectangular, cross, strip, faces and parts"));
     return environment;
 }
 

@@ -1,5 +1,6 @@
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/platform/sentence.h"
 
 #include "rtcore/math/blackbody.h"
 
@@ -38,7 +39,7 @@ void setCone(const StrictTable& table, const Cone& cone, Light& light) {
     light.cosOuter = cosineOfDegrees(outer);
     if (light.cosOuter < light.cosInner) return;
     const char* const key = cone.inner ? "innerAngle" : "outerAngle";
-    table.fail(key, "innerAngle must be below outerAngle, by enough to tell them apart");
+    table.fail(key, say("innerAngle must be below outerAngle, by enough to tell them apart"));
 }
 
 struct Sides {
@@ -54,7 +55,8 @@ void setSides(const StrictTable& table, const Sides& sides, Light& light) {
     const float slant = dot(right, light.direction);
     light.right = std::fabs(slant) < 1e-6F ? right : normalize(right - light.direction * slant);
     if (right == Vec3{} || std::fabs(slant) > 0.999F)
-        table.fail("right", "right is zero or along direction; give where the width of the light points to");
+        table.fail("right",
+                   say("right is zero or along direction; give where the width of the light points to"));
 }
 
 } // namespace
@@ -114,7 +116,7 @@ LightDescription readLight(StrictTable& table) {
     if (traits.position) light.position = table.require("position", position);
     if (traits.direction) light.direction = unitDirection(table.require("direction", direction));
     if (light.direction == Vec3{})
-        table.fail("direction", "direction is zero; give where the light shines to");
+        table.fail("direction", say("direction is zero; give where the light shines to"));
     light.intensity = intensity.value_or(light.intensity);
     light.radius = radius.value_or(light.radius);
     if (traits.radius && !radius) table.require("radius", radius);

@@ -1,5 +1,6 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/text_file.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/material_numbers.h"
 
 #include <charconv>
@@ -125,10 +126,12 @@ NameOrNumber readNameOrNumber(StrictTable& table, std::string_view what) {
 
 void NameOrNumber::check(const StrictTable& table) const {
     table.needVersion(2, "number");
-    if (name && number) table.fail("number", "name and number are both given; leave one out");
+    if (name && number)
+        table.fail("number", say("{0} and {1} are both given; leave one out", std::string("name"),
+                                 std::string("number")));
     if (!number) table.require("name", name);
     if (name && name->empty())
-        table.fail("name", "name is empty; give " + std::string(what) + "'s name or a pattern, \"*\"");
+        table.fail("name", say("name is empty; give {0}'s name or a pattern, \"*\"", what));
 }
 
 MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& folder) {
@@ -145,8 +148,9 @@ MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& f
     // The limit is widened by rounding: 0.9 and 0.1 must do.
     const bool both = material.diffuse && material.specular;
     if (both && maxComponent(*material.diffuse + *material.specular) > 1.000001F)
-        table.fail("specular",
-                   "diffuse and specular together exceed 1; a surface gives back no more light than it gets");
+        table.fail(
+            "specular",
+            say("diffuse and specular together exceed 1; a surface gives back no more light than it gets"));
     return material;
 }
 

@@ -1,5 +1,6 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/sun_date.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -57,7 +58,7 @@ Sky readSky(StrictTable& table, const Sky& usual) {
             table.fail(key, "direction and " + std::string(key) + " are both given; leave one out");
     }
     if (normalize(*direction) == Vec3{})
-        table.fail("direction", "direction is that to the sun, and not zero");
+        table.fail("direction", say("direction is that to the sun, and not zero"));
     sky.date.reset();
     sky.direction = *direction;
     return sky;

@@ -1,6 +1,7 @@
 #include "rtcore/io/text/settings_section.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <limits>
@@ -62,8 +63,8 @@ class SectionReader {
             if (before.setting != given.setting) continue;
             const Given& former = before.name == given.setting->name ? given : before;
             throw FileError(FailureKind::BadData, file_,
-                            former.name + " is the former name of " + std::string(given.setting->name) +
-                                ", which stands here, too; remove " + former.name,
+                            say("{0} is the former name of {1}, which stands here, too; remove {0}",
+                                former.name, given.setting->name),
                             former.position.line, former.position.column);
         }
         given_.push_back(given);
@@ -75,7 +76,7 @@ class SectionReader {
         try {
             return work();
         } catch (const std::invalid_argument& error) {
-            throw FileError(FailureKind::BadData, file_, error.what(), position.line, position.column);
+            throw FileError(FailureKind::BadData, file_, sentenceOf(error), position.line, position.column);
         }
     }
 
@@ -84,8 +85,7 @@ class SectionReader {
         if (const auto* text = std::get_if<std::string>(&value.content)) return *text;
         if (const auto* number = std::get_if<double>(&value.content)) return toFloat(*number);
         if (const auto* whole = std::get_if<std::int64_t>(&value.content)) return toNumber(*whole);
-        throw std::invalid_argument(name + " is " + std::string(describeType(value)) +
-                                    ", but takes one value");
+        throw BadValue(say("{0} is {1}, but takes one value", name, describeType(value)));
     }
 
     static SettingValue toNumber(std::int64_t whole) {
@@ -107,8 +107,8 @@ std::vector<SettingAssignment> readSettingsSection(StrictTable& parent, std::str
     if (value == nullptr) return {};
     const auto* table = std::get_if<TextTable>(&value->content);
     if (table == nullptr)
-        parent.fail(key, std::string(key) + " is " + std::string(describeType(*value)) +
-                             ", but takes a table, [" + std::string(key) + "]");
+        parent.fail(key,
+                    say("{0} is {1}, but takes {2}", key, describeType(*value), say("a table, [{0}]", key)));
     SectionReader reader(parent.file(), key == "live");
     reader.read(*table, "");
     return std::move(reader.assignments);

@@ -3,6 +3,7 @@
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_writer.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
 #include "rtcore/settings/number_text.h"
 
@@ -18,23 +19,26 @@ namespace rtcore {
 
 namespace {
 
-[[noreturn]] void failAt(const std::string& file, TextPosition position, const std::string& message) {
+[[noreturn]] void failAt(const std::string& file, TextPosition position, const Sentence& message) {
     throw FileError(FailureKind::BadData, file, message, position.line, position.column);
 }
 
 [[noreturn]] void failType(const std::string& file, std::string_view key, const TextValue& value,
-                           std::string_view wanted) {
-    failAt(file, value.position, fmt::format("{} is {}, but takes {}", key, describeType(value), wanted));
+                           const Sentence& wanted) {
+    failAt(file, value.position, say("{0} is {1}, but takes {2}", key, describeType(value), wanted));
 }
 
-std::string describeLimits(const Limits& limits) {
-    const bool bounded = limits.maximum < kAnyNumber.maximum;
-    if (limits.minimum <= kAnyNumber.minimum) return "a finite number";
-    const std::string low =
-        fmt::format("{} {}", limits.minimumExcluded ? "above" : "at least", shortestText(limits.minimum));
-    if (!bounded) return "a finite number " + low;
-    return fmt::format("a number {} and {} {}", low, limits.maximumExcluded ? "below" : "at most",
-                       shortestText(limits.maximum));
+Sentence describeLimits(const Limits& limits) {
+    if (limits.minimum <= kAnyNumber.minimum) return say("a finite number");
+    const std::string min = shortestText(limits.minimum), max = shortestText(limits.maximum);
+    const bool above = limits.minimumExcluded, below = limits.maximumExcluded;
+    if (limits.maximum >= kAnyNumber.maximum)
+        return say(above ? "a finite number above {0}" : "a finite number at least {0}", min);
+    if (above)
+        return say(below ? "a number above {0} and below {1}" : "a number above {0} and at most {1}", min,
+                   max);
+    return say(below ? "a number at least {0} and below {1}" : "a number at least {0} and at most {1}", min,
+               max);
 }
 
 template <typename Number>
@@ -68,16 +72,15 @@ Number checkedNumber(const Place& place, const TextValue& value, const Limits& l
     }
     if (within(rounded, limits)) return rounded;
     failAt(place.file, value.position,
-           fmt::format("{} is {}, but takes {}", place.key, shortestText(number), describeLimits(limits)));
+           say("{0} is {1}, but takes {2}", place.key, shortestText(number), describeLimits(limits)));
 }
 
 std::array<float, 3> threeNumbers(const Place& place, const TextValue& value, const Limits& limits) {
     const auto* array = std::get_if<TextArray>(&value.content);
-    if (array == nullptr) failType(place.file, place.key, value, "three numbers in brackets");
+    if (array == nullptr) failType(place.file, place.key, value, say("three numbers in brackets"));
     if (array->size() != 3)
-        failAt(
-            place.file, value.position,
-            fmt::format("{} has {} values, but takes three numbers in brackets", place.key, array->size()));
+        failAt(place.file, value.position,
+               say("{0} has {1} values, but takes three numbers in brackets", place.key, array->size()));
     std::array<float, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i) numbers[i] = checkedNumber<float>(place, (*array)[i], limits);
     return numbers;
@@ -86,18 +89,19 @@ std::array<float, 3> threeNumbers(const Place& place, const TextValue& value, co
 std::filesystem::path checkedPath(const Place& place, const TextValue& value,
                                   const std::filesystem::path& folder) {
     const auto* text = std::get_if<std::string>(&value.content);
-    if (text == nullptr) failType(place.file, place.key, value, "a path in quotes");
+    if (text == nullptr) failType(place.file, place.key, value, say("a path in quotes"));
     const bool hasZero = text->find('\0') != std::string::npos;
     if (text->empty() || hasZero)
-        failAt(place.file, value.position, fmt::format("{} is no path; give the name of a file", place.key));
+        failAt(place.file, value.position, say("{0} is no path; give the name of a file", place.key));
     return folder / pathFromUtf8(*text);
 }
 
 } // namespace
 
-std::string_view describeType(const TextValue& value) {
-    constexpr std::array<std::string_view, 7> names{
-        "a date or time", "true or false", "a whole number", "a number", "text", "an array", "a table"};
+Sentence describeType(const TextValue& value) {
+    constexpr std::array<const char*, 7> names{
+        form("a date or time"), form("true or false"), form("a whole number"), form("a number"),
+        form("text"),           form("an array"),      form("a table")};
     return names[value.content.index()];
 }
 
@@ -126,7 +130,7 @@ const TextValue* StrictTable::value(std::string_view key) {
 }
 
 template <typename T>
-const T* StrictTable::typed(std::string_view key, std::string_view wanted) {
+const T* StrictTable::typed(std::string_view key, const Sentence& wanted) {
     const TextValue* found = value(key);
     if (found == nullptr) return nullptr;
     const T* content = std::get_if<T>(&found->content);
@@ -135,29 +139,28 @@ const T* StrictTable::typed(std::string_view key, std::string_view wanted) {
 }
 
 std::optional<bool> StrictTable::boolean(std::string_view key) {
-    const bool* flag = typed<bool>(key, "true or false");
+    const bool* flag = typed<bool>(key, form("true or false"));
     return flag == nullptr ? std::nullopt : std::optional(*flag);
 }
 
 std::optional<int> StrictTable::integer(std::string_view key, int minimum, int maximum) {
-    const std::string range = fmt::format("a whole number from {} to {}", minimum, maximum);
+    const Sentence range = say("a whole number from {0} to {1}", minimum, maximum);
     const auto* whole = typed<std::int64_t>(key, range);
     if (whole == nullptr) return std::nullopt;
-    if (*whole < minimum || *whole > maximum)
-        fail(key, fmt::format("{} is {}, but takes {}", key, *whole, range));
+    if (*whole < minimum || *whole > maximum) fail(key, say("{0} is {1}, but takes {2}", key, *whole, range));
     return static_cast<int>(*whole);
 }
 
 std::optional<std::vector<int>> StrictTable::integers(std::string_view key, int minimum, int maximum) {
-    const auto* array = typed<TextArray>(key, "whole numbers in brackets");
+    const auto* array = typed<TextArray>(key, form("whole numbers in brackets"));
     if (array == nullptr) return std::nullopt;
-    const std::string range = fmt::format("only whole numbers from {} to {}", minimum, maximum);
+    const Sentence range = say("only whole numbers from {0} to {1}", minimum, maximum);
     std::vector<int> numbers;
     for (const TextValue& item : *array) {
         const std::int64_t* number = std::get_if<std::int64_t>(&item.content);
         if (number == nullptr) failType(*file_, key, item, range);
         if (*number < minimum || *number > maximum)
-            fail(key, fmt::format("{} has {}, but takes {}", key, *number, range));
+            fail(key, say("{0} has {1}, but takes {2}", key, *number, range));
         numbers.push_back(static_cast<int>(*number));
     }
     return numbers;
@@ -176,13 +179,13 @@ std::optional<double> StrictTable::preciseNumber(std::string_view key, const Lim
 }
 
 std::optional<std::string> StrictTable::text(std::string_view key) {
-    const std::string* found = typed<std::string>(key, "text in quotes");
+    const std::string* found = typed<std::string>(key, form("text in quotes"));
     return found == nullptr ? std::nullopt : std::optional(*found);
 }
 
 std::optional<std::size_t> StrictTable::choice(std::string_view key,
                                                std::span<const std::string_view> names) {
-    const std::string* name = typed<std::string>(key, "a name in quotes");
+    const std::string* name = typed<std::string>(key, form("a name in quotes"));
     if (name == nullptr) return std::nullopt;
     const auto found = std::find(names.begin(), names.end(), *name);
     if (found == names.end()) fail(key, unknownNameMessage(key, *name, names));
@@ -212,24 +215,24 @@ std::optional<Colour> StrictTable::colourOrNumber(std::string_view key, const Li
 }
 
 std::optional<std::vector<bool>> StrictTable::booleans(std::string_view key) {
-    const auto* array = typed<TextArray>(key, "true and false in brackets");
+    const auto* array = typed<TextArray>(key, form("true and false in brackets"));
     if (array == nullptr) return std::nullopt;
     std::vector<bool> flags;
     for (const TextValue& item : *array) {
         const bool* flag = std::get_if<bool>(&item.content);
-        if (flag == nullptr) failType(*file_, key, item, "only true and false");
+        if (flag == nullptr) failType(*file_, key, item, say("only true and false"));
         flags.push_back(*flag);
     }
     return flags;
 }
 
 std::optional<std::vector<std::string>> StrictTable::texts(std::string_view key) {
-    const auto* array = typed<TextArray>(key, "texts in brackets");
+    const auto* array = typed<TextArray>(key, form("texts in brackets"));
     if (array == nullptr) return std::nullopt;
     std::vector<std::string> result;
     for (const TextValue& item : *array) {
         const auto* text = std::get_if<std::string>(&item.content);
-        if (text == nullptr) failType(*file_, key, item, "only texts in quotes");
+        if (text == nullptr) failType(*file_, key, item, say("only texts in quotes"));
         result.push_back(*text);
     }
     return result;
@@ -243,7 +246,7 @@ std::optional<std::filesystem::path> StrictTable::path(std::string_view key,
 
 std::optional<std::vector<std::filesystem::path>> StrictTable::paths(std::string_view key,
                                                                      const std::filesystem::path& folder) {
-    const auto* array = typed<TextArray>(key, "paths in brackets");
+    const auto* array = typed<TextArray>(key, form("paths in brackets"));
     if (array == nullptr) return std::nullopt;
     std::vector<std::filesystem::path> result;
     for (const TextValue& item : *array) result.push_back(checkedPath({*file_, key}, item, folder));
@@ -254,7 +257,7 @@ std::optional<StrictTable> StrictTable::table(std::string_view key) {
     const TextValue* found = value(key);
     if (found == nullptr) return std::nullopt;
     if (!std::holds_alternative<TextTable>(found->content))
-        failType(*file_, key, *found, "a table, [" + std::string(key) + "]");
+        failType(*file_, key, *found, say("a table, [{0}]", key));
     return within(*found);
 }
 
@@ -265,7 +268,7 @@ StrictTable StrictTable::within(const TextValue& table) const {
 }
 
 std::vector<StrictTable> StrictTable::tables(std::string_view key) {
-    const std::string wanted = "tables, [[" + std::string(key) + "]]";
+    const Sentence wanted = say("tables, [[{0}]]", key);
     std::vector<StrictTable> result;
     const auto* array = typed<TextArray>(key, wanted);
     if (array == nullptr) return result;
@@ -279,34 +282,34 @@ std::vector<StrictTable> StrictTable::tables(std::string_view key) {
 void StrictTable::checkVersion(int newest) {
     const auto* version = typed<std::int64_t>("version", std::to_string(newest));
     if (version == nullptr)
-        failAt(*file_, {1, 1},
-               fmt::format("the version is missing; begin the file with: version = {}", newest));
+        failAt(*file_, {1, 1}, say("the version is missing; begin the file with: version = {0}", newest));
     if (*version < 1 || *version > newest)
-        fail("version", fmt::format("version {} is unknown; this program reads version {}{}", *version,
-                                    newest > 1 ? "1 to " : "", newest));
+        fail("version", say(newest > 1 ? "version {0} is unknown; this program reads version 1 to {1}"
+                                       : "version {0} is unknown; this program reads version {1}",
+                            *version, newest));
     version_ = static_cast<int>(*version);
 }
 
 void StrictTable::needVersion(int version, std::string_view key) const {
     if (version_ >= version || find(key) == nullptr) return;
-    fail(key, fmt::format("{} came with version {} of this format; begin the file with: version = {}",
-                          inQuotes(key), version, version));
+    fail(key, say("{0} came with version {1} of this format; begin the file with: version = {1}",
+                  inQuotes(key), version));
 }
 
 void StrictTable::finish() const {
     for (const TextEntry& entry : std::get<TextTable>(table_->content).entries) {
         const bool known = std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end();
-        if (!known) failAt(*file_, entry.position, unknownNameMessage("key", entry.key, asked_));
+        if (!known) failAt(*file_, entry.position, unknownNameMessage(form("key"), entry.key, asked_));
     }
 }
 
-void StrictTable::fail(std::string_view key, const std::string& message) const {
+void StrictTable::fail(std::string_view key, const Sentence& message) const {
     const TextEntry* entry = find(key);
     failAt(*file_, entry == nullptr ? table_->position : entry->value.position, message);
 }
 
 void StrictTable::failMissing(std::string_view key) const {
-    failAt(*file_, table_->position, "the key " + inQuotes(key) + " is missing here; add it");
+    failAt(*file_, table_->position, say("the key {0} is missing here; add it", inQuotes(key)));
 }
 
 } // namespace rtcore

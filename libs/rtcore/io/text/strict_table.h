@@ -5,6 +5,7 @@
 #include "rtcore/io/text/text_value.h"
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/platform/sentence.h"
 
 #include <filesystem>
 #include <optional>
@@ -71,7 +72,7 @@ class StrictTable {
         return *value;
     }
     /// Refuses the value of `key`, or the table when it has no such key.
-    [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+    [[noreturn]] void fail(std::string_view key, const Sentence& message) const;
     [[noreturn]] void failMissing(std::string_view key) const;
 
     const std::string& file() const { return *file_; }
@@ -79,7 +80,7 @@ class StrictTable {
   private:
     const TextEntry* find(std::string_view key) const;
     template <typename T>
-    const T* typed(std::string_view key, std::string_view wanted);
+    const T* typed(std::string_view key, const Sentence& wanted);
     StrictTable within(const TextValue& table) const;
 
     const TextValue* table_;

@@ -4,6 +4,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/paths.h"
+#include "rtcore/platform/sentence.h"
 
 #include <array>
 #include <cstdint>
@@ -19,7 +20,7 @@ void writeCheckedText(const std::filesystem::path& path, const std::string& text
         check(text);
     } catch (const FileError& error) {
         throw FileError(FailureKind::CannotWrite, path.string(),
-                        "not written, since it could not be read back: " + std::string(error.what()));
+                        say("not written, since it could not be read back: {0}", error.sentence()));
     }
     const std::array<std::span<const std::byte>, 1> pieces{std::as_bytes(std::span(text))};
     writeFileAtomically(path, pieces);

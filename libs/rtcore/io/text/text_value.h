@@ -1,6 +1,8 @@
 /// What a text file says, before it is interpreted: a tree of values with their positions.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -37,7 +39,7 @@ struct TextEntry {
 };
 
 /// "a table", "text", ...
-std::string_view describeType(const TextValue& value);
+Sentence describeType(const TextValue& value);
 
 /// The nearest float; infinity (which no range holds) beyond all floats, where a plain conversion is
 /// undefined.

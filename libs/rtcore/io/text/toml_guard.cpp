@@ -2,6 +2,7 @@
 
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <vector>
@@ -65,12 +66,12 @@ class Guard {
 
     void countDot() {
         if (!inKey_) return;
-        if (++dotsOfKey_ >= kMaxTomlDepth) refuse("a key has too many parts");
-        if (++dots_ > kMaxTomlDots) refuse("too many keys with dots");
+        if (++dotsOfKey_ >= kMaxTomlDepth) refuse(form("a key has too many parts"));
+        if (++dots_ > kMaxTomlDots) refuse(form("too many keys with dots"));
     }
 
     void countValue() {
-        if (++values_ > kMaxTomlValues) refuse("too many values");
+        if (++values_ > kMaxTomlValues) refuse(form("too many values"));
     }
 
     void startValue() {
@@ -88,7 +89,7 @@ class Guard {
         countValue();
         // The brackets of [table] and [[table]] close on their own line and enclose a key.
         if (inKey_ && bracket == '[') return;
-        if (brackets_.size() >= kMaxTomlDepth) refuse("too many brackets within brackets");
+        if (brackets_.size() >= kMaxTomlDepth) refuse(form("too many brackets within brackets"));
         brackets_.push_back(bracket);
         inKey_ = bracket == '{';
         dotsOfKey_ = 0;
@@ -121,9 +122,9 @@ class Guard {
 
     void skipTo(std::size_t position) { at_ = std::min(position, text_.size()); }
 
-    [[noreturn]] void refuse(const std::string& what) const {
+    [[noreturn]] void refuse(const char* what) const {
         const TextPosition position = positionAt(text_, at_);
-        throw FileError(FailureKind::BadData, file_, what + "; no scene needs that", position.line,
+        throw FileError(FailureKind::BadData, file_, say("{0}; no scene needs that", what), position.line,
                         position.column);
     }
 

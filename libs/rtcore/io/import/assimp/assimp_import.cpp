@@ -4,6 +4,7 @@
 #include "rtcore/io/import/assimp/assimp_parts.h"
 #include "rtcore/io/import/assimp/unread_content.h"
 #include "rtcore/io/import/gltf/gltf_file.h"
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/inspection/cut_off.h"
 #include "rtcore/io/import/inspection/exporter_notes.h"
 #include "rtcore/io/import/inspection/foreign_formats.h"
@@ -12,6 +13,7 @@
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/mesh/polygon.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 
 #include <assimp/Importer.hpp>
@@ -400,15 +402,16 @@ void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, const Nod
 void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile>& gltf,
                  ImportReport& report) {
     if (const auto libraries = missingMaterialLibraries(path); !libraries.empty()) {
-        addWarning(report, "material library " + firstOf(libraries) +
-                               (libraries.size() == 1 ? " is" : " are") +
-                               " missing; what it describes is plain grey");
+        addWarning(report, say(libraries.size() == 1 ? import_forms::kMissingLibrary
+                                                     : import_forms::kMissingLibraries,
+                               firstOf(libraries))
+                               .english());
     }
     for (const std::string& sentence : unreadInCollada(path)) addWarning(report, sentence);
     if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty())
-        addWarning(report, needs + ": part of it is missing or wrong here");
+        addWarning(report, say(import_forms::kNeeds, needs).english());
     if (gltf && !gltf->ignoredExtensions.empty())
-        addWarning(report, "ignored, since not supported: " + firstOf(gltf->ignoredExtensions));
+        addWarning(report, say(import_forms::kIgnored, firstOf(gltf->ignoredExtensions)).english());
 }
 
 /// The names of the nodes from below the root on, with slashes between them.

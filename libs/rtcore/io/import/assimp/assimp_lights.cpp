@@ -1,6 +1,8 @@
 #include "rtcore/io/import/assimp/assimp_parts.h"
 
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/math/constants.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <assimp/camera.h>
@@ -163,8 +165,7 @@ void addLights(const aiScene& scene, const NodeTransforms& transforms, const For
         } else {
             addWarning(
                 report,
-                std::string("light '") + light->mName.C_Str() +
-                    "' is left out: it is not a point, directional, spot or area light, or gives no light");
+                say(import_forms::kLightLeftOut, std::string("'") + light->mName.C_Str() + "'").english());
         }
     }
 }
@@ -179,8 +180,9 @@ void addCameras(const aiScene& scene, const NodeTransforms& transforms, const Fo
             out.nameOffset = model.addName(camera->mName.C_Str());
             model.cameras.push_back(out);
         } else {
-            addWarning(report,
-                       std::string("camera '") + camera->mName.C_Str() + "' is left out: it looks nowhere");
+            addWarning(
+                report,
+                say(import_forms::kCameraLeftOut, std::string("'") + camera->mName.C_Str() + "'").english());
         }
     }
 }

@@ -1,7 +1,9 @@
 #include "rtcore/io/import/assimp/assimp_parts.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/ObjMaterial.h>
@@ -215,7 +217,7 @@ TexcoordUse texcoordUseOf(const aiMaterial& material, aiTextureType kind, const 
     aiUVTransform t;
     if (material.Get(AI_MATKEY_UVTRANSFORM(kind, 0), t) != aiReturn_SUCCESS) return use;
     if (t.mRotation != 0) {
-        addWarning(report, "a texture is turned on its surface; that is not supported, so it is not turned");
+        addWarning(report, import_forms::kTurnedTexture);
     }
     use.scale = {t.mScaling.x, t.mScaling.y};
     if (t.mRotation == 0) use.offset = {t.mTranslation.x, t.mTranslation.y};
@@ -235,8 +237,7 @@ TexcoordUse texcoordUseOf(const aiMaterial& material, const MaterialText& text, 
         if (use == *first) continue;
         aiString name;
         material.Get(AI_MATKEY_NAME, name);
-        addWarning(report, std::string("the textures of material '") + name.C_Str() +
-                               "' lie on it in different ways; all are laid as the first one is");
+        addWarning(report, say(import_forms::kLaidAlike, std::string("'") + name.C_Str() + "'").english());
     }
     return first.value_or(TexcoordUse{});
 }

@@ -1,9 +1,9 @@
 #include "rtcore/io/import/inspection/import_warnings.h"
 
 #include "rtcore/accel/float4.h"
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/math/box.h"
-
-#include <fmt/core.h>
+#include "rtcore/platform/sentence.h"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +12,6 @@
 namespace rtcore {
 
 namespace {
-
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 bool isInvisible(const Material& m) {
     return m.opacity == 0 && m.indexOfRefraction == 1 && m.transmission == kWhite && isBlack(m.emission);
@@ -56,29 +52,33 @@ void warnOfLostTriangles(const ModelBuffers& model, ImportReport& report) {
     // Triangles without area cover nothing, and strips are sewn together by some; half of all is a sign of
     // damage.
     if (damaged > 0 || report.degenerateTriangles > all / 2) {
-        std::string why;
-        const auto add = [&](std::uint64_t count, const char* what) {
-            if (count > 0) why += fmt::format("{}{}{}", why.empty() ? "" : ", ", count, what);
+        std::optional<Sentence> why;
+        const auto add = [&](std::uint64_t count, const char* form) {
+            if (count == 0) return;
+            const Sentence each = say(form, count);
+            why = why ? say(import_forms::kComma, *why, each) : each;
         };
-        add(report.nonFiniteTriangles, " with coordinates that are no numbers or beyond 1e12");
-        add(report.unconnectedTriangles, " with corners that do not exist");
-        add(report.degenerateTriangles, " without area");
-        addWarning(report,
-                   fmt::format("{} of {} {} damaged and left out: {}", lost,
-                               counted(all, "triangle", "triangles"), lost == 1 ? "was" : "were", why));
+        add(report.nonFiniteTriangles, import_forms::kNoNumbers);
+        add(report.unconnectedTriangles, import_forms::kNoCorners);
+        add(report.degenerateTriangles, import_forms::kNoArea);
+        const char* const form = all == 1    ? import_forms::kOnlyDamaged
+                                 : lost == 1 ? import_forms::kOneDamaged
+                                             : import_forms::kDamaged;
+        addWarning(report, say(form, lost, all, why.value_or(Sentence())).english());
     }
     if (report.equalTriangles > 0) {
-        addWarning(report, counted(report.equalTriangles, "triangle is", "triangles are") +
-                               " the third or a further one of the same corners and left out");
+        const bool one = report.equalTriangles == 1;
+        addWarning(
+            report,
+            say(one ? import_forms::kOneEqual : import_forms::kEqual, report.equalTriangles).english());
     }
 }
 
 void warnOfMissingTextures(std::span<const std::string> names, ImportReport& report) {
     if (names.size() == 1) {
-        addWarning(report, "texture '" + names[0] + "' is missing; its material is plain");
+        addWarning(report, say(import_forms::kMissingTexture, firstOf(names)).english());
     } else if (names.size() > 1) {
-        addWarning(report, fmt::format("{} textures are missing, so their materials are plain: {}",
-                                       names.size(), firstOf(names)));
+        addWarning(report, say(import_forms::kMissingTextures, names.size(), firstOf(names)).english());
     }
 }
 
@@ -86,9 +86,7 @@ void warnWhenInvisible(const ModelBuffers& model, ImportReport& report) {
     const bool invisible =
         std::all_of(model.shading.begin(), model.shading.end(),
                     [&](const ShadingTriangle& t) { return isInvisible(model.materials[t.material]); });
-    if (invisible)
-        addWarning(report,
-                   "every material is fully transparent, so nothing can be seen; give them an opacity");
+    if (invisible) addWarning(report, import_forms::kInvisible);
 }
 
 void warnOfOutliers(const ModelBuffers& model, ImportReport& report) {
@@ -96,9 +94,7 @@ void warnOfOutliers(const ModelBuffers& model, ImportReport& report) {
     const Box3 bounds = boundsOfAll(model.vertices);
     const float bulk = bulkOf(model.vertices).diagonal();
     if (bulk * kInvisible >= bounds.diagonal()) return;
-    addWarning(report,
-               "a few vertices lie more than 100000 times as far off as all others, which are too small "
-               "to be seen beside them; remove them or place the camera yourself");
+    addWarning(report, import_forms::kOutliers);
 }
 
 } // namespace rtcore

@@ -1,10 +1,12 @@
 #include "rtcore/io/import/materials/texture_store.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/materials/relief.h"
 #include "rtcore/io/import/materials/texture_files.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
+#include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
 
@@ -90,9 +92,9 @@ std::optional<LdrImage> TextureStore::read(const std::string& name, const std::s
         LdrImage image = embedded ? embedded_.decode(name) : readLdrImage(key);
         if (!image.empty() && !embedded) addImage(report_, key);
         if (!image.empty()) return image;
-        addWarning(report_, "texture '" + name + "' is empty; its material is plain");
+        addWarning(report_, say(import_forms::kEmptyTexture, "'" + name + "'").english());
     } catch (const FileError& error) {
-        addWarning(report_, std::string("texture ") + error.what() + "; its material is plain");
+        addWarning(report_, say(import_forms::kBadTexture, error.sentence()).english());
     }
     return {};
 }

@@ -1,0 +1,35 @@
+/// What servers say, in the user's language.
+#pragma once
+
+#include <QList>
+#include <QString>
+
+#include <optional>
+#include <span>
+
+namespace gui {
+
+/// As rtcore::Sentence: the form is English, and the key of its translation (translations/sentences_cs.ts).
+struct ServerSentence {
+    QString form; ///< empty: a text that is the same in every language
+    QString text;
+    QList<ServerSentence> arguments;
+
+    QString argument(qsizetype place) const; ///< in the user's language
+    /// Itself or what stands in its places, at any depth; null where none has this form.
+    const ServerSentence* find(const char* wanted) const;
+};
+
+/// Of the detail of an answer (common/commands/sentence_json.h); nothing where it is none.
+std::optional<ServerSentence> readSentence(const QString& detail);
+
+/// A form without a translation stays English.
+QString translated(const ServerSentence& said);
+
+/// Of English text that came without a detail, by the forms that it may have been made of (rtcore::readAs).
+QString translatedAs(const QString& text, std::span<const char* const> forms);
+
+/// `text`, or what `detail` says in the user's language.
+QString serverText(const QString& text, const QString& detail);
+
+} // namespace gui

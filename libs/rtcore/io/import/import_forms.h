@@ -1,0 +1,55 @@
+/// Forms of what is said of imported models. It crosses borders as text - from the importer's process, in a
+/// .bsp, in a log - and readAs() finds the form again.
+#pragma once
+
+#include <array>
+
+namespace rtcore::import_forms {
+
+inline constexpr const char *
+    kMissingTexture = "texture {0} is missing; its material is plain",
+   *kMissingTextures = "{0} textures are missing, so their materials are plain: {1}",
+   *kEmptyTexture = "texture {0} is empty; its material is plain",
+   *kBadTexture = "texture {0}; its material is plain",
+   *kTurnedTexture = "a texture is turned on its surface; that is not supported, so it is not turned",
+   *kLaidAlike = "the textures of material {0} lie on it in different ways; all are laid as the first one is",
+   *kLightLeftOut =
+       "light {0} is left out: it is not a point, directional, spot or area light, or gives no light",
+   *kCameraLeftOut = "camera {0} is left out: it looks nowhere",
+   *kMissingLibrary = "material library {0} is missing; what it describes is plain grey",
+   *kMissingLibraries = "material library {0} are missing; what it describes is plain grey",
+   *kNeeds = "{0}: part of it is missing or wrong here", *kIgnored = "ignored, since not supported: {0}",
+   *kDamaged = "{0} of {1} triangles were damaged and left out: {2}",
+   *kOneDamaged = "{0} of {1} triangles was damaged and left out: {2}",
+   *kOnlyDamaged = "{0} of {1} triangle was damaged and left out: {2}",
+   *kEqual = "{0} triangles are the third or a further one of the same corners and left out",
+   *kOneEqual = "{0} triangle is the third or a further one of the same corners and left out",
+   *kInvisible = "every material is fully transparent, so nothing can be seen; give them an opacity",
+   *kOutliers =
+       "a few vertices lie more than 100000 times as far off as all others, which are too small to be "
+       "seen beside them; remove them or place the camera yourself",
+   *kMore = "there are more warnings than these";
+
+// Parts of them.
+inline constexpr const char *kNoNumbers = "{0} with coordinates that are no numbers or beyond 1e12",
+                            *kNoCorners = "{0} with corners that do not exist", *kNoArea = "{0} without area",
+                            *kAndMore = "{0}' and {1} more", *kAnd = "{0}' and '{1}", *kComma = "{0}, {1}",
+                            *kOf = "{0}: {1}";
+
+/// In the order in which they are to be tried.
+inline constexpr std::array kAll{kMissingTexture, kMissingTextures,
+                                 kEmptyTexture,   kBadTexture,
+                                 kTurnedTexture,  kLaidAlike,
+                                 kLightLeftOut,   kCameraLeftOut,
+                                 kMissingLibrary, kMissingLibraries,
+                                 kIgnored,        kDamaged,
+                                 kOneDamaged,     kOnlyDamaged,
+                                 kEqual,          kOneEqual,
+                                 kInvisible,      kOutliers,
+                                 kMore,           kNoNumbers,
+                                 kNoCorners,      kNoArea,
+                                 kNeeds,          kOf,
+                                 kAndMore,        kAnd,
+                                 kComma};
+
+} // namespace rtcore::import_forms
