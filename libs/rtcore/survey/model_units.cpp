@@ -67,12 +67,12 @@ double oddsOfSize(const Sizes& size, double metres) {
         if (value < low) return -below * std::log10(low / value);
         return value > high ? -above * std::log10(value / high) : 0.0;
     };
-    constexpr double kBelow = 3, kAbove = 4;
-    if (size.landscape) return outside(size.longest, 30, 20'000, kBelow, kAbove);
+    constexpr double kTooSmall = 3, kTooLarge = 4;
+    if (size.landscape) return outside(size.longest, 30, 20'000, kTooSmall, kTooLarge);
     // Houses have right angles, and so have cupboards; other things seldom are as large as a car.
     const bool hollow = size.room > 0 && !size.building;
     const double largest = size.boxy > 0.6 && !hollow ? 25 : 5;
-    const double thing = outside(size.longest, 0.02, largest, kBelow, kAbove);
+    const double thing = outside(size.longest, 0.02, largest, kTooSmall, kTooLarge);
     if (!(size.room > 0) && !size.building) return thing;
     double house = outside(size.height, 2.2, 30, 9, 6);
     // Few rooms are as high as churches.
