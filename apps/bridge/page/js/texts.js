@@ -37,7 +37,8 @@ export const of = (context, text) => shared[context]?.[text] ?? text;
 export function inWords(table, part) {
     if (typeof part === "string") return part;
     const [form, ...places] = part;
-    return (table[form] ?? form).replace(/\{(\d)\}/g, (place, index) => (index in places ? inWords(table, places[index]) : place));
+    const words = Object.hasOwn(table, form) ? table[form] : form;
+    return words.replace(/\{(\d)\}/g, (place, index) => (index in places ? inWords(table, places[index]) : place));
 }
 
 /** What an event tells, in the page's language. @param {{text: string, sentence?: Array}} event */
