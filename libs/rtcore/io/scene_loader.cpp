@@ -2,9 +2,9 @@
 
 #include "rtcore/io/loading/first_camera.h"
 #include "rtcore/io/loading/first_light.h"
+#include "rtcore/io/loading/lighting_choice.h"
 #include "rtcore/io/loading/model_reading.h"
 #include "rtcore/io/loading/scene_reading.h"
-#include "rtcore/io/loading/surroundings_choice.h"
 #include "rtcore/scene/closed_surfaces.h"
 
 #include <utility>

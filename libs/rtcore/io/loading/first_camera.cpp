@@ -78,21 +78,21 @@ class FirstCamera {
 } // namespace
 
 void decideModelUnits(Loading& loading) {
-    ModelUnits frame;
+    ModelUnits units;
     if (loading.out.sceneFile) {
-        frame.up = frame.otherUp = loading.out.scene.up;
-        frame.metresPerUnit = loading.out.scene.metresPerUnit;
-        frame.upSaid = frame.unitSaid = Said::ByScene;
+        units.up = units.otherUp = loading.out.scene.up;
+        units.metresPerUnit = loading.out.scene.metresPerUnit;
+        units.upSaid = units.unitSaid = Said::ByScene;
     } else {
-        frame = guessModelUnits(loading.out.origin, loading.out.tree, loading.out.scene.model);
+        units = guessModelUnits(loading.out.origin, loading.out.tree, loading.out.scene.model);
     }
-    frame = withUserSays(frame, loading.options.import.up, loading.options.import.metresPerUnit);
+    units = withUserSays(units, loading.options.import.up, loading.options.import.metresPerUnit);
     // A camera of the model's or the scene's own knows what is up, unless the user knows better.
-    if (loading.hasCamera && frame.upSaid == Said::ByUser && frame.up != loading.out.scene.up)
-        loading.out.camera.up = upwardsOf(loading.out.camera.forward, frame.up);
-    loading.out.frame = frame;
-    loading.out.scene.up = frame.up;
-    loading.out.scene.metresPerUnit = frame.metresPerUnit;
+    if (loading.hasCamera && units.upSaid == Said::ByUser && units.up != loading.out.scene.up)
+        loading.out.camera.up = upwardsOf(loading.out.camera.forward, units.up);
+    loading.out.units = units;
+    loading.out.scene.up = units.up;
+    loading.out.scene.metresPerUnit = units.metresPerUnit;
 }
 
 void chooseCamera(Loading& loading) { FirstCamera(loading).choose(); }

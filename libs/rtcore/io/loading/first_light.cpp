@@ -19,18 +19,18 @@ class FirstLight {
 
     void give() {
         Scene& scene = out_.scene;
-        const Surroundings& surroundings = loading_.options.surroundings;
-        bool surrounded = surroundings.environment || scene.sky;
+        const LightingOptions& lighting = loading_.options.lighting;
+        bool surrounded = lighting.environment || scene.sky;
         if (!out_.sceneFile && (!hasLight() || !ownLightsReach())) {
             hideDomes(loading_);
             surrounded = surrounded || scene.environment() != nullptr;
             // What is not hidden any more may reach.
-            if (hasLight() && !surrounded && !surroundings.look && !ownLightsReach())
-                return lightBeside(surroundings.usual);
+            if (hasLight() && !surrounded && !lighting.preset && !ownLightsReach())
+                return lightBeside(lighting.usual);
         }
-        if (surroundings.look) return lightByPreset(*surroundings.look, true);
+        if (lighting.preset) return lightByPreset(*lighting.preset, true);
         if (hasLight() || (surrounded && out_.sceneFile)) {
-            if (!out_.sceneFile) loading_.take(exposureOf(surroundings.usual));
+            if (!out_.sceneFile) loading_.take(exposureOf(lighting.usual));
             if (surrounded) loading_.take({{"skyLight.on", true}});
             if (!surrounded && !out_.sceneFile) fillTheDark();
         } else if (surrounded) {
@@ -39,16 +39,16 @@ class FirstLight {
             loading_.take(settingsOf(LightingPreset::Sky, loading_.surveyed()));
         } else if (out_.sceneFile) {
             addHeadlight(scene, out_.tree.bounds, out_.camera);
-            out_.look = LightingPreset::Headlight;
+            out_.preset = LightingPreset::Headlight;
         } else {
-            lightByPreset(surroundings.usual);
+            lightByPreset(lighting.usual);
         }
     }
 
     /// Adds a light beside the viewer where none reaches what is seen.
     void lightTheDark() {
         Scene& scene = out_.scene;
-        if (out_.sceneFile || out_.look == LightingPreset::Headlight || loading_.options.surroundings.look ||
+        if (out_.sceneFile || out_.preset == LightingPreset::Headlight || loading_.options.lighting.preset ||
             shines())
             return;
         const Mesh& mesh = scene.model.mesh;
@@ -62,13 +62,13 @@ class FirstLight {
     }
 
   private:
-    void lightByPreset(Look look, bool last = false) {
+    void lightByPreset(LightingPreset preset, bool last = false) {
         Scene& scene = out_.scene;
-        const PresetLighting lights = presetLighting(look, out_.tree, scene.model.mesh, loading_.surveyed(),
-                                                     out_.camera, loading_.options.surroundings.sky);
+        const PresetLighting lights = presetLighting(preset, out_.tree, scene.model.mesh, loading_.surveyed(),
+                                                     out_.camera, loading_.options.lighting.sky);
         lightBy(scene, lights);
-        out_.look = look;
-        loading_.take(settingsOf(look, loading_.surveyed()), last);
+        out_.preset = preset;
+        loading_.take(settingsOf(preset, loading_.surveyed()), last);
     }
 
     /// A material gives off light.
@@ -81,7 +81,7 @@ class FirstLight {
         // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
         const bool chosen =
             out_.sceneFile && (!out_.sceneFile->defaultLight || shines() || !isBlack(out_.scene.ambient));
-        return chosen || out_.scene.lights.size() > (loading_.options.surroundings.sky ? 1 : 0);
+        return chosen || out_.scene.lights.size() > (loading_.options.lighting.sky ? 1 : 0);
     }
 
     /// Whether the lights of the model, if it has any, can be noticed where its first camera looks.
@@ -95,10 +95,10 @@ class FirstLight {
 
     /// Beside the lights of the model, which light nothing that is seen. The sun becomes a light like the
     /// others: files put that of a sky behind all, where it has other samples and gives other images.
-    void lightBeside(Look look) {
+    void lightBeside(LightingPreset preset) {
         Scene& scene = out_.scene;
         const std::vector<SceneLight> own = std::exchange(scene.lights, {});
-        lightByPreset(look);
+        lightByPreset(preset);
         for (SceneLight& each : scene.lights) each.ofSky = false;
         scene.lights.insert(scene.lights.end(), own.begin(), own.end());
         loading_.warn({"its own lights reach nothing that is seen; other light was added"});

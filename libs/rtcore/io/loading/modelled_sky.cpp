@@ -64,7 +64,7 @@ class ModelledSky {
     /// The picture of the chosen parts, as an environment.
     bool showShell(const std::vector<NamedPart>& parts, const std::vector<std::uint8_t>& chosen) {
         Scene& scene = out_.scene;
-        if (loading_.options.surroundings.look || loading_.options.surroundings.environment || scene.sky)
+        if (loading_.options.lighting.preset || loading_.options.lighting.environment || scene.sky)
             return false;
         EnvironmentFile described;
         described.kind = EnvironmentKind::Parts;

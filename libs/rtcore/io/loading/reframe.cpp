@@ -16,11 +16,11 @@ PresetLighting lightingOfPreset(const LoadedScene& loaded, const Scene& scene) {
     const std::optional<Sky> sky = scene.sky && scene.sky->date ? scene.sky : std::nullopt;
     const Mesh& mesh = scene.model.mesh;
     const Survey found = survey(loaded.tree, mesh, axesOf(scene));
-    return presetLighting(*loaded.look, loaded.tree, mesh, found, loaded.camera, sky);
+    return presetLighting(*loaded.preset, loaded.tree, mesh, found, loaded.camera, sky);
 }
 
 bool isLitByItsPreset(const LoadedScene& loaded, const Scene& scene) {
-    return loaded.look && isLitBy(scene, lightingOfPreset(loaded, scene));
+    return loaded.preset && isLitBy(scene, lightingOfPreset(loaded, scene));
 }
 
 /// Lights that are switched off stay so.
@@ -38,16 +38,16 @@ void lightAnew(const LoadedScene& loaded, Scene& scene) {
 
 } // namespace
 
-void applyModelUnits(LoadedScene& loaded, const ModelUnits& frame, Scene& scene, Camera& camera) {
-    const bool turned = frame.up != scene.up;
+void applyModelUnits(LoadedScene& loaded, const ModelUnits& units, Scene& scene, Camera& camera) {
+    const bool turned = units.up != scene.up;
     const bool lit = turned && isLitByItsPreset(loaded, scene);
-    loaded.units = frame;
-    scene.up = frame.up;
-    scene.metresPerUnit = frame.metresPerUnit;
+    loaded.units = units;
+    scene.up = units.up;
+    scene.metresPerUnit = units.metresPerUnit;
     if (!turned) return;
     straightenSky(scene);
     if (loaded.ownCamera) {
-        camera.up = upwardsOf(camera.forward, frame.up);
+        camera.up = upwardsOf(camera.forward, units.up);
     } else {
         const Mesh& mesh = scene.model.mesh;
         camera = loaded.camera = defaultCamera(loaded.tree, mesh, survey(loaded.tree, mesh, axesOf(scene)));

@@ -1,4 +1,4 @@
-#include "rtcore/io/loading/surroundings_choice.h"
+#include "rtcore/io/loading/lighting_choice.h"
 
 #include "rtcore/io/images/environment_file.h"
 #include "rtcore/sky/scene_sky.h"
@@ -31,7 +31,7 @@ void setSun(Scene& scene, const SunDescription& sun, std::optional<std::size_t> 
 
 void takeLightingOptions(Loading& loading) {
     Scene& scene = loading.out.scene;
-    const Surroundings& wanted = loading.options.surroundings;
+    const LightingOptions& wanted = loading.options.lighting;
     const int active = scene.activeEnvironment;
     auto edited = editedSun(loading);
     if (edited && (wanted.environment || wanted.sky)) {
