@@ -1487,7 +1487,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Image at &amp;rest:</source>
-        <translation>&amp;Obraz v klidu:</translation>
+        <translation>Obraz v klid&amp;u:</translation>
     </message>
 </context>
 <context>
