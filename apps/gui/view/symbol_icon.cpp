@@ -1,9 +1,9 @@
 #include "gui/view/symbol_icon.h"
 
+#include "gui/view/painted_icon.h"
 #include "gui/view/symbol_path.h"
 
 #include <QGuiApplication>
-#include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
 
@@ -14,7 +14,7 @@ namespace gui {
 
 namespace {
 
-class SymbolEngine : public QIconEngine {
+class SymbolEngine : public PaintedIcon {
   public:
     explicit SymbolEngine(QPainterPath path) : path_(std::move(path)) {}
 
@@ -30,13 +30,6 @@ class SymbolEngine : public QIconEngine {
                              Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter->drawPath(path_);
         painter->restore();
-    }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap picture(size);
-        picture.fill(Qt::transparent);
-        QPainter painter(&picture);
-        paint(&painter, picture.rect(), mode, state);
-        return picture;
     }
     QIconEngine* clone() const override { return new SymbolEngine(path_); }
 

@@ -1,8 +1,9 @@
 #include "gui/view/window_style.h"
 
+#include "gui/view/painted_icon.h"
+
 #include <QAbstractItemView>
 #include <QGuiApplication>
-#include <QIconEngine>
 #include <QPainter>
 #include <QStyleOption>
 
@@ -20,7 +21,7 @@ QColor outlineOf(const QPalette& palette) {
 }
 
 /// The signs in the title of a panel, in the colour that letters have at the moment.
-class TitleSign : public QIconEngine {
+class TitleSign : public PaintedIcon {
   public:
     explicit TitleSign(bool cross) : cross_(cross) {}
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
@@ -39,13 +40,6 @@ class TitleSign : public QIconEngine {
             painter->drawPolyline(QPolygonF{
                 {area.left() + step, area.top()}, area.topRight(), {area.right(), area.bottom() - step}});
         }
-    }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap picture(size);
-        picture.fill(Qt::transparent);
-        QPainter painter(&picture);
-        paint(&painter, picture.rect(), mode, state);
-        return picture;
     }
     QIconEngine* clone() const override { return new TitleSign(cross_); }
 
