@@ -17,8 +17,8 @@ FILE = "apps/gui/translations/sentences_cs.ts"
 # Whose refusals and messages reach people through clients.
 SERVERS = ("apps/rtserver/commands", "apps/rtserver/document", "apps/rtserver/frames", "apps/rtserver/loop", "apps/rtserver/walk",
            "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/settings/settings_merge.cpp", "apps/bridge/control", "apps/bridge/room")
-LIBRARIES = ("libs/rtcore",)
-SAYS = r"(?:say|form|Refusal|BadValue|Refused|UsageError|FileError|badImage|cannotEncode)"
+LIBRARIES = ("libs/rtcore", "libs/ipc")
+SAYS = r"(?:say|form|Refusal|BadValue|Refused|UsageError|FileError|badImage|cannotEncode|Error)"
 CALL = re.compile(r"(?<!class )(?<!explicit )\b%s\(" % SAYS)
 LITERALS = re.compile(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+')
 ONE = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
@@ -27,7 +27,6 @@ TEXTS = re.compile(r"\b(?:std::string|format|printable|inQuotes|shortestText|str
 THROW = re.compile(r"\bthrow (?:app::|rtcore::)?(\w+)\(|\bthrow std::(runtime_error|invalid_argument)\(")
 # A comparison's literals are none; nor are pieces that are put together.
 COMPARED = re.compile(r'[=!]= "[^"]*"')
-PIECES = re.compile(r"\b(?:FileError|badImage|cannotEncode)\($")
 # Words that stand in places, in a table of their own.
 LIGHT_KINDS = ("libs/rtcore/scene/light.h", re.compile(r'(?m)^    \{"(\w+)", (?:true|false)'))
 HEADERS = ("apps/common/commands/told_forms.h", "apps/common/commands/pack_words.h", "libs/rtcore/io/import/import_forms.h")
@@ -81,8 +80,6 @@ def forms():
                 found.setdefault(each, name)
         for call in CALL.finditer(text):
             argument = without_texts(inside(text, call.end()))
-            if PIECES.search(call.group()) and " + " in argument and "say(" not in argument:
-                continue
             for each in literals(COMPARED.sub("", argument)):
                 found.setdefault(each, name)
         if name == LIGHT_KINDS[0]:
@@ -91,8 +88,19 @@ def forms():
     return found
 
 
+def library_pieces():
+    """Sentences of the libraries that are no forms."""
+    for name, text in sources(LIBRARIES):
+        for call in CALL.finditer(text):
+            argument = inside(text, call.end())
+            pieces = r'" \+ |\+ "|\bfmt::format\(\s*"[^"]*[A-Za-z]{3}|\bstd::string\("[^"]*[A-Za-z]{3}'
+            if call.group() != "say(" and "say(" not in argument and re.search(pieces, argument):
+                yield "%s:%d: say it in a form with places" % (name, text.count("\n", 0, call.start()) + 1)
+
+
 def refused_plainly():
     """Exceptions for people whose text is put together, so that it has no translation."""
+    yield from library_pieces()
     for name, text in sources(SERVERS):
         for found in THROW.finditer(text):
             argument = inside(text, found.end())

@@ -5,6 +5,7 @@
 #include "gui/models/preferences.h"
 #include "gui/operations/actions.h"
 #include "gui/session/server_list.h"
+#include "gui/session/server_sentence.h"
 #include "gui/view/language.h"
 #include "gui/view/notice_bar.h"
 
@@ -44,7 +45,7 @@ QString troubleWith(const Options& options) {
     } catch (const rtcore::FileError& error) {
         if (app::terminalColumns()) throw;
         app::printMessage(guiSpec().name, error.what());
-        return QString::fromUtf8(error.what());
+        return translated(error);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "rtserver/failure.h"
 
 #include "common/cli/command_line.h"
+#include "common/process/error_sentence.h"
 #include "common/process/exit_codes.h"
 #include "common/process/ipc_exit_code.h"
 
@@ -34,7 +35,7 @@ Failure::Failure(int exitCode, const rtcore::Sentence& sentence)
 Failure failureOf(const std::exception& error) {
     const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
     return {static_cast<int>(exitCodeOf(error)),
-            memory ? rtcore::say("not enough memory") : rtcore::sentenceOf(error)};
+            memory ? rtcore::say("not enough memory") : app::sentenceOf(error)};
 }
 
 } // namespace rtserver

@@ -2,10 +2,10 @@
 
 #include "rtserver/server_options.h"
 
-#include "common/commands/sentence_json.h"
 #include "common/process/message.h"
 #include "common/process/terminal.h"
 
+#include "rtcore/io/text/sentence_json.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
@@ -63,7 +63,7 @@ void Messages::keep(const char* kind, const rtcore::Sentence& said) {
     const std::string text = rtcore::printable(said.english());
     const bool whole = text.size() <= kLongestKept; // then the detail is of a like length
     kept_.push_back({fmt::format("{} {} {}", ++count_, kind, rtcore::printable(text, kLongestKept)),
-                     whole ? app::sentenceJson(said) : ""});
+                     whole ? rtcore::sentenceJson(said) : ""});
     if (kept_.size() > kMaxKept) kept_.pop_front();
 }
 

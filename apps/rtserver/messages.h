@@ -35,7 +35,7 @@ class Messages {
     /// Those after the first `known` ones, as far as they are still there (the last 100 are), a line each:
     /// its number, "warning", "offer" or "event", the text.
     std::string since(std::uint32_t known) const;
-    /// The sentences of these lines for programs (common/commands/sentence_json.h), a line each.
+    /// The sentences of these lines for programs (rtcore/io/text/sentence_json.h), a line each.
     std::string detailsSince(std::uint32_t known) const;
     /// Another scene is shown: messages of the last one are dropped.
     void forget() { kept_.clear(); }

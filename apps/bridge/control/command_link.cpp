@@ -3,8 +3,12 @@
 #include "common/cli/command_line.h"
 #include "common/commands/command_lines.h"
 #include "common/mirror/state_follower.h"
+#include "common/process/error_sentence.h"
 #include "common/process/seconds_since.h"
 #include "common/process/thread_seconds.h"
+
+#include "rtcore/io/text/sentence_json.h"
+#include "rtcore/platform/sentence.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -25,6 +29,10 @@ using LinkClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kSearch = 200ms,
                                     kIdleLook = 500ms;
 constexpr auto kPatience = 60s;
+
+ipc::Reply unanswered(ipc::ReplyStatus status, const rtcore::Sentence& why) {
+    return {status, why.english(), rtcore::sentenceJson(why)};
+}
 
 /// Of lines that each begin with their number.
 std::uint32_t lastNumberOf(std::string_view lines, std::uint32_t otherwise) {
@@ -61,7 +69,7 @@ struct CommandLink::State {
     void work();
     void watchOnly();
     void findServer();
-    void tellServer(ServerLink now, const std::string& why);
+    void tellServer(ServerLink now, const rtcore::Sentence& why = {});
     void dropInput();
     void moveKeys();
     void sendTurn();
@@ -70,7 +78,7 @@ struct CommandLink::State {
     void lookAtStatus();
     void askForState();
     void askForMessages(std::uint32_t count);
-    void fail(const std::string& why);
+    void fail(const rtcore::Sentence& why);
     void ask(std::string command, std::function<void(ipc::Reply)> done);
     // Under the lock.
     void keysChanged() {
@@ -127,20 +135,20 @@ void CommandLink::State::run() {
         } catch (const ipc::Error& error) {
             client.reset();
             viewer.reset();
-            fail(error.what());
+            fail(app::sentenceOf(error));
             tellServer(error.problem == ipc::Problem::NoServer ? ServerLink::Gone : ServerLink::Refused,
-                       error.what());
+                       app::sentenceOf(error));
             dropInput();
             std::this_thread::sleep_for(kSearch);
         } catch (const std::exception& error) { // no memory
             client.reset();
             viewer.reset();
-            fail(error.what());
+            fail(app::sentenceOf(error));
             std::this_thread::sleep_for(kSearch);
         }
     }
     takeRequests();
-    fail("the bridge ends");
+    fail(rtcore::say("the bridge ends"));
     client.reset();
 }
 
@@ -169,13 +177,12 @@ void CommandLink::State::watchOnly() {
         pressed.reset();
         lastReport.clear();
     }
-    fail("no page is open any more");
+    fail(rtcore::say("no page is open any more"));
     if (!viewer) viewer.emplace(instance, 0ns);
     const ipc::LinkState now = viewer->update();
     tellServer(now == ipc::LinkState::Gone   ? ServerLink::Gone
                : now == ipc::LinkState::Busy ? ServerLink::Busy
-                                             : ServerLink::There,
-               "");
+                                             : ServerLink::There);
 }
 
 /// Where there is none, this throws, and the next search is a moment later.
@@ -192,7 +199,7 @@ void CommandLink::State::dropInput() {
     forgetInput();
 }
 
-void CommandLink::State::tellServer(ServerLink now, const std::string& why) {
+void CommandLink::State::tellServer(ServerLink now, const rtcore::Sentence& why) {
     if (told == now) return;
     told = now;
     if (now == ServerLink::Gone || now == ServerLink::Refused) {
@@ -201,14 +208,15 @@ void CommandLink::State::tellServer(ServerLink now, const std::string& why) {
         follower.forget();
         knowsMessages = false;
     }
-    events.server(now, why.empty() && now == ServerLink::Gone ? "no server '" + instance + "' runs" : why);
+    const bool gone = why.empty() && now == ServerLink::Gone;
+    events.server(now, gone ? rtcore::say("no server '{0}' runs", instance) : why);
 }
 
 void CommandLink::State::work() {
     findServer();
     const ipc::LinkState now = client->update();
     if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
-        if (epoch != 0) tellServer(ServerLink::Gone, ""); // the one before, seen to go or not
+        if (epoch != 0) tellServer(ServerLink::Gone); // the one before, seen to go or not
         epoch = client->epoch();
         const std::lock_guard lock(mutex);
         counted.epoch = epoch;
@@ -216,8 +224,7 @@ void CommandLink::State::work() {
     }
     tellServer(now == ipc::LinkState::Gone   ? ServerLink::Gone
                : now == ipc::LinkState::Busy ? ServerLink::Busy
-                                             : ServerLink::There,
-               "");
+                                             : ServerLink::There);
     moveKeys();
     sendTurn();
     lookAtStatus();
@@ -322,14 +329,15 @@ void CommandLink::State::sendRequests() {
         if (each.ticket != 0) continue;
         const ipc::SendStatus sent = client->send(each.command, &each.ticket);
         if (sent != ipc::SendStatus::Sent) each.ticket = 0;
-        if (sent == ipc::SendStatus::NoServer) return fail("there is no server");
+        if (sent == ipc::SendStatus::NoServer) return fail(rtcore::say("there is no server"));
         if (sent == ipc::SendStatus::Full) return;
     }
 }
 
 void CommandLink::State::collectAnswers() {
     for (auto each = requests.begin(); each != requests.end();) {
-        ipc::Reply reply{ipc::ReplyStatus::TimedOut, "the server did not answer in time"};
+        ipc::Reply reply =
+            unanswered(ipc::ReplyStatus::TimedOut, rtcore::say("the server did not answer in time"));
         if (each->ticket != 0) reply = client->wait(each->ticket, 0ns);
         if (reply.status == ipc::ReplyStatus::TimedOut && LinkClock::now() < each->deadline) {
             ++each;
@@ -341,10 +349,10 @@ void CommandLink::State::collectAnswers() {
     }
 }
 
-void CommandLink::State::fail(const std::string& why) {
+void CommandLink::State::fail(const rtcore::Sentence& why) {
     std::list<Request> lost;
     lost.swap(requests);
-    for (const Request& each : lost) each.done({ipc::ReplyStatus::NotSent, why});
+    for (const Request& each : lost) each.done(unanswered(ipc::ReplyStatus::NotSent, why));
 }
 
 CommandLink::CommandLink(std::string instance, app::KeyRestraint restraint, ServerEvents events)

@@ -2,8 +2,7 @@
 
 #include "bridge/control/scene_facts.h"
 
-#include "common/commands/sentence_json.h"
-
+#include "rtcore/io/text/sentence_json.h"
 #include "rtcore/platform/sentence.h"
 
 #include <nlohmann/json.hpp>
@@ -40,7 +39,7 @@ void addSentence(json& event, std::string_view text, std::string_view detail) {
 }
 
 void addSentence(json& event, const rtcore::Sentence& said) {
-    addSentence(event, said.english(), said.isForm() ? app::sentenceJson(said) : "");
+    addSentence(event, said.english(), said.isForm() ? rtcore::sentenceJson(said) : "");
 }
 
 } // namespace bridge

@@ -11,7 +11,7 @@ namespace bridge {
 
 /// Sets `text` of an event, in English, and `sentence`, where there is one: a list of the form and of what
 /// stands in its places, texts and lists of the same kind. Both are withoutFolders(). `detail` is a server's
-/// (common/commands/sentence_json.h); what is none, or too long, is left out.
+/// (rtcore/io/text/sentence_json.h); what is none, or too long, is left out.
 void addSentence(nlohmann::json& event, std::string_view text, std::string_view detail);
 /// The same of a sentence of the bridge.
 void addSentence(nlohmann::json& event, const rtcore::Sentence& said);

@@ -6,6 +6,8 @@
 
 #include "ipc/endpoint/client.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <bitset>
 #include <cstdint>
 #include <functional>
@@ -18,8 +20,8 @@ using KeySet = std::bitset<256>;
 
 /// News of a server. Called from any thread; must not throw.
 struct ServerEvents {
-    std::function<void(ServerLink, std::string why)> server; ///< at first, and when it changes
-    std::function<void(const ipc::Status&)> status;          ///< when it changed, ten times a second at most
+    std::function<void(ServerLink, rtcore::Sentence why)> server; ///< at first, and when it changes
+    std::function<void(const ipc::Status&)> status; ///< when it changed, ten times a second at most
     std::function<void(std::string report)>
         state; ///< the answer to `state`, when it changed, or after refresh()
     std::function<void(std::string lines, std::string details)> messages; ///< new ones of the server

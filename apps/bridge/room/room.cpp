@@ -73,7 +73,7 @@ FrameEvents Room::frameEvents() {
 
 ServerEvents Room::serverEvents() {
     ServerEvents events;
-    events.server = [this, post = post_](ServerLink link, std::string why) {
+    events.server = [this, post = post_](ServerLink link, rtcore::Sentence why) {
         post([this, link, why = std::move(why)] { serverChanged(link, why); });
     };
     events.status = [this, post = post_](const ipc::Status& status) {
@@ -149,7 +149,9 @@ void Room::notice(SessionId id, const char* code, const rtcore::Sentence& said) 
 }
 
 void Room::sendServer(SessionId id) {
-    send(id, {{"event", "server"}, {"state", nameOf(*server_.link)}, {"text", server_.why}});
+    json event{{"event", "server"}, {"state", nameOf(*server_.link)}};
+    addSentence(event, server_.why);
+    send(id, event);
 }
 
 void Room::sendState(SessionId id, const json& content) {
@@ -273,7 +275,7 @@ void Room::sendAsked(SessionId driver, SessionId by) {
 
 // --- The server ---
 
-void Room::serverChanged(ServerLink link, const std::string& why) {
+void Room::serverChanged(ServerLink link, const rtcore::Sentence& why) {
     server_.link = link;
     server_.why = why;
     if (!server_.isThere()) {

@@ -97,7 +97,7 @@ class Room {
     RequestLinks requestLinks();
     ServerEvents serverEvents();
     FrameEvents frameEvents();
-    void serverChanged(ServerLink link, const std::string& why);
+    void serverChanged(ServerLink link, const rtcore::Sentence& why);
     void statusChanged(const ipc::Status& status);
     void stateChanged(const std::string& report);
 

@@ -2,6 +2,7 @@
 
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/option_fields.h"
+#include "gui/session/server_sentence.h"
 #include "gui/view/plain_widgets.h"
 
 #include "common/cli/command_line.h"
@@ -32,7 +33,7 @@ QString complaint(const app::ProgramSpec& spec, const QStringList& arguments) {
     try {
         app::parseCommandLine(app::withStandardOptions(spec), words);
     } catch (const app::UsageError& error) {
-        return QString::fromUtf8(error.what());
+        return translated(error);
     }
     return {};
 }

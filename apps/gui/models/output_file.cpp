@@ -1,5 +1,7 @@
 #include "gui/models/output_file.h"
 
+#include "gui/session/server_sentence.h"
+
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
@@ -19,7 +21,7 @@ QString writeOutput(const QString& path, const QByteArray& bytes) {
     try {
         rtcore::writeFileAtomically(path.toStdString(), pieces);
     } catch (const rtcore::FileError& error) {
-        return QString::fromUtf8(error.what());
+        return translated(error);
     }
     return {};
 }

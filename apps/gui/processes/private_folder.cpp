@@ -1,6 +1,7 @@
 #include "gui/processes/private_folder.h"
 
 #include "gui/processes/programs.h"
+#include "gui/session/server_sentence.h"
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/temporary_folder.h"
@@ -12,7 +13,7 @@ PrivateFolder::PrivateFolder(const std::string& kind) {
         folder_ =
             std::make_unique<rtcore::TemporaryFolder>(sessionFolder().toStdString(), "rtsuite-" + kind + "-");
     } catch (const rtcore::FileError& error) {
-        trouble_ = QString::fromUtf8(error.what());
+        trouble_ = translated(error);
     }
 }
 

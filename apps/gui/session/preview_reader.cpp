@@ -1,6 +1,7 @@
 #include "gui/session/preview_reader.h"
 
 #include "gui/session/pixel_order.h"
+#include "gui/session/server_sentence.h"
 
 #include "common/cli/instance_option.h"
 
@@ -56,7 +57,7 @@ void PreviewReader::look() {
             link_->viewer = std::make_unique<ipc::Viewer>(link_->instance, std::chrono::nanoseconds(0));
         link_->viewer->update();
     } catch (const ipc::Error& error) {
-        if (error.problem != ipc::Problem::NoServer) trouble_ = QString::fromUtf8(error.what());
+        if (error.problem != ipc::Problem::NoServer) trouble_ = translated(error);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "gui/session/server_list.h"
 
 #include "gui/session/preview_reader.h"
+#include "gui/session/server_sentence.h"
 
 #include "ipc/endpoint/instances.h"
 #include "ipc/endpoint/viewer.h"
@@ -25,7 +26,7 @@ RunningServer describe(const ipc::Instance& instance) {
         server.resolution = QSize(static_cast<int>(status.width), static_cast<int>(status.height));
         server.polygons = status.polygons;
     } catch (const ipc::Error& error) {
-        server.trouble = QString::fromUtf8(error.what());
+        server.trouble = translated(error);
     }
     return server;
 }

@@ -1,33 +1,22 @@
 #include "gui/session/server_sentence.h"
 
-#include "common/commands/sentence_json.h"
+#include "common/process/error_sentence.h"
 
+#include "rtcore/io/text/sentence_json.h"
 #include "rtcore/platform/sentence.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
-#include <QJsonDocument>
-
-#include <string>
 
 namespace gui {
 
 namespace {
 
-constexpr int kDeepest = 32;
-constexpr qsizetype kLongest = 65'520;
-
-std::optional<ServerSentence> sentenceOf(const QJsonValue& value, int depth) {
-    if (value.isString() && depth > 0) return ServerSentence{{}, value.toString(), {}};
-    const QJsonArray list = value.toArray();
-    if (list.isEmpty() || !list.first().isString() || depth > kDeepest) return std::nullopt;
-    ServerSentence sentence{list.first().toString(), {}, {}};
-    for (qsizetype i = 1; i < list.size(); ++i) {
-        const auto argument = sentenceOf(list.at(i), depth + 1);
-        if (!argument) return std::nullopt;
-        sentence.arguments.append(*argument);
-    }
-    return sentence;
+ServerSentence shown(const rtcore::Sentence& sentence) {
+    const QString text = QString::fromStdString(sentence.text());
+    if (!sentence.isForm()) return {{}, text, {}};
+    ServerSentence shownOne{text, {}, {}};
+    for (const rtcore::Sentence& each : sentence.arguments()) shownOne.arguments.append(shown(each));
+    return shownOne;
 }
 
 /// The number of the place that begins at `at`: "{7}"; -1: none does.
@@ -52,9 +41,8 @@ const ServerSentence* ServerSentence::find(const char* wanted) const {
 }
 
 std::optional<ServerSentence> readSentence(const QString& detail) {
-    if (detail.isEmpty() || detail.size() > kLongest) return std::nullopt;
-    const QJsonDocument document = QJsonDocument::fromJson(detail.toUtf8());
-    return document.isArray() ? sentenceOf(document.array(), 0) : std::nullopt;
+    const auto sentence = rtcore::readSentenceJson(detail.toStdString());
+    return sentence && sentence->isForm() ? std::optional(shown(*sentence)) : std::nullopt;
 }
 
 QString translated(const ServerSentence& said) {
@@ -73,9 +61,12 @@ QString translated(const ServerSentence& said) {
     return text;
 }
 
+QString translated(const rtcore::Sentence& said) { return translated(shown(said)); }
+
+QString translated(const std::exception& error) { return translated(app::sentenceOf(error)); }
+
 QString translatedAs(const QString& text, std::span<const char* const> forms) {
-    const std::string english = text.toStdString();
-    return serverText(text, QString::fromStdString(app::sentenceJson(rtcore::readAs(english, forms))));
+    return translated(rtcore::readAs(text.toStdString(), forms));
 }
 
 QString serverText(const QString& text, const QString& detail) {

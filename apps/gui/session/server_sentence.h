@@ -1,9 +1,12 @@
 /// What servers say, in the user's language.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <QList>
 #include <QString>
 
+#include <exception>
 #include <optional>
 #include <span>
 
@@ -20,11 +23,14 @@ struct ServerSentence {
     const ServerSentence* find(const char* wanted) const;
 };
 
-/// Of the detail of an answer (common/commands/sentence_json.h); nothing where it is none.
+/// Of the detail of an answer (rtcore/io/text/sentence_json.h); nothing where it is none.
 std::optional<ServerSentence> readSentence(const QString& detail);
 
 /// A form without a translation stays English.
 QString translated(const ServerSentence& said);
+QString translated(const rtcore::Sentence& said);
+/// Errors of shared memory, files and values; what() of others.
+QString translated(const std::exception& error);
 
 /// Of English text that came without a detail, by the forms that it may have been made of (rtcore::readAs).
 QString translatedAs(const QString& text, std::span<const char* const> forms);

@@ -1,6 +1,7 @@
 #include "gui/session/session.h"
 
 #include "gui/session/pixel_order.h"
+#include "gui/session/server_sentence.h"
 #include "gui/session/session_link.h"
 
 namespace gui {
@@ -90,7 +91,7 @@ void Session::poll() {
         if (link_->client) look();
         pace();
     } catch (const ipc::Error& error) {
-        const QString text = QString::fromUtf8(error.what());
+        const QString text = translated(error);
         failAll(text);
         become(SessionState::Refused, text);
         if (link_->client) return; // it looks again, at leisure

@@ -3,9 +3,9 @@
 #include "rtserver/commands/key_edits.h"
 #include "rtserver/loop/server_status.h"
 
-#include "common/commands/sentence_json.h"
 #include "common/process/stop.h"
 
+#include "rtcore/io/text/sentence_json.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/raw_memory.h"
 #include "rtcore/platform/sentence.h"
@@ -169,7 +169,7 @@ void ServerLoop::record() {
 }
 
 void ServerLoop::refuse(const ipc::Command& command, int code, const rtcore::Sentence& why) {
-    server_.refuse(command, code, rtcore::printable(why.english()), app::sentenceJson(why));
+    server_.refuse(command, code, rtcore::printable(why.english()), rtcore::sentenceJson(why));
 }
 
 // --- Frames ---

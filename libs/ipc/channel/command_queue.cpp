@@ -56,7 +56,7 @@ CommandSender::CommandSender(const std::string& name) {
     } catch (const bi::interprocess_exception& error) {
         const Problem problem =
             error.get_error_code() == bi::already_exists_error ? Problem::NotYours : Problem::System;
-        throw Error(problem, "command queue " + name + ": " + error.what());
+        throw Error(problem, "command queue {0}: {1}", {name, error.what()});
     }
 }
 

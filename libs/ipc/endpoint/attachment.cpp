@@ -4,8 +4,6 @@
 #include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
 
-#include <fmt/core.h>
-
 namespace ipc {
 
 int takeSlot(const Names& names, const Link& link) {
@@ -15,8 +13,8 @@ int takeSlot(const Names& names, const Link& link) {
         for (const std::string& queue : segmentNames(names.queuePrefix(slot))) Segment::remove(queue);
         return slot;
     }
-    throw Error(Problem::NoSlot, fmt::format("server '{}' has {} clients, and takes no more; end one",
-                                             names.instance(), kMaxClients));
+    throw Error(Problem::NoSlot, "server '{0}' has {1} clients, and takes no more; end one",
+                {names.instance(), std::to_string(kMaxClients)});
 }
 
 Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys,

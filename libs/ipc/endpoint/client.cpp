@@ -6,8 +6,6 @@
 #include "ipc/endpoint/frame_feed.h"
 #include "ipc/endpoint/open_link.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -144,9 +142,8 @@ std::int64_t Client::serverProcess() const { return state_->link.serverProcess()
 
 SendStatus Client::send(std::string_view command, Ticket* ticket) {
     if (command.size() > kMaxCommandText || command.find('\0') != std::string_view::npos) {
-        throw Error(Problem::TooLarge,
-                    fmt::format("a command has up to {} bytes, none of them NUL; this one has {}",
-                                kMaxCommandText, command.size()));
+        throw Error(Problem::TooLarge, "a command has up to {0} bytes, none of them NUL; this one has {1}",
+                    {std::to_string(kMaxCommandText), std::to_string(command.size())});
     }
     State& state = *state_;
     if (update() == LinkState::Gone || !state.attachment) return SendStatus::NoServer;

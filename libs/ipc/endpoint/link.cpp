@@ -28,10 +28,11 @@ std::uint64_t pulseOf(const ServerPulse& pulse) {
         return fmt::format("protocol {}/{}, Boost {}, {} bit", side.protocolVersion, side.controlBytes,
                            side.boostVersion, 8 * side.pointerBytes);
     };
-    throw Error(Problem::WrongVersion,
-                fmt::format("server '{}' (process {}) is of another version ({}) than this program ({}); "
-                            "use programs of one version",
-                            names.instance(), facts.serverProcess, describe(facts.handshake), describe(own)));
+    throw Error(
+        Problem::WrongVersion,
+        "server '{0}' (process {1}) is of another version ({2}) than this program ({3}); use programs "
+        "of one version",
+        {names.instance(), std::to_string(facts.serverProcess), describe(facts.handshake), describe(own)});
 }
 
 } // namespace

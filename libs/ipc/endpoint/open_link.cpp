@@ -10,8 +10,8 @@ Link openLink(const Names& names, Access access, Clock::time_point deadline) {
     while (true) {
         if (std::optional<Link> link = Link::open(names, access)) return std::move(*link);
         if (Clock::now() >= deadline) {
-            throw Error(Problem::NoServer, "no server '" + names.instance() +
-                                               "' is running; start one or name another instance");
+            throw Error(Problem::NoServer, "no server '{0}' is running; start one or name another instance",
+                        {names.instance()});
         }
         std::this_thread::sleep_for(kLookEvery);
     }

@@ -8,8 +8,6 @@
 #include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -28,8 +26,8 @@ constexpr int kCommandsPerTurn = 16;
 std::size_t checkedBytes(std::uint32_t width, std::uint32_t height) {
     const std::size_t bytes = pixelBytes({.width = width, .height = height});
     if (bytes == 0) {
-        throw Error(Problem::TooLarge, fmt::format("a frame has 1 to {} pixels a side, not {} x {}",
-                                                   kMaxFrameSide, width, height));
+        throw Error(Problem::TooLarge, "a frame has 1 to {0} pixels a side, not {1} x {2}",
+                    {std::to_string(kMaxFrameSide), std::to_string(width), std::to_string(height)});
     }
     return bytes;
 }

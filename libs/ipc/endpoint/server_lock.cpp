@@ -4,8 +4,6 @@
 #include "ipc/layout/control_block.h"
 #include "ipc/platform/error.h"
 
-#include <fmt/core.h>
-
 #include <thread>
 
 namespace ipc {
@@ -13,10 +11,13 @@ namespace ipc {
 namespace {
 
 [[noreturn]] void alreadyRunning(const Names& names, const std::optional<ControlFacts>& facts) {
-    const std::string who = facts ? fmt::format(" (process {})", facts->serverProcess) : "";
+    if (!facts) {
+        throw Error(Problem::AlreadyRunning,
+                    "server '{0}' is already running; stop it or name another instance", {names.instance()});
+    }
     throw Error(Problem::AlreadyRunning,
-                fmt::format("server '{}' is already running{}; stop it or name another instance",
-                            names.instance(), who));
+                "server '{0}' is already running (process {1}); stop it or name another instance",
+                {names.instance(), std::to_string(facts->serverProcess)});
 }
 
 std::optional<ControlFacts> factsByName(const Names& names) {

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace ipc {
 
@@ -21,8 +22,12 @@ enum class Problem {
 
 class Error : public std::runtime_error {
   public:
-    Error(Problem kind, const std::string& message) : std::runtime_error(message), problem(kind) {}
+    /// `form` is English, a literal, and the key by which programs find its translation; {0}, {1}, ... in it
+    /// stand for `arguments`, which are the same in every language.
+    Error(Problem kind, const char* form, std::vector<std::string> arguments = {});
     Problem problem;
+    const char* form;
+    std::vector<std::string> arguments;
 };
 
 } // namespace ipc

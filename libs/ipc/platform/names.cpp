@@ -25,7 +25,7 @@ std::string userPrefix() { return fmt::format("rts.{}.", userId()); }
 Names::Names(std::string_view instance) : instance_(instance), prefix_(userPrefix() + instance_ + ".") {
     if (instance.empty() || instance.size() > 32 || !std::all_of(instance.begin(), instance.end(), allowed)) {
         throw Error(Problem::BadName,
-                    "'" + instance_ + "' cannot name an instance: use 1 to 32 letters, digits, '_' or '-'");
+                    "'{0}' cannot name an instance: use 1 to 32 letters, digits, '_' or '-'", {instance_});
     }
 }
 

@@ -41,9 +41,8 @@ struct Segment::State {
 
 namespace {
 
-[[noreturn]] void notYours(const std::string& name, const std::string& why) {
-    throw Error(Problem::NotYours,
-                "shared memory " + name + ": " + why + "; remove it or name another instance");
+[[noreturn]] void failed(const std::string& name, const bi::interprocess_exception& error) {
+    throw Error(Problem::System, "shared memory {0}: {1}", {name, error.what()});
 }
 
 } // namespace
@@ -62,13 +61,16 @@ std::unique_ptr<Segment::State> Segment::make(const std::string& name) {
         return state;
     } catch (const bi::interprocess_exception& error) {
         if (error.get_error_code() == bi::already_exists_error) return nullptr;
-        throw Error(Problem::System, "shared memory " + name + ": " + error.what());
+        failed(name, error);
     }
 }
 
 Segment Segment::create(const std::string& name, std::size_t bytes) {
     std::unique_ptr<State> state = make(name);
-    if (!state) notYours(name, "the name is taken");
+    if (!state) {
+        throw Error(Problem::NotYours,
+                    "shared memory {0}: the name is taken; remove it or name another instance", {name});
+    }
     state->fill(name, bytes);
     return Segment(std::move(state));
 }
@@ -88,15 +90,22 @@ std::optional<Segment> Segment::open(const std::string& name, Access access, std
     state->opened = openSegment(name, access == Access::Write);
     if (state->opened < 0) return std::nullopt;
     const SegmentFacts facts = factsOf(state->opened);
-    if (!facts.regular) notYours(name, "is not a segment");
-    if (!facts.ours && keeps("segments are ours alone"))
-        notYours(name, "belongs to another user or is open to others");
+    if (!facts.regular) {
+        throw Error(Problem::NotYours,
+                    "shared memory {0}: is not a segment; remove it or name another instance", {name});
+    }
+    if (!facts.ours && keeps("segments are ours alone")) {
+        throw Error(Problem::NotYours,
+                    "shared memory {0}: belongs to another user or is open to others; remove it or name "
+                    "another instance",
+                    {name});
+    }
     if (facts.bytes < atLeast) return std::nullopt;
     try {
         const bi::mode_t mode = access == Access::Read ? bi::read_only : bi::read_write;
         if (facts.bytes > 0) state->map = bi::mapped_region(*state, mode, 0, facts.bytes);
     } catch (const bi::interprocess_exception& error) {
-        throw Error(Problem::System, "shared memory " + name + ": " + error.what());
+        failed(name, error);
     }
     return Segment(std::move(state));
 }

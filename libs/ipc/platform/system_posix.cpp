@@ -35,9 +35,9 @@ std::string megabytes(std::uint64_t bytes) {
 
 [[noreturn]] void noSpace(std::size_t need, std::uint64_t rest) {
     throw Error(Problem::NoSpace,
-                fmt::format("shared memory: needs {}, {} has {} left; free some (in a container: --shm-size) "
-                            "or ask for a lower resolution",
-                            megabytes(need), kSegmentFolder, megabytes(rest)));
+                "shared memory: needs {0}, {1} has {2} left; free some (in a container: --shm-size) or ask "
+                "for a lower resolution",
+                {megabytes(need), kSegmentFolder, megabytes(rest)});
 }
 
 // No library's semaphore: damaged, it would end the process.
@@ -72,9 +72,10 @@ int openSegment(const std::string& name, bool writing) {
     const int segment = ::open(path.c_str(), mode);
     if (segment >= 0 || errno == ENOENT) return segment;
     const bool shortage = errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == EINTR;
-    throw Error(shortage ? Problem::System : Problem::NotYours,
-                "shared memory " + name + ": cannot be opened: " + reason(errno) +
-                    (shortage ? "" : "; remove it or name another instance"));
+    const std::string why = reason(errno);
+    if (shortage) throw Error(Problem::System, "shared memory {0}: cannot be opened: {1}", {name, why});
+    throw Error(Problem::NotYours,
+                "shared memory {0}: cannot be opened: {1}; remove it or name another instance", {name, why});
 }
 
 void closeSegment(int segment) { ::close(segment); }
@@ -82,13 +83,13 @@ void closeSegment(int segment) { ::close(segment); }
 void renameSegment(const std::string& from, const std::string& to) {
     const std::string folder = std::string(kSegmentFolder) + "/";
     if (::rename((folder + from).c_str(), (folder + to).c_str()) == 0) return;
-    throw Error(Problem::NotYours, "shared memory " + from + ": cannot be renamed: " + reason(errno));
+    throw Error(Problem::NotYours, "shared memory {0}: cannot be renamed: {1}", {from, reason(errno)});
 }
 
 bool tryLockByte(int segment, std::uint64_t byte) {
     if (lockCall(segment, F_OFD_SETLK, F_WRLCK, byte) == 0) return true;
     if (errno == EAGAIN || errno == EACCES) return false;
-    throw Error(Problem::System, "shared memory cannot be locked: " + reason(errno));
+    throw Error(Problem::System, "shared memory cannot be locked: {0}", {reason(errno)});
 }
 
 void unlockByte(int segment, std::uint64_t byte) { lockCall(segment, F_OFD_SETLK, F_UNLCK, byte); }
@@ -122,7 +123,7 @@ void reserveSpace(int segment, std::size_t bytes, const std::string& name) {
         code = ::posix_fallocate(segment, 0, static_cast<off_t>(bytes));
     } while (code == EINTR);
     if (code == ENOSPC) noSpace(bytes, rest);
-    if (code != 0) throw Error(Problem::System, name + ": no memory for it: " + reason(code));
+    if (code != 0) throw Error(Problem::System, "{0}: no memory for it: {1}", {name, reason(code)});
 }
 
 void requireSpace(std::size_t bytes) {

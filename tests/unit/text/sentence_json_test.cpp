@@ -1,5 +1,5 @@
 /// Sentences on their way to programs that show them in another language.
-#include "common/commands/sentence_json.h"
+#include "rtcore/io/text/sentence_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-using app::sentenceJson;
+using rtcore::sentenceJson;
 using rtcore::say;
 
 TEST(SentenceJson, HasTheFormAndWhatStandsInItsPlaces) {
