@@ -47,7 +47,7 @@ struct SideCounts {
 /// The results of all are the same with every instruction set.
 void endLists(const BoxLists& boxes, std::size_t count);
 Box3 boundsOf(const BoxLists& boxes, std::size_t count);
-/// Of all boxes, or with `every` > 1 of so many times fewer, in short runs.
+/// Counts all boxes, or with `every` > 1 only one run in `every`, in short runs.
 PlaneCounts countAtPlanes(const BoxLists& boxes, std::size_t count, std::size_t every, const Planes& planes);
 /// Moves each box to its side or, cut in two, to both. The upper ones stay in `boxes`; `lower` has room for
 /// all and the padding. Both keep their order, and are ended.

@@ -18,7 +18,7 @@ struct SweptPlane {
     bool planarLower = false;
 };
 
-/// Of equally cheap planes strictly inside the cell of `area` the first. CostModel::emptyFactor is at most 1.
+/// The first of the cheapest planes strictly inside the cell of `area`. CostModel::emptyFactor is at most 1.
 ///
 /// Considers a plane at every event instead of every position: among equal ones only the last end and the
 /// first start count right, but the others count more triangles and so are never cheaper. The same bits on

@@ -11,7 +11,7 @@ namespace rtcore {
 
 namespace {
 
-/// What a thread needs to divide a node: room for something about each triangle of the mesh.
+/// A thread's scratch memory for dividing a node: room for an entry per triangle of the mesh.
 struct Scratch {
     explicit Scratch(std::size_t triangles)
         : sides(std::make_unique_for_overwrite<Side[]>(triangles)),

@@ -135,7 +135,7 @@ Split ExactSubtreeBuilder::findSplit(const NodeEvents& events, std::uint32_t cou
     return best;
 }
 
-/// What a split costs at least, whatever the splits below it bring: each of them costs a step.
+/// A lower bound for the cost of a split, whatever the splits below it bring: each of them costs a step.
 float ExactSubtreeBuilder::minCost(const Split& split, const Box3& cell) const {
     const CostModel& cost = context_.cost;
     const AreaOfParts area(cell, split.axis);

@@ -17,7 +17,7 @@
 
 namespace rtcore {
 
-/// What all pieces of one build share.
+/// Data shared by all pieces of one build.
 struct BuildContext {
     const Mesh& mesh;
     CostModel cost;

@@ -14,7 +14,7 @@ struct FastOptions {
     std::size_t exactBelow = 18; ///< nodes of fewer triangles are built exactly
 };
 
-/// What `quality` above kQuickQuality stands for.
+/// The options for a `quality` from kQuickQuality + 1 to 10, to which others are clamped.
 FastOptions fastOptions(int quality);
 
 /// Must be called inside an OpenMP parallel region by one thread (or without OpenMP).

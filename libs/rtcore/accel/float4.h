@@ -32,7 +32,7 @@ struct Bounds4 {
 
 inline Box3 boxOf(const Bounds4& b) { return {{b.lo[0], b.lo[1], b.lo[2]}, {b.hi[0], b.hi[1], b.hi[2]}}; }
 
-/// Of equal numbers those of `a`, as std::min has it.
+/// Keeps the numbers of `a` where both are equal, as std::min does.
 inline Bounds4 extended(const Bounds4& a, const Bounds4& b) { return {min4(b.lo, a.lo), max4(b.hi, a.hi)}; }
 
 /// The box of a triangle of the mesh.

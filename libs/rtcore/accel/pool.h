@@ -9,8 +9,8 @@
 
 namespace rtcore {
 
-/// Safe from many threads. Objects come back as they were left; all go with the pool, which must outlive what
-/// is borrowed.
+/// Safe from many threads. Objects come back as they were left; all go with the pool, which must outlive its
+/// loans.
 template <typename T>
 class Pool {
   public:
@@ -31,7 +31,7 @@ class Pool {
         std::unique_ptr<T> object_;
     };
 
-    /// What was free last, or a new T from `make()`.
+    /// Lends the object that was returned last, or a new one from `make()`.
     template <typename Make>
     Loan borrow(const Make& make) {
         std::unique_ptr<T> object;

@@ -118,7 +118,7 @@ class Handout {
         begins_[leaves_] = next;
     }
 
-    /// Of all leaves; more than there are triangles, since some reach into several.
+    /// The sum over all leaves; more than there are triangles, since some reach into several.
     std::size_t size() const { return begins_.back(); }
 
     void place() {

@@ -1,4 +1,4 @@
-/// What a kd-tree looks like: for `BSPBuilder -v`, `-vv` and `-hist`.
+/// Statistics of a kd-tree, for `BSPBuilder -v`, `-vv` and `-hist`.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"

@@ -9,10 +9,10 @@
 
 namespace rtcore {
 
-/// Of `bytes` that follow others whose CRC is `before`.
+/// The CRC-32 of `bytes` that follow others whose CRC is `before`.
 std::uint32_t crc32Of(std::span<const std::byte> bytes, std::uint32_t before = 0);
 
-/// Of the head without its last field.
+/// The CRC-32 of the head without its last field.
 std::uint32_t headCrcOf(const BspHead& head);
 
 } // namespace rtcore

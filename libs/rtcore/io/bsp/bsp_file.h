@@ -16,7 +16,7 @@
 
 namespace rtcore {
 
-/// What a .bsp was made from, so that one that is out of date can be told.
+/// The source and the options of a .bsp, to tell whether it is out of date.
 struct BspIdentity {
     std::uint64_t sourceSize = 0;       ///< bytes of the model's file
     std::uint32_t sourceCrc = 0;        ///< CRC-32 of the model's file

@@ -14,7 +14,7 @@ namespace rtcore {
 
 namespace {
 
-/// What the views point to: the file, and copies of the sections whose elements are not of our size.
+/// The memory behind the views: the file, and copies of sections whose elements are not of our size.
 struct Storage {
     std::shared_ptr<const void> file;
     std::vector<std::shared_ptr<const void>> copies;

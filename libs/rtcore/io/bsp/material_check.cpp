@@ -14,10 +14,10 @@ namespace {
 
 using Finding = std::optional<std::string>;
 
-/// What sums of albedos may exceed 1 by, and lengths of directions differ from it.
+/// By how much a sum of albedos may exceed 1, and the length of a direction differ from it.
 constexpr float kRounding = 1e-3F;
 
-/// Of images of one pixel by as many as there may be.
+/// The aspect of an image one pixel wide and as high as images may be.
 constexpr float kMinAspect = 1.0F / kMaxImageSide;
 
 bool within(float value, float lo, float hi) { return value >= lo && value <= hi; } // false for NaN

@@ -1,5 +1,5 @@
-/// What the renderer works with, drawn as a model that other programs open: to be laid over the model itself,
-/// whose coordinates it has.
+/// The renderer's tree, lights, camera and normals drawn as a model that other programs open. It has the
+/// coordinates of the scene's model, so that it can be laid over it.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"

@@ -18,7 +18,7 @@ class ObjSketch {
     /// `materials` is the name of the file that holds materials(), without white space.
     explicit ObjSketch(std::string_view materials);
 
-    /// What follows belongs to this object, in this colour (0..1).
+    /// Starts an object of this colour (0..1), to which all shapes belong until the next.
     void object(std::string_view name, Colour colour);
     /// A prism of three sides around the line, `thickness` across; nothing where the ends coincide.
     void bar(Vec3 from, Vec3 to, float thickness);

@@ -53,7 +53,7 @@ Bytes contentOf(std::FILE* file, const std::string& name) {
     return bytes;
 }
 
-/// What `save` writes, by way of a temporary file without a name.
+/// The bytes that `save` writes, by way of a temporary file without a name.
 template <typename Save>
 Bytes throughCImg(const LdrImage& image, bool alpha, const std::string& name, Save save) {
     const File file(std::tmpfile());

@@ -1,4 +1,4 @@
-/// What a decoder hands over: the pixels in the depth in which the file holds them.
+/// The result of a decoder: pixels in the depth in which the file holds them.
 #pragma once
 
 #include "rtcore/platform/error.h"

@@ -12,7 +12,7 @@ using namespace std::string_view_literals;
 
 using Texts = ImageCodec::Texts;
 
-/// Of an encoder that keeps no texts.
+/// Adapts an encoder that stores no texts.
 template <Bytes (*kEncode)(const LdrImage&, const std::string&)>
 Bytes plain(const LdrImage& image, Texts, const FormatName&, const std::string& name) {
     return kEncode(image, name);

@@ -11,7 +11,7 @@ namespace rtcore {
 
 struct FormatName;
 
-/// What reads and writes files of a format; each null where there is nothing. They throw as codecs.h says.
+/// The functions that read and write a format; null where there is none. They throw as codecs.h says.
 struct ImageCodec {
     using Texts = std::span<const ImageText>;
 
@@ -23,10 +23,10 @@ struct ImageCodec {
 
     bool isLinear() const { return encodeLinear != nullptr; }
 };
-/// What reads a file that begins so; null: nothing. TGA has no mark at its start: it is what has a sensible
-/// TGA header and is nothing else.
+/// The codec that reads a file that begins with `bytes`; null: none. TGA has no mark at its start: a file
+/// with a sensible TGA header that is nothing else is taken for one.
 const ImageCodec* sniffCodec(ByteSpan bytes);
-/// ImageMagick's name of the coder for what only ImageMagick reads, e.g. "WEBP"; "" for anything else.
+/// ImageMagick's name of the coder for a format that only ImageMagick reads, e.g. "WEBP"; "" for any other.
 std::string sniffRareFormat(ByteSpan bytes);
 
 struct FormatName {

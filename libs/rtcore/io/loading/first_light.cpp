@@ -24,7 +24,7 @@ class FirstLight {
         if (!out_.sceneFile && (!hasLight() || !ownLightsReach())) {
             hideDomes(loading_);
             surrounded = surrounded || scene.environment() != nullptr;
-            // What is not hidden any more may reach.
+            // With the domes hidden, the lights may reach after all.
             if (hasLight() && !surrounded && !lighting.preset && !ownLightsReach())
                 return lightBeside(lighting.usual);
         }

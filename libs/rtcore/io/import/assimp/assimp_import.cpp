@@ -220,7 +220,7 @@ bool hasAlphas(const aiMesh& mesh, const std::optional<GltfFile>& gltf) {
                        [](const aiColor4D& c) { return c.a < 1; });
 }
 
-/// What is known of the materials beside what Assimp hands over.
+/// Sources of facts about the materials that Assimp does not hand over.
 struct MaterialSources {
     const FormatQuirks& quirks;
     const std::optional<GltfFile>& gltf;
@@ -291,7 +291,7 @@ void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& i
     if (const auto ending = endingByContent(path)) refuseName(*ending);
 }
 
-/// What it requires and does not get, and what to do; "" where that is nothing.
+/// The extensions that it requires and that are not read, and a remedy; "" where there are none.
 std::string needsOf(const GltfFile& gltf) {
     if (gltf.unreadRequirements.empty()) return "";
     const std::string& first = gltf.unreadRequirements.front();
@@ -386,7 +386,7 @@ void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLi
     refuseTooMuch(vertices, triangles, memoryLimit, assembler);
 }
 
-/// Of what Assimp drops without a word, by what the file declares.
+/// Counts the triangles that Assimp drops silently, by those that the file declares.
 void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, const NodeWalk& walk,
                            ImportReport& report) {
     std::set<unsigned> shown;

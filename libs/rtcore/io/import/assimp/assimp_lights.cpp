@@ -106,8 +106,8 @@ bool convert(const aiLight& light, const Affine& toWorld, const FormatQuirks& qu
     return i.r >= 0 && i.g >= 0 && i.b >= 0 && maxComponent(i) <= kLargest && !isBlack(i);
 }
 
-/// Of the image that was framed. Without one in the file the vertical angle is meant for images of any
-/// shape: 4:3 is ours.
+/// The aspect of the image that was framed. Without one in the file its vertical angle is meant for images of
+/// any shape, and 4:3 is our choice.
 float aspectOf(const aiCamera& camera) {
     constexpr float kMax = 1000;
     const float aspect = camera.mAspect;

@@ -1,4 +1,4 @@
-/// What the files that see Assimp hand to each other.
+/// Interfaces between the sources that include Assimp.
 #pragma once
 
 #include "rtcore/io/import/assimp/format_quirks.h"
@@ -28,8 +28,8 @@ struct TexcoordUse {
 /// `text`: what stands in the file of this material.
 SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& quirks,
                                 const MaterialText& text);
-/// Of the first image, the diffuse one if there is one: one record has one set of coordinates for all of
-/// its images.
+/// The coordinates of the first image, the diffuse one if there is one: one record has one set of coordinates
+/// for all of its images.
 TexcoordUse texcoordUseOf(const aiMaterial& material, const MaterialText& text, ImportReport& report);
 
 class SceneEmbeddedPictures : public EmbeddedPictures {

@@ -1,4 +1,4 @@
-/// What Assimp 5.2 means by its data in one format or another: its importers do not agree.
+/// The meaning of Assimp 5.2's data by format: its importers do not agree.
 #pragma once
 
 #include <string>

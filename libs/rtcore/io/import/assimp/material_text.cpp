@@ -64,7 +64,7 @@ Vec2 takeVector(View& line, Vec2 otherwise) {
     return v;
 }
 
-/// What begins with options; `rest` gets those that Assimp is told, and the name behind them.
+/// Parses the options before a name; `rest` gets those that Assimp is to see, and the name.
 MapOptions optionsIn(View line, std::string& rest) {
     MapOptions options;
     for (line = withoutBlanks(line); line.starts_with('-'); line = withoutBlanks(line)) {

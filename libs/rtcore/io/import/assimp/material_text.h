@@ -1,4 +1,4 @@
-/// What the text of model files says of materials, and Assimp does not hand over.
+/// Properties of materials that the text of model files states and Assimp does not hand over.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -20,7 +20,7 @@ enum class SpecularOrigin {
     None,    ///< the file has none, so it is black
 };
 
-/// What an image of a material is for.
+/// The property of a material that an image supplies.
 enum class MapUse { Diffuse, Opacity, Normal, Emission, Height, Specular };
 inline constexpr std::size_t kMapUses = 6;
 
@@ -40,8 +40,8 @@ struct MaterialText {
 
 class MaterialTexts {
   public:
-    /// Of a Wavefront file (.obj), whose material libraries are read as Assimp finds them, or of a Collada
-    /// file (.dae); empty of others.
+    /// Reads a Wavefront file (.obj), with the material libraries that Assimp finds, or a Collada file
+    /// (.dae); empty for others.
     explicit MaterialTexts(const std::filesystem::path& path);
 
     /// `index` counts the materials as Assimp hands them over, `count` of them.

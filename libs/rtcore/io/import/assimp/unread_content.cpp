@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-/// What stands behind `mtllib` at the beginning of lines, each once.
+/// The names behind `mtllib` at the beginning of lines, each once.
 std::vector<std::string> librariesIn(std::string_view text) {
     constexpr std::string_view kWord = "mtllib";
     std::vector<std::string> names;

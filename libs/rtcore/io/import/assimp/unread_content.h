@@ -1,4 +1,4 @@
-/// What model files hold and Assimp passes over without a word, found in their text.
+/// Content of model files that Assimp ignores without a word, found in their text.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace rtcore {
 /// beside the model under its own name with .mtl. Nothing when the file is no .obj.
 std::vector<std::string> missingMaterialLibraries(const std::filesystem::path& path);
 
-/// Those that it does find, in the order in which the file names them.
+/// The libraries that it does find, in the order in which the file names them.
 std::vector<std::filesystem::path> materialLibraries(const std::filesystem::path& path);
 
 /// Sentences about a Collada file (.dae): textures that do not repeat, orthographic cameras. Nothing when the

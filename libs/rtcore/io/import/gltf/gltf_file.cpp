@@ -55,7 +55,7 @@ std::uint64_t trianglesOf(const Json& primitive, const Json& accessors) {
     return (mode == 5 || mode == 6) && count > 2 ? count - 2 : 0; // strip, fan
 }
 
-/// Of the nodes that the shown scene reaches; each once.
+/// The meshes of the nodes that the shown scene reaches, each once.
 std::set<std::size_t> shownMeshes(const Json& root) {
     const Json &scenes = member(root, "scenes"), &nodes = member(root, "nodes");
     const auto shown = root.value("scene", std::size_t{0});
@@ -151,7 +151,7 @@ std::vector<std::string> unknownIn(const Json& extensions) {
     return unknown;
 }
 
-/// What materials require is left out like what they only use: the rest of the model is as it should be.
+/// Without extensions of materials, which are ignored even if required: the rest of the model is right.
 std::vector<std::string> unreadRequirementsOf(const Json& root) {
     std::vector<std::string> unread = unknownIn(member(root, "extensionsRequired"));
     std::erase_if(unread, [](const std::string& name) { return name.starts_with("KHR_materials_"); });
@@ -163,7 +163,7 @@ bool storesPositions(const std::string& extension) {
            extension == "KHR_meshopt_compression";
 }
 
-/// As its asset says; "" where that says nothing.
+/// The version that its asset states; "" where it states none.
 std::string versionOf(const Json& root) {
     if (!root.is_object() || !member(root, "asset").is_object()) return "";
     const Json& version = member(member(root, "asset"), "version");
@@ -174,7 +174,7 @@ std::string unreadVersion(const std::string& version) {
     return "it is glTF " + version + ", which is not read; export it as glTF 2.0";
 }
 
-/// Of the head of a .glb. Cut off is another matter (cut_off.h).
+/// Damage to the head of a .glb. Files that are cut off are another matter (cut_off.h).
 std::optional<std::string> damageOfBinary(std::string_view text) {
     std::uint32_t version = 0;
     if (text.size() < kGlbHead) return {};

@@ -1,4 +1,4 @@
-/// What Assimp does not tell about a glTF file.
+/// Facts about a glTF file that Assimp does not hand over.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ struct GltfFile {
     std::vector<float> emissiveStrengths;    ///< by material; KHR_materials_emissive_strength
     std::vector<std::string>
         ignoredExtensions; ///< that it uses but does not require, and that change what is seen
-    /// That it requires and that are not read; without those of materials, which are only ignored.
+    /// Extensions that it requires and that are not read, without those of materials, which are only ignored.
     std::vector<std::string> unreadRequirements;
     bool geometryUnread = false; ///< one of these says how positions are stored
     std::string generator;       ///< the program that wrote it; may be ""
-    /// Of the meshes of the scene that is shown, as their primitives declare them.
+    /// The triangles in the meshes of the scene that is shown, as their primitives declare them.
     std::uint64_t triangles = 0;
     /// Numbers of vertices; colours of primitives with so many have an alpha.
     std::set<std::uint64_t> countsWithAlpha;
 };
 
-/// What to do about such an extension, as the end of a sentence.
+/// A remedy for an extension that is not read, as the end of a sentence.
 std::string remedyFor(const std::string& extension);
 
 /// Nothing when it is no glTF 2 (.gltf or .glb, by content), or its JSON is damaged.

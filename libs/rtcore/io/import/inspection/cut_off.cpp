@@ -120,7 +120,7 @@ std::uint64_t lengthOfFbx(const Ends& file) {
 
 constexpr std::array kLengths{lengthOfGlb, lengthOfStl, lengthOf3ds, lengthOfLwo, lengthOfB3d, lengthOfFbx};
 
-// What stands at the end of a format's files.
+// Marks at the end of a format's files.
 
 struct EndMark {
     bool (*is)(const Ends& file);

@@ -1,5 +1,4 @@
-/// What a model's file says of the program that wrote it, and of its unit, in places that importers pass
-/// over.
+/// Notes in a model's file on the program that wrote it, and on its unit, in places that importers pass over.
 #pragma once
 
 #include "rtcore/scene/model_origin.h"
@@ -17,7 +16,7 @@ std::string exporterNotes(const std::filesystem::path& path);
 /// A unit that such notes state: "File units = inches", "units: mm". Nothing when they do not.
 std::optional<double> statedUnit(const std::string& notes);
 
-/// What the file says where the format leaves no choice: AMF and 3MF. Others are left as they are.
+/// Reads axis and unit where the format leaves no choice: AMF and 3MF. Leaves `origin` as it is for others.
 void readFixedUnits(const std::filesystem::path& path, ModelOrigin& origin);
 
 } // namespace rtcore

@@ -59,7 +59,7 @@ int numberBehind(View text, View word) {
     return number;
 }
 
-// What to do, as the end of a sentence.
+// Remedies, each as the end of a sentence.
 
 constexpr auto kUnpack = "unpack it and give the model inside";
 constexpr auto kAsGltf = "export the model as glTF";
@@ -68,7 +68,7 @@ constexpr auto kFromCad = "export it as STL, 3MF or glTF from the CAD program";
 constexpr auto kMeshOfIt = "make a mesh of it (CloudCompare, MeshLab) and save that as PLY";
 constexpr auto kDownload = "download the file itself";
 
-// Formats of which the version, or what they hold, decides; nothing where they are read.
+// Formats whose version or content decides whether they are read; nothing where they are.
 
 std::optional<std::string> step(View head, const std::string& ending) {
     const View text = textBeginning(head);

@@ -1,4 +1,4 @@
-/// What files are that no reader takes, by their first bytes; asked before one of them tries.
+/// Recognises files that no reader takes, by their first bytes, before one of them tries.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace rtcore {
 
-/// What the file is, why it is not read, and what to do, as one sentence without a name; nothing where a
+/// Says what the file is, why it is not read, and what to do, as one sentence without a name; nothing where a
 /// reader may know it. Archives are read where a format is one by its ending (.3mf, .kmz, .zae, .ifczip).
 std::optional<std::string> unreadFormat(const std::filesystem::path& path);
 

@@ -1,4 +1,4 @@
-/// What an import has to say about a model that it could read.
+/// Warnings of an import about a model that it could read.
 #pragma once
 
 #include "rtcore/io/import/import_report.h"

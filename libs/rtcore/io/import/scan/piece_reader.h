@@ -17,7 +17,7 @@ class PieceReader {
     /// Begins at `offset`. `alive` is called now and then. Both must outlive the object.
     PieceReader(const InputFile& file, std::uint64_t offset, const std::function<void()>& alive);
 
-    /// What comes next: at least `min` bytes, fewer only where the file ends. Valid until the next call.
+    /// The next bytes: at least `min`, fewer only where the file ends. Valid until the next call.
     std::span<const std::byte> ahead(std::size_t min);
     /// Goes on behind `count` bytes, which may be more than ahead() gave.
     void skip(std::uint64_t count);

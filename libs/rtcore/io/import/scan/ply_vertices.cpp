@@ -16,7 +16,7 @@ namespace {
 
 enum class Attribute { Position, Normal, Colour, Texcoord, None };
 
-/// What a property means, by its name.
+/// The meaning of a property, by its name.
 struct Part {
     std::string_view name;
     Attribute attribute;
@@ -55,7 +55,7 @@ class VertexLayout {
         std::size_t offset = 0;
         for (const PlyProperty& property : element.properties) {
             const Part part = partOf(property.name);
-            // Of two properties of one meaning the later counts.
+            // If two properties have one meaning, the later counts.
             if (part.attribute != Attribute::None)
                 at(part.attribute)[part.component] = {property.type, offset};
             offset += sizeOf(property.type);

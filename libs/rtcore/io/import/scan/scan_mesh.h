@@ -1,4 +1,4 @@
-/// What the readers of scans make of a file.
+/// The mesh that a reader of scans makes of a file.
 #pragma once
 
 #include "rtcore/math/colour.h"
