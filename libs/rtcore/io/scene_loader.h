@@ -27,7 +27,7 @@ enum class LoadPhase { ReadingScene, ImportingModel, BuildingTree, LoadingImages
 /// A model of more triangles gets a fast tree where few rays are traced.
 inline constexpr std::size_t kFastTreeTriangles = 200'000;
 
-/// What lights a scene, as far as its user says. Not an environment together with one of the others.
+/// The user's choice of what lights a scene. An environment excludes a sky and a preset.
 struct LightingOptions {
     /// In place of the scene's sky and of its active environment.
     std::optional<std::filesystem::path> environment = {}; ///< of any shape that openEnvironment() knows
@@ -73,8 +73,7 @@ struct LoadedScene {
     ModelOrigin origin;                       ///< of the model
     bool ownCamera = true;                    ///< false: defaultCamera()
     bool indoors = false;                     ///< the camera has walls around it (isEnclosed())
-    /// What materials of a model without a .scn are taken for, which the user of the scene is to use and
-    /// tell.
+    /// Guesses at the materials of a model without a .scn, for the user of the scene to apply and to report.
     std::vector<MaterialGuess> guesses;
     /// By which lightBy() lit it, for that camera; nothing: it has light of its own.
     std::optional<LightingPreset> preset;

@@ -1,5 +1,5 @@
-/// What every reader of models is asked for and what it gives, inside of the importer program. Everything
-/// else asks importModel (model_import.h).
+/// The interface of all readers of models, inside of the importer program. Everything else calls importModel
+/// (model_import.h).
 #pragma once
 
 #include "rtcore/io/import/import_report.h"

@@ -1,5 +1,5 @@
-/// What an import left out or changed, and its form on the way from the importer program to the one that
-/// asked.
+/// A report of what an import left out or changed, and its form on the way from the importer program to its
+/// caller.
 #pragma once
 
 #include "rtcore/scene/model_origin.h"

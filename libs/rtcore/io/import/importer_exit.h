@@ -1,4 +1,4 @@
-/// What the importer program returns; importModel makes errors of it.
+/// Exit codes of the importer program, from which importModel makes errors.
 #pragma once
 
 namespace rtcore {

@@ -44,7 +44,7 @@ fs::path importerProgram() {
     return chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : helperProgram("rtimport");
 }
 
-/// What the importer said last: libraries may have complained before.
+/// The importer's last message: libraries may have complained before.
 std::string lastLine(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     const std::size_t end = text.rfind('\n');

@@ -24,7 +24,7 @@ struct ImportOptions {
     std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
                                       ///< absent: kCreaseAngle
     std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
-    /// What the user says of the model, whatever its file says; it is neither turned nor scaled.
+    /// Stated by the user, whatever the file says; the model is neither turned nor scaled.
     std::optional<Vec3> up;              ///< one of the six axes
     std::optional<double> metresPerUnit; ///< above 0
     std::uint64_t memoryLimit = 0;       ///< bytes the importer may use; 0 = importLimits()
@@ -38,10 +38,10 @@ struct ImportLimits {
     std::uint64_t memory = 0; ///< bytes
     double seconds = 0;       ///< for one step
 };
-/// What the importer may take: what `options` say, else the larger of kImportMemory and of so many bytes for
-/// each byte of the file, but at most half of the machine's memory; and kImportSeconds with those for the
-/// file's bytes, less for a tiny file - but a .gltf, whose buffers are files of their own. Holes of the file
-/// do not count.
+/// The importer's limits: those of `options`, else the larger of kImportMemory and kImportMemoryPerByte times
+/// the file's size, but at most half of the machine's memory; and kImportSeconds plus kImportSecondsPerByte
+/// times that size, less for a tiny file other than a .gltf, whose buffers are files of their own. Holes in
+/// the file do not count.
 ImportLimits importLimits(const std::filesystem::path& path, const ImportOptions& options = {});
 
 struct ImportedModel {

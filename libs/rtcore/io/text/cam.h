@@ -11,7 +11,7 @@
 
 namespace rtcore {
 
-/// What is absent in the file leaves the scene's and the settings' values as they are.
+/// Values absent from the file leave those of the scene and of the settings as they are.
 struct CameraFile {
     Camera camera;                           ///< nameOffset is 0
     std::optional<int> width, height;        ///< pixels

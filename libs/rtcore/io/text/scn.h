@@ -37,10 +37,10 @@ struct LightDescription {
 /// past the last, is added. The light of a sky stays that while it keeps its name and its kind.
 LightDescription describeLight(const Scene& scene, std::size_t i);
 void putLight(Scene& scene, std::size_t i, const LightDescription& description);
-/// What shines: the intensity with the colour of the temperature.
+/// The light as it shines: the intensity multiplied by the colour of the temperature.
 Light tintedLight(const LightDescription& description);
 
-/// What a scene keeps of the light of its [sky].
+/// The state of the light of a scene's [sky].
 struct SunDescription {
     int id = 0; ///< as in LightNotes; 0: the file says none. A directional [[light]] that has it is the sun,
                 ///< as it was edited

@@ -7,13 +7,13 @@
 
 namespace rtcore {
 
-/// Of what the model has many: which ones a section is for.
+/// Selects the parts or materials of the model that a section is for.
 struct NameOrNumber {
     std::optional<std::string> name; ///< a pattern
     std::optional<int> number;       ///< counted from 1; since version 2
     std::string_view what;           ///< for errors
 
-    /// That exactly one is given, and not "".
+    /// Checks that exactly one is given, and not "".
     void check(const StrictTable& table) const;
 };
 NameOrNumber readNameOrNumber(StrictTable& table, std::string_view what);

@@ -70,7 +70,7 @@ class SectionReader {
         given_.push_back(given);
     }
 
-    /// What the settings table refuses becomes an error at its place in the file.
+    /// Turns a refusal by the settings table into an error at its position in the file.
     template <typename Work>
     std::invoke_result_t<Work> at(TextPosition position, Work work) const {
         try {

@@ -16,7 +16,7 @@
 
 namespace rtcore {
 
-/// What a number may be. Compared after it was rounded to float. Not a number and infinity are always
+/// The range of a number, compared after it was rounded to float. Not a number and infinity are always
 /// refused.
 struct Limits {
     double minimum = -3.4028234663852886e38, maximum = 3.4028234663852886e38;

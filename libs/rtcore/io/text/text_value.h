@@ -1,4 +1,4 @@
-/// What a text file says, before it is interpreted: a tree of values with their positions.
+/// The content of a text file before it is interpreted: a tree of values with their positions.
 #pragma once
 
 #include "rtcore/platform/sentence.h"

@@ -41,7 +41,7 @@ void mapClassic(const SourceMaterial& s, Material& m, TextureStore& textures) {
     setSpecularMap(s, m, textures);
     const float opacity = unit(s.opacity, 1);
     if (opacity >= 1) return;
-    // What only covers would not be seen at all where it covers nothing.
+    // A surface that only covers would not be seen at all where it covers nothing.
     const bool bends = !s.indexByHabit || opacity == 0;
     makeGlass(m, opacity, bends ? std::max(s.refraction, 1.0F) : 1.0F);
 }
@@ -94,7 +94,7 @@ void mapTransparency(const SourceMaterial& s, Material& m, Colour base) {
     if (hole && s.diffuseMap.empty()) makeVeil(m, 0);
 }
 
-/// What covers a part of what is behind it emits from that part alone.
+/// A surface that covers a part of what is behind it emits from that part alone.
 void coverEmission(const SourceMaterial& s, Material& m) {
     const bool covers = s.unlit || s.rules == MaterialRules::MetallicRoughness ||
                         s.rules == MaterialRules::SpecularGlossiness;
@@ -147,10 +147,10 @@ void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.alphaFromAlpha = summary->transparent ? 1 : 0;
 }
 
-/// Of what varies over the surface.
+/// Sets the cutoff of the alpha that varies over the surface.
 void setCutoff(const SourceMaterial& s, Material& m) {
     if (s.alphaMode != AlphaMode::Mask || !hasHoles(m)) return;
-    // The cutoff is for what varies times the factor.
+    // The file's cutoff is for that alpha times the factor.
     const float factor = std::max(unit(s.opacity, 1), 1e-3F);
     m.alphaCutoff = std::clamp(unit(s.alphaCutoff, 0.5F) / factor, 1e-3F, 1.0F);
 }

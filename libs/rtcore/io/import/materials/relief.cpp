@@ -25,8 +25,8 @@ std::uint8_t codeOf(float component) {
     return static_cast<std::uint8_t>(std::lround((component * 0.5F + 0.5F) * 255));
 }
 
-/// Of the relief, where it is no steeper than codes of a byte can say: the code of what is level is off by
-/// half a code.
+/// Slopes of the relief, clamped to what codes of a byte can express: even the code of a level texel is off
+/// by half a code.
 std::vector<Vec2> slopesOf(const LdrImage& heights, const HeightUse& use) {
     constexpr float kSteepest = 4;
     const int width = heights.width, height = heights.height;

@@ -38,7 +38,7 @@ class EmbeddedPictures {
     EmbeddedPictures(const EmbeddedPictures&) = delete;
     EmbeddedPictures& operator=(const EmbeddedPictures&) = delete;
     virtual bool has(const std::string& name) const = 0;
-    /// Of a name that it has. Throws FileError BadData.
+    /// `name` is one that it has. Throws FileError BadData.
     virtual LdrImage decode(const std::string& name) const = 0;
 };
 
@@ -52,11 +52,11 @@ class TextureStore {
     /// The number of the texture, or kNoTexture when there is no such image. One image that wraps or is
     /// filtered in several ways is several textures, whose texels are stored once.
     std::uint32_t texture(const SourceMap& map);
-    /// Of an image of heights, which are multiplied by `scale`: the normals of its relief (relief.h). One
+    /// The normals of the relief (relief.h) of an image of heights, which are multiplied by `scale`. An image
     /// that holds normals already, as many programs write them in its place, is taken as it stands and leans
     /// as far as `scale` says.
     Relief relief(const SourceMap& map, float scale);
-    /// Of the image; nothing when it cannot be had. Does not add a texture.
+    /// A summary of the image; nothing when it cannot be had. Does not add a texture.
     std::optional<ImageSummary> summary(const SourceMap& map);
     /// Names of images that were asked for and are not there.
     const std::vector<std::string>& missing() const { return missing_; }

@@ -46,7 +46,7 @@ class EqualPositions {
 
     std::size_t groupOf(Vec3 p) const { return (hashOfPosition(p) >> 20U) & (groups_ - 1); }
 
-    /// Of a part of all positions, in their order.
+    /// Calls `use` for each usable position in a part of all, in their order.
     template <typename Use>
     void forEachUsable(std::size_t part, const Use& use) const {
         const std::size_t end = positions_.size() * (part + 1) / parts_;

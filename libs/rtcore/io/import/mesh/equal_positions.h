@@ -12,8 +12,8 @@
 
 namespace rtcore {
 
-/// What positions are compared as: coordinates nearer to 0 than 1e-30 are 0. In a model that is large enough
-/// to be traced it makes no difference, and numbers that a processor is slow with do not come up.
+/// The form in which positions are compared: coordinates nearer to 0 than 1e-30 are 0. In a model that is
+/// large enough to be traced it makes no difference, and subnormal numbers, which are slow, do not come up.
 inline Vec3 withoutTraces(Vec3 p) {
     constexpr float kMinCoordinate = 1e-30F;
     const auto clean = [](float v) { return std::fabs(v) < kMinCoordinate ? 0.0F : v; };
@@ -28,7 +28,7 @@ inline bool isUsablePosition(Vec3 p) {
            std::fabs(p.z) <= kLargestCoordinate;
 }
 
-/// Of a position without traces.
+/// The hash of a position that went through withoutTraces().
 inline std::uint64_t hashOfPosition(Vec3 p) {
     return finishedHash(mixedHash(mixedHash(0, bitsOfPair(p.x, p.y)), std::bit_cast<std::uint32_t>(p.z)));
 }

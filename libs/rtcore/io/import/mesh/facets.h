@@ -1,4 +1,4 @@
-/// What triangles give to the normals of their corners.
+/// The contributions of triangles to the normals of their corners.
 #pragma once
 
 #include "rtcore/scene/mesh.h"

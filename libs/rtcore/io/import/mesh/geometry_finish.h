@@ -1,4 +1,4 @@
-/// What every reader does with its geometry in the end.
+/// Checks and final steps for the geometry, shared by all readers.
 #pragma once
 
 #include "rtcore/io/import/file_import.h"
@@ -15,7 +15,7 @@ void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_
 /// Moves the geometry into the model, with normals, and fills in the report what was dropped.
 void finishGeometry(MeshAssembler& assembler, float creaseAngle, FileImport& import);
 
-/// After it: refuses a model of which there is nothing to see, of `meshes` meshes, and drops equal triangles.
+/// Afterwards: refuses a model, of `meshes` meshes, with nothing to see, and drops equal triangles.
 void refuseUseless(const MeshAssembler& assembler, std::size_t meshes, FileImport& import);
 
 } // namespace rtcore

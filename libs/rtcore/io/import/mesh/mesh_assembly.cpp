@@ -82,7 +82,7 @@ void MeshAssembler::reserve(std::size_t vertices, std::size_t triangles) {
     reserveLarge(out_.vertices, expected);
 }
 
-/// Of those that meshes before have, by a table that is filled when the second comes.
+/// The vertex at `p` of earlier meshes, or kNone; from a table that is filled when the next mesh comes.
 std::uint32_t MeshAssembler::knownVertexAt(Vec3 p) {
     return vertices_.find(hashOfPosition(p),
                           [&](std::uint32_t i) { return out_.vertices[i].position() == p; });
@@ -110,7 +110,7 @@ std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, const Attributes&
     return static_cast<std::uint32_t>(out_.normals.size() - 1);
 }
 
-/// Of a mesh that has only positions: no need to look for equals.
+/// The entry of a vertex of a mesh that has only positions: no need to look for equals.
 std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
     if (plainEntry_.size() <= vertex) plainEntry_.resize(out_.vertices.capacity(), IndexTable::kNone);
     std::uint32_t& entry = plainEntry_[vertex];
@@ -137,7 +137,7 @@ std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, const Attributes& of
     return hashedEntries_.back();
 }
 
-/// What each triangle is good for, and the bounds of all.
+/// Classifies the triangles, and extends the bounds by all that are finite.
 std::vector<MeshAssembler::Use> MeshAssembler::measure(const SourceMesh& mesh) {
     const std::size_t count = mesh.triangles.size();
     std::vector<Use> uses(count);

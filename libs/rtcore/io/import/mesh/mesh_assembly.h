@@ -65,14 +65,14 @@ class MeshAssembler {
     /// Fills the geometry of `model`; computes the normals that are missing (crease_normals.h). Call it once.
     void finish(ModelBuffers& model, float creaseAngle);
 
-    /// Of all triangles that were added, those without area, too, and before small numbers become 0.
+    /// The bounds of all finite triangles added, even without area, and before small numbers become 0.
     const Box3& bounds() const { return bounds_; }
     std::uint64_t degenerateTriangles() const { return degenerate_; }
     std::uint64_t nonFiniteTriangles() const { return nonFinite_; }
 
   private:
     enum class Use : std::uint8_t { Good, NonFinite, WithoutArea };
-    /// Of a corner.
+    /// The attributes of a corner other than its position.
     struct Attributes {
         Vec3 normal;
         Vec2 texcoord;
@@ -100,8 +100,8 @@ class MeshAssembler {
     std::vector<std::uint32_t> hashedEntries_; ///< entries by their number in `entries_`
     IndexTable vertices_, entries_;
     std::vector<std::uint32_t> plainEntry_; ///< by vertex: the one with nothing of its own, if there is one
-    /// Of the mesh being added, by its own vertices; those of the model are kNone until a triangle needs
-    /// them.
+    /// Indexed by the own vertices of the mesh being added; numbers in the model are kNone until a triangle
+    /// needs them.
     std::vector<std::uint32_t> firstOfEqual_, localVertex_, localEntry_;
     bool hasTexcoords_ = false, hasColours_ = false, hasAlphas_ = false;
     Box3 bounds_;
