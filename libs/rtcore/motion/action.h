@@ -1,4 +1,4 @@
-/// What a key can do, and the set of actions that are on at a moment.
+/// Actions that keys trigger, and the set of those that are on at a moment.
 #pragma once
 
 #include <bitset>

@@ -26,7 +26,7 @@ class Body {
     Box3d box(Vec3d feet) const;
 
     Sweep sweep(Vec3d feet, Vec3d direction, double distance) const;
-    /// What is nearest to the core, if anything is within the reach of the capsule and its skin.
+    /// The triangle nearest to the core, if one is within the reach of the capsule and its skin.
     std::optional<Separation> nearest(Vec3d feet) const;
     /// Nothing is inside the hard capsule.
     bool isFree(Vec3d feet) const;

@@ -1,4 +1,4 @@
-/// What the player stands on, steps onto and climbs.
+/// Finds the floor that the player stands on, and the steps and ledges that it climbs.
 #pragma once
 
 #include "rtcore/motion/body.h"

@@ -44,10 +44,10 @@ class KeyBindings {
 
     std::span<const KeyBinding> list() const { return bindings_; }
 
-    /// What goes on while these keys are down.
+    /// The actions that go on while these keys are down.
     ActionSet held(const Down& down) const;
-    /// What the presses since the last look do, in the order of the bindings; of actions that are held, one
-    /// tap for each key that is up again, so that the shortest press moves. `before`: the keys that were down
+    /// The taps by the presses since the last look, in the order of the bindings; of actions that are held,
+    /// one for each key that is up again, so that the shortest press moves. `before`: the keys that were down
     /// at the last look. A key that was down at any time since then counts as held with those that were
     /// pressed. `withheld`: how many of a binding's presses are to have no effect.
     using Withheld = std::function<std::uint32_t(const KeyBinding&)>;

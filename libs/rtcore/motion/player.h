@@ -41,8 +41,8 @@ class Player {
     /// Jumps there. In walk-through mode the body comes along; where there is no room for it the mode becomes
     /// View.
     void setCamera(const Camera& camera);
-    /// What setCamera() was given, bit for bit, until something moves or turns it; only the part that moves
-    /// changes. Turning sets it upright.
+    /// The camera that setCamera() was given, bit for bit, until something moves or turns it; then only the
+    /// part that moves changes. Turning sets it upright.
     Camera camera() const;
 
     MotionMode mode() const { return mode_; }
@@ -53,7 +53,7 @@ class Player {
     /// Walks beside the model, where nothing is below: on a floor at its lowest point that is not seen.
     bool onUnseenFloor() const { return mode_ == MotionMode::Walk && walker_.onUnseenFloor(); }
 
-    /// What goes on (isHeld) until the next call.
+    /// Sets the actions that go on (isHeld) until the next call.
     void hold(const ActionSet& actions) { held_ = actions; }
     /// Acts for one step at least, even if it is over before the step begins.
     void tap(Action action) { tapped_.set(action); }
@@ -73,7 +73,7 @@ class Player {
     bool atRest() const;
 
   private:
-    /// What is drawn: between the last two steps.
+    /// A view; the camera's lies between those of the last two steps.
     struct View {
         Vec3d eye;
         Heading heading;

@@ -20,7 +20,7 @@ class MetPlanes {
     std::vector<Vec3d> normals_;
 };
 
-/// What is under the player while it walks.
+/// The floor under a player that walks.
 struct FloorPlane {
     Vec3d normal{0, 0, 1};
     bool edge = false; ///< the round body rolls over an edge: the floor around is not as steep

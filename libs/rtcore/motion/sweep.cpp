@@ -53,7 +53,7 @@ class Approach {
     Separation separation_;
 };
 
-/// What stops the capsule.
+/// The contact that stops the capsule.
 struct Stop {
     double travel = 0;
     double speed = 0; ///< by which the gap closes, per metre
@@ -96,8 +96,8 @@ bool wouldTouch(Approach approach, double skin, double distance) {
     return !beyond;
 }
 
-/// What only the skin touches is no obstacle: so it glides over seams. Stops farther than `limit` do not
-/// matter.
+/// A triangle that only the skin touches is no obstacle: so the capsule glides over seams. Stops farther than
+/// `limit` do not matter.
 bool stops(Approach approach, double skin, double distance, double limit, Stop& stop) {
     skin = std::min(skin, approach.gap());
     if (!reachesSkin(approach, skin, limit) || !wouldTouch(approach, skin, distance)) return false;

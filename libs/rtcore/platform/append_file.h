@@ -6,9 +6,9 @@
 
 namespace rtcore {
 
-/// What has been appended survives the death of this process, however it dies (not that of the machine,
-/// unless it was flushed). A death in the middle of append() may leave a beginning of that piece. For one
-/// thread.
+/// A file whose pieces survive the death of this process once appended, however it dies (not that of the
+/// machine, unless they were flushed). A death in the middle of append() may leave a beginning of that piece.
+/// For one thread.
 class AppendFile {
   public:
     /// Makes the file, which must not exist yet, nor be a link; links of others on the way to it are refused

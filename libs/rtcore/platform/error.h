@@ -29,7 +29,7 @@ class FileError : public std::runtime_error, public Worded {
     FileError(FailureKind failure, const Sentence& whole);
 };
 
-/// What the system says of one of its error numbers.
+/// The system's text for one of its error numbers.
 Sentence systemReason(int error);
 
 } // namespace rtcore

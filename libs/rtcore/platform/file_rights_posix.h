@@ -9,7 +9,7 @@
 
 namespace rtcore {
 
-/// Of a file that another one is to replace.
+/// The rights of a file that another one is to replace.
 struct FileRights {
     mode_t mode = 0; ///< its lowest nine bits
     uid_t owner = 0;

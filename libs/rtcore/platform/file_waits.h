@@ -1,4 +1,4 @@
-/// What this process does where a file would make it wait: at a pipe, a terminal, a device.
+/// The behaviour of this process at files that would make it wait: pipes, terminals, devices.
 #pragma once
 
 namespace rtcore {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What replacing would destroy or miss: devices, pipes, and the files behind /dev/stdout.
+/// Whether replacing would destroy or miss it: devices, pipes, and the files behind /dev/stdout.
 bool wantsDirectWriting(const fs::path& path) {
     const std::string name = path.string();
     if (name.starts_with("/proc/") || name.starts_with("/dev/fd/")) return true;
@@ -78,7 +78,7 @@ void replaceFile(const fs::path& path, const std::function<void(const fs::path&)
     }
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) failWriting(path, EISDIR);
-    // Of a file that is replaced no other user sees anything before it has that one's rights.
+    // No other user sees anything of a new file before it has the rights of the one that it replaces.
     const mode_t mode = rightsOf(target) ? 0600 : 0666;
     SiblingFile temporary(path, target, mode);
     write(temporary.path());

@@ -27,9 +27,9 @@ namespace {
 
 /// Larger files are mapped.
 constexpr std::size_t kMaxRead = std::size_t{1} << 30;
-/// What a pipe or a device may deliver before it counts as endless.
+/// Bytes that a pipe or a device may deliver before it counts as endless.
 constexpr std::size_t kStreamLimit = std::size_t{1} << 30;
-/// What room is made for the first bytes of a pipe or a device.
+/// Room that is made for the first bytes of a pipe or a device.
 constexpr std::size_t kFirstBytes = std::size_t{64} << 10;
 
 [[noreturn]] void refuse(const fs::path& path, const Sentence& message,
@@ -121,8 +121,8 @@ ssize_t readFrom(const Descriptor& file, std::uint64_t offset, std::span<std::by
     return static_cast<ssize_t>(filled);
 }
 
-/// What a regular file holds from its beginning, as far as it fits, by the threads of OpenMP. Returns how
-/// much that is, and goes on there; nothing for what is short or makes errors.
+/// Reads whole parts of a regular file from its beginning, by the threads of OpenMP. Returns how many bytes,
+/// behind which reading goes on; 0 for a file that is short, does not fit or makes errors.
 std::size_t readInParts(const Opened& opened, std::span<std::byte> room) {
     constexpr std::size_t kPart = std::size_t{4} << 20;
     if (!opened.regular || opened.size < 2 * kPart || room.size() < opened.size) return 0;

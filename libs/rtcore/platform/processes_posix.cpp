@@ -59,7 +59,7 @@ Pipe makeSocketPair(const std::string& program) {
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// What posix_spawn does between fork and exec.
+/// The steps that posix_spawn takes between fork and exec.
 class SpawnPlan {
   public:
     /// `input` negative: the program gets none.

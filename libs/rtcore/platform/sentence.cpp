@@ -15,7 +15,7 @@ int placeAt(const std::string& form, std::size_t at) {
     return place ? form[at + 1] - '0' : -1;
 }
 
-/// What stands in the places of `form`, in their order in it, where that makes `text`.
+/// The texts in the places of `form`, in their order in it, where those make `text`.
 std::optional<std::vector<std::string_view>> placesIn(std::string_view text, std::string_view form) {
     std::vector<std::string_view> places;
     std::size_t at = form.find('{');

@@ -76,7 +76,7 @@ class BadValue : public std::invalid_argument, public Worded {
     explicit BadValue(const Sentence& why) : std::invalid_argument(why.english()), Worded(why) {}
 };
 
-/// Of `error`; what() as a text where it is not Worded.
+/// The sentence that `error` holds; its what() where it is not Worded.
 Sentence sentenceOf(const std::exception& error);
 
 } // namespace rtcore

@@ -6,7 +6,7 @@ namespace rtcore {
 /// How many work: `wanted`, or for 0 what OpenMP thinks best; 1 without OpenMP.
 int threadsFor(int wanted);
 
-/// Of the calling thread in its parallel region, from 0.
+/// The number of the calling thread in its parallel region, from 0.
 int threadNumber();
 
 } // namespace rtcore

@@ -71,7 +71,7 @@ bool Denoiser::fillLight(const HdrImage& picture, const Aovs& aovs, bool all, [[
     return any;
 }
 
-/// Of the smaller of the steps to both sides, so that edges do not count.
+/// Each slope is the smaller of the steps to both sides, so that edges do not count.
 void Denoiser::fillSlopes([[maybe_unused]] int threads) {
     const auto smaller = [](float before, float here, float after) {
         const float a = here - before, b = after - here;
@@ -103,7 +103,7 @@ bool Denoiser::alike(std::size_t a, std::size_t b) const {
     return cosine > 0.95F && std::fabs(nearness_[a] - nearness_[b]) < 0.05F * nearness_[a];
 }
 
-/// Of the surface around a pixel.
+/// Statistics of the brightness of the surface around a pixel.
 struct Denoiser::Around {
     float first = 0, second = 0; ///< the brightest of its neighbours
     float sum = 0, squares = 0;
@@ -116,7 +116,7 @@ struct Denoiser::Around {
         squares += bright * bright;
         ++count;
     }
-    /// Beyond what they, but the brightest of them, let one expect.
+    /// Whether it is far brighter than the neighbours, the brightest of them apart, make likely.
     bool isSpike(float bright) const {
         constexpr int kEnough = 4;
         constexpr float kSpike = 4; // standard deviations
@@ -151,7 +151,7 @@ void Denoiser::dropSpikes([[maybe_unused]] int threads) {
     brighten(threads);
 }
 
-/// Of the light as it is now.
+/// Computes the brightness of the light as it is now.
 void Denoiser::brighten([[maybe_unused]] int threads) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
@@ -276,7 +276,7 @@ void Denoiser::filter(int pass, int threads) {
     brighten(threads);
 }
 
-/// What was not filtered, and the filtered light as the surfaces show it.
+/// Adds the filtered light, as the surfaces show it, to the light that was not filtered.
 void Denoiser::fillImage(const HdrImage& picture, const Aovs& aovs, bool all, [[maybe_unused]] int threads) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {

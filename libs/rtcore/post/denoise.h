@@ -23,7 +23,7 @@ class Denoiser final : public Effect {
     /// its size. Parts of a preview keep their noise.
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
 
-    /// What it keeps for each pixel.
+    /// Memory that is kept for each pixel.
     static constexpr std::size_t bytesPerPixel() { return kPlanes * sizeof(float) + sizeof(Colour); }
 
   private:

@@ -19,7 +19,7 @@ HWY_INLINE void loadAs(Float& value, const float* from) { value = load(from); }
 HWY_INLINE void loadAs(float& value, const float* from) { value = *from; }
 HWY_INLINE void store(float value, float* to) { *to = value; }
 
-/// Of pixel `x`, or from it on for as many as F has lanes.
+/// Adds the tap to the sums of pixel `x`, or of as many pixels from it on as F has lanes.
 template <typename F>
 HWY_INLINE void addPixels(const DenoiseTap& tap, std::size_t x) {
     const auto load = [x](const float* row) HWY_ATTR {

@@ -11,11 +11,11 @@ namespace {
 
 /// The exposure of an image that is black all over.
 constexpr float kDarkness = 1;
-/// What a fixed exposure may be (settings_table.cpp), so that any automatic one can be written down and
+/// The range of a fixed exposure (settings_table.cpp), so that any automatic one can be written down and
 /// replayed.
 constexpr float kMin = 1e-30F;
 constexpr float kMax = 1e30F;
-/// Of what is shown as white by the light that falls on it, and the key by which it is.
+/// The albedo that the incident light shows as white, and the key at which it does.
 constexpr float kWhiteAlbedo = 0.9F, kUsualKey = 0.18F;
 
 /// The part of a row, of which the last block may be short. `radiance` and `pixels` begin at column 0.

@@ -15,7 +15,7 @@ namespace rtcore {
 
 class Aovs;
 
-/// What all effects of an image are told.
+/// Parameters shared by all effects of an image.
 struct EffectRun {
     const RenderSettings& settings; ///< of the whole image, which may be smaller or larger than they say
     int threads = 0;                ///< 0 = all cores

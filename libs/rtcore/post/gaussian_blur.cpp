@@ -67,7 +67,7 @@ HWY_INLINE void filterVector(const RecursiveFilter& filter, const float* HWY_RES
     const ComplexFloats gain1 = splat(filter.terms[1].mirrorGain);
     const ComplexFloats none{0.0F, 0.0F};
 
-    // What the mirrored image before the first pixel has left.
+    // The state that the mirrored image before the first pixel leaves.
     ComplexFloats state0 = none, state1 = none;
     for (std::size_t i = filter.reach; i-- > 0;) {
         const Float x = load(values + i * kLines);

@@ -18,7 +18,7 @@ class GaussianBlur {
     void blur(const HdrImage& image, float sigma, float fraction, int threads, HdrImage& result);
 
   private:
-    /// Of one thread: lines side by side, and what they become.
+    /// Buffers of one thread: lines side by side, before and after the filter.
     struct Lines {
         std::vector<float> values, filtered;
     };

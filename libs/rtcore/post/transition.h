@@ -47,7 +47,7 @@ class Transition {
     HdrImage radiance_;
     LdrImage image_;
     std::vector<PixelArea> halved_; ///< areas that show half of what is before them
-    /// Of the pixels by which the brightness is measured.
+    /// The pixels by which the brightness is measured.
     std::vector<Colour> sparse_;
     std::vector<std::uint8_t> sparseCovered_;
     LuminanceHistogram sparseHistogram_;

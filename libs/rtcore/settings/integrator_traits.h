@@ -1,4 +1,4 @@
-/// What holds for images of an integrator, whatever renders them.
+/// Traits of an integrator's images, whatever renders them.
 #pragma once
 
 #include "rtcore/settings/render_settings.h"
@@ -28,7 +28,7 @@ constexpr const IntegratorTraits& traitsOf(Integrator integrator) {
     return kIntegratorTraits[0];
 }
 
-/// Of an image of those settings, at most.
+/// The maximum for an image of those settings; RenderSettings::adaptive may take fewer.
 inline int samplesPerPixel(const RenderSettings& settings) {
     return traitsOf(settings.integrator).samplesAllLight ? settings.path.samples
                                                          : settings.antialiasing * settings.antialiasing;

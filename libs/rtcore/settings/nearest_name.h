@@ -1,4 +1,4 @@
-/// What the user may have meant: suggestions for misspelt names in files and on command lines.
+/// Suggestions for misspelt names in files and on command lines.
 #pragma once
 
 #include "rtcore/platform/sentence.h"

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kLongestQuoted = 64;
 
-/// Of a well-formed character of at most three bytes; all controls are that short.
+/// The code point of a well-formed character of at most three bytes; all controls are that short.
 unsigned codePointOf(std::string_view character) {
     const auto bits = [&](std::size_t i, unsigned mask) {
         return static_cast<unsigned>(static_cast<unsigned char>(character[i])) & mask;

@@ -6,16 +6,16 @@
 
 namespace rtcore {
 
-/// What follows the light: Whitted's rays (mirrors and glass, light that comes straight), or paths, which
-/// also bring the light that surfaces send to each other. Paths are for stills.
+/// The method that follows the light: Whitted's rays (mirrors and glass, direct light), or paths, which also
+/// bring the light that surfaces send to each other. Paths are for stills.
 enum class Integrator { Whitted, Path };
 /// Whether surfaces that emit light light others. Automatic: unless lights of the scene stand in their place.
 enum class EmitterLight { Automatic, On, Off };
 /// Automatic: by the brightness of what is seen; Incident: by the light that falls on it, however dark or
 /// bright it is itself.
 enum class ExposureMode { Automatic, Fixed, Incident };
-/// What becomes of the exposure in a .cam file, which suits Whitted's image: by paths there is more light.
-/// Scaled: multiplied by the mean by paths over that by Whitted, both of the list's first frame.
+/// The use of the exposure in a .cam file, which suits Whitted's image: paths find more light. Scaled:
+/// multiplied by the mean by paths over that by Whitted, both of the list's first frame.
 enum class RecordedExposure { Scaled, Exact, Automatic };
 /// Luminance keeps hue and saturation (bright colours fade to white only at the very top), Channels maps each
 /// of red, green and blue by itself; AgX (Sobotka 2022) is like film, with soft and pale lights, Neutral
@@ -47,7 +47,7 @@ struct SkyLightSettings {
     friend bool operator==(const SkyLightSettings&, const SkyLightSettings&) = default;
 };
 
-/// Of Integrator::Path.
+/// Settings of Integrator::Path.
 struct PathSettings {
     int samples = 256;       ///< paths per pixel
     int bounces = 16;        ///< of a path, at most
@@ -148,7 +148,7 @@ struct RenderSettings {
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
-/// Of the filter that smooths the noise of an image by those settings.
+/// Passes of the filter that smooths the noise of an image of those settings.
 inline int filterPasses(const RenderSettings& settings) {
     const bool own = settings.integrator == Integrator::Path && settings.path.filter > 0;
     return own ? settings.path.filter : settings.denoise.passes;

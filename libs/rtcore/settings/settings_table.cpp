@@ -391,7 +391,7 @@ std::string spacedWords(std::string_view name) {
 
 std::string textOf(double limit) { return settingText(static_cast<float>(limit)); }
 
-/// What a number may be.
+/// The range of a number, in words.
 Sentence rangeWith(const Setting& setting, std::string_view unit) {
     const std::string min = textOf(setting.minimum);
     Sentence range = setting.maximum >= kUnlimited ? say("at least {0}", min)
@@ -400,7 +400,7 @@ Sentence rangeWith(const Setting& setting, std::string_view unit) {
     return setting.zero.empty() ? range : say("{0}, or {1}", range, setting.zero);
 }
 
-/// What it may be, whatever its type.
+/// The values of a setting of any type, in words.
 Sentence rangeOf(const Setting& setting, std::string_view unit) {
     if (setting.type == SettingType::Boolean) return say("true or false");
     if (setting.type != SettingType::Choice) return rangeWith(setting, unit);

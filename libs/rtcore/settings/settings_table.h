@@ -20,7 +20,7 @@ inline constexpr double kUnlimited = 3.4028234663852886e38; ///< the largest flo
 
 enum class SettingType { Boolean, Integer, Number, Choice };
 
-/// What a change of a setting makes invalid, each with all that follow but Pace.
+/// The results that a change of a setting invalidates; each includes all that follow but Pace.
 enum class SettingChange {
     Light,   ///< the radiance of surfaces, which live frames keep
     Samples, ///< which of it an image has: its size, its rays
@@ -28,7 +28,7 @@ enum class SettingChange {
     Pace,    ///< nothing: only how fast, or with how much noise, the same image comes about
 };
 
-/// What a page in a browser may ask for.
+/// The values that a page in a browser may ask for.
 struct BrowserRange {
     double minimum = -kUnlimited, maximum = kUnlimited; ///< beside those of the setting
     bool offered = true;                                ///< false: pages have no such row
@@ -37,8 +37,8 @@ struct BrowserRange {
 /// One row. The views are valid for the whole run of the program.
 struct Setting {
     std::string_view name; ///< "width"; with a dot where the struct is nested: "ambientOcclusion.samples"
-    /// What it is shown with: the part of the name before the dot, else what the table says; "" = the image
-    /// as a whole.
+    /// The group that it is shown in: the part of the name before the dot, else the one in the table; "" =
+    /// the image as a whole.
     std::string_view group;
     SettingType type;
     SettingValue defaultValue; ///< what a default RenderSettings holds
@@ -116,15 +116,15 @@ std::vector<std::string_view> unusedSettings(const RenderSettings& settings,
 /// Whether light of surfaces that is known by `a` holds by `b`: all settings that change it are the same.
 bool sameLight(const RenderSettings& a, const RenderSettings& b);
 
-/// What a setting, a group of them, a choice or the word for 0 is called, in English: "Brighter seconds" of
-/// "exposure.brighterSeconds", "Image" of "".
+/// The English label of a setting, a group of them, a choice or the word for 0: "Brighter seconds" for
+/// "exposure.brighterSeconds", "Image" for "".
 std::string settingLabel(std::string_view name);
 
 /// The value as parseSetting reads it; numbers in the fewest digits that keep every bit.
 std::string settingText(const SettingValue& value);
 
-/// What the setting takes, for help and messages: "1 to 32768", "at least 0, or automatic", "true or false",
-/// "automatic or fixed".
+/// The values that the setting takes, for help and messages: "1 to 32768", "at least 0, or automatic", "true
+/// or false", "automatic or fixed".
 std::string settingRange(const Setting& setting);
 
 } // namespace rtcore

@@ -9,7 +9,7 @@ struct Utf8Form {
     unsigned char lowest, highest; ///< of the second byte; the others are 80..BF
 };
 
-/// What may follow a first byte; length 0 when nothing may.
+/// The form of the sequences with this first byte; length 0 when there are none.
 Utf8Form utf8Form(unsigned char first) {
     if (first < 0x80) return {1, 0, 0};
     if (first < 0xC2 || first > 0xF4) return {0, 0, 0};
