@@ -42,8 +42,8 @@ inline bool areParallel(Vec3 a, Vec3 b) {
     return length(cross(normalize(a), normalize(b))) < kSine;
 }
 
-/// What is up in an image that looks along `forward`: `up`, or, where it looks straight up or down, the
-/// direction that it would have at the top if it had turned there from looking along -z (+y where `up` is z).
+/// The up direction of an image that looks along `forward`: `up`, or, where it looks straight up or down, the
+/// direction that would be at the top if it had turned there from looking along -z (+y where `up` is z).
 inline Vec3 upwardsOf(Vec3 forward, Vec3 up) {
     if (!areParallel(forward, up)) return up;
     const Vec3 ahead = std::fabs(up.z) > std::fabs(up.y) ? Vec3{0, 1, 0} : Vec3{0, 0, -1};

@@ -31,7 +31,7 @@ bool isDegenerate(const std::uint32_t* corners) {
     return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
 }
 
-/// Of triangles with three corners each, or of those alone whose corners all differ.
+/// Visits the sides of triangles, which have three corners each, or of those alone whose corners all differ.
 template <class Visit>
 void visitSides(std::span<const std::uint32_t> corners, bool degenerateOnes, const Visit& visit) {
     for (std::uint32_t i = 0; i < corners.size() / 3; ++i) {
@@ -76,7 +76,7 @@ void visitEdges(std::span<const HalfEdge> edges, const Visit& visit) {
     }
 }
 
-/// What connected triangles are like.
+/// The connected parts of triangles, and the open edges.
 struct Closing {
     DisjointSets parts;
     std::vector<std::uint32_t> openEdges; ///< by triangle: those of its edges, of which it is the first
@@ -184,7 +184,7 @@ void joinDegenerateOnes(const Piece& piece, DisjointSets& parts) {
     }
 }
 
-/// Of these triangles those that do not close when what differs by rounding is one.
+/// These triangles, and which do not close even when points that differ by rounding are one.
 OpenPiece openWhenWelded(const Mesh& mesh, Indices triangles) {
     Piece piece(mesh, std::move(triangles));
     piece.weld();
@@ -196,7 +196,7 @@ OpenPiece openWhenWelded(const Mesh& mesh, Indices triangles) {
     return {std::move(piece), std::move(closing), std::move(open)};
 }
 
-/// Of all transparent triangles those that are open as they are.
+/// All transparent triangles, and which of them are open as they are.
 struct AsTheyAre {
     Indices transparent;
     std::vector<std::uint8_t> open;

@@ -67,7 +67,7 @@ Vec3d faceDirection(int face, double s, double t) {
 
 int texelOf(double coordinate, int n) { return std::clamp(static_cast<int>(coordinate * n), 0, n - 1); }
 
-/// What the texel outside of the face shows: the nearest texel of the face that its centre's direction meets.
+/// The colour for a texel outside of the face: that of the texel at which its centre's direction points.
 Colour neighbour(const std::array<HdrImage, 6>& faces, int face, int x, int y) {
     const int n = faces[0].width;
     const Vec3d d = faceDirection(face, (x + 0.5) / n, (y + 0.5) / n);

@@ -1,4 +1,4 @@
-/// What is seen where a ray leaves the scene: a cube map or an equirectangular image at infinite distance.
+/// The view of a ray that leaves the scene: a cube map or an equirectangular image at infinite distance.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -42,7 +42,7 @@ class Environment {
     Vec3 turned(Vec3 ofImage) const {
         return axes_[0] * ofImage.x + axes_[1] * ofImage.y + axes_[2] * ofImage.z;
     }
-    /// What it throws on surfaces, without the intensity. Made when first asked for, in some 10^-2 s for each
+    /// Its light on surfaces, without the intensity. Made when first asked for, in some 10^-2 s for each
     /// 10^6 texels; other threads wait for that. A copy that is turned makes its own.
     const EnvironmentLight& light() const;
 

@@ -51,8 +51,8 @@ Vec3d middleOf(int column, int row) {
     return HWY_NAMESPACE::octahedronDirection<double>((column + 0.5) / kSide, (row + 0.5) / kSide);
 }
 
-/// Of each texel; all of them sum to 4 pi. A face of the octahedron lies 1 / sqrt(3) away, and its area is
-/// sqrt(3) times that of the square it unfolds to.
+/// The solid angle of each texel; all of them sum to 4 pi. A face of the octahedron lies 1 / sqrt(3) away,
+/// and its area is sqrt(3) times that of the square it unfolds to.
 std::vector<double> solidAngles() {
     std::vector<double> angles;
     double sum = 0;

@@ -1,4 +1,4 @@
-/// What an environment throws on surfaces: a small copy of it, for rays that are few.
+/// The light that an environment throws on surfaces: a small copy of it, for rays that are few.
 #pragma once
 
 #include "rtcore/math/colour.h"

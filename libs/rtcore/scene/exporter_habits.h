@@ -1,4 +1,4 @@
-/// What programs that write models do unless they are told otherwise, and what is usual in formats.
+/// The defaults of programs that write models, and the conventions of formats.
 #pragma once
 
 #include "rtcore/platform/sentence.h"

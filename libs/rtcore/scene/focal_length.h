@@ -8,8 +8,8 @@ namespace rtcore {
 
 inline constexpr double kFilmWidth = 36; ///< millimetres
 
-/// Of the angle between the left and right edge, in degrees, 0 < angle < 180: half the edge's distance from
-/// the middle, in distances from the eye.
+/// For the angle between the left and right edge, in degrees, 0 < angle < 180: the edge's distance from the
+/// middle, in distances from the eye.
 inline double halfWidthOfAngle(double degrees) { return std::tan(degrees * std::numbers::pi / 360); }
 inline double angleOfHalfWidth(double halfWidth) { return std::atan(halfWidth) * 360 / std::numbers::pi; }
 

@@ -1,4 +1,4 @@
-/// What a whole image is like, for what is not looked up texel by texel.
+/// Properties of a whole image, for uses that do not look it up texel by texel.
 #pragma once
 
 #include "rtcore/scene/image.h"
@@ -15,7 +15,7 @@ struct ImageSummary {
     bool dark = false;                            ///< a red under 1 is there
 };
 
-/// Of at least one texel. About a nanosecond for each.
+/// Takes one texel or more, and about a nanosecond for each.
 ImageSummary summarise(std::span<const Rgba8> texels);
 
 } // namespace rtcore

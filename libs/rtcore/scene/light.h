@@ -52,8 +52,8 @@ static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 88);
 /// How the radiant intensity depends on the direction: not at all, in a spot's cone, or with the cosine.
 enum class Beam : std::uint8_t { Even, Cone, Cosine };
 
-/// What tells a kind of light from the others, wherever it is not sampled (lights/light_sample-inl.h). The
-/// `radius` of a Light is that of a ball whatever they say.
+/// The properties in which kinds of lights differ, wherever they are not sampled (lights/light_sample-inl.h).
+/// The `radius` of a Light is that of a ball whatever they say.
 struct LightTraits {
     std::string_view name; ///< in .scn files
     bool position;         ///< it has one; else it shines from endlessly far away

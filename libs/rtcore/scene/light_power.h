@@ -22,15 +22,15 @@ F meanIntensity(const Light& light) {
     return 1;
 }
 
-/// All that a light of intensity 1 gives off, W: its integral over all directions. Of a directional light,
-/// which has no end: 1, the irradiance on a surface that faces it, W/m^2.
+/// The power of a light of intensity 1, W: its integral over all directions. For a directional light, which
+/// has no end: 1, the irradiance on a surface that faces it, W/m^2.
 template <typename F = float>
 F powerFactor(const Light& light) {
     return traitsOf(light).position ? 4 * kPi * meanIntensity<F>(light) : 1;
 }
 
-/// What a light gives off, as luminance: W, where distances count in scene units; of a directional light
-/// W/m^2.
+/// The power of a light, as luminance: W, where distances count in scene units; W/m^2 for a directional
+/// light.
 template <typename F = float>
 F powerOf(const Light& light) {
     return luminance(light.intensity) * powerFactor<F>(light);
@@ -39,9 +39,9 @@ F powerOf(const Light& light) {
 /// Lumens of a radiant watt, and lux of a watt per square metre, as the sky counts them (sky/atmosphere.h).
 inline constexpr double kLumensPerWatt = 683;
 
-/// What a light gives off where a scene unit has so many metres. `power`: powerOf() it, which counts with
-/// distances in scene units: W per square metre of a square scene unit; what directional lights throw on a
-/// surface does not depend on distances.
+/// The power of a light where a scene unit has so many metres. `power`: its powerOf(), which counts with
+/// distances in scene units: W per square metre of a square scene unit; the irradiance by directional lights
+/// does not depend on distances.
 inline double radiantWatts(const Light& light, double power, double metresPerUnit) {
     return traitsOf(light).position ? power * metresPerUnit * metresPerUnit : power;
 }

@@ -1,14 +1,13 @@
-/// What a surface does with light. The record is written to .bsp files as it stands here.
+/// How a surface scatters, passes and emits light. The record is written to .bsp files as it stands here.
 ///
 /// Light that arrives is divided in this order (docs/shading.md):
-///   1. mirror:   weight M. `fresnel` set: Schlick's curve from `mirror` (at normal incidence) to 1 at
-///   grazing
-///                angles, all scaled by `mirrorScale`; not set: `mirror * mirrorScale` at any angle. A
-///                transparent surface (opacity < 1) uses the exact Fresnel equations of `indexOfRefraction`
-///                instead.
+///   1. mirror:   weight M. `fresnel` set: Schlick's curve from `mirror` (at normal incidence) to 1 (at
+///                grazing angles), all scaled by `mirrorScale`; not set: `mirror * mirrorScale` at any angle.
+///                A transparent surface (opacity < 1) uses the exact Fresnel equations of
+///                `indexOfRefraction` instead.
 ///   2. of the rest, (1 - opacity) passes through, tinted by `transmission`;
 ///   3. of the rest, `opacity` goes to the diffuse and the glossy lobe (physical Phong, notes in
-///   scattering/phong-inl.h).
+///                scattering/phong-inl.h).
 /// Where `roughness` is given, the metallic-roughness model of glTF 2 takes the place of 1 and 3
 /// (scattering/metallic-inl.h): `diffuse` is its base colour, `specular` the reflectance at normal incidence
 /// of what is no metal; `shininess` and all of `mirror` have no effect.
@@ -70,7 +69,7 @@ inline bool hasHoles(const Material& m) { return m.alphaTexture != kNoTexture ||
 /// A part of the light may pass, through the surface or through holes.
 inline bool isTransparent(const Material& m) { return m.opacity < 1 || hasHoles(m); }
 
-/// What passes is neither bent nor tinted, whatever the surface bounds: it only covers.
+/// Light passes neither bent nor tinted, whatever the surface bounds: it only covers.
 inline bool isVeil(const Material& m) { return m.indexOfRefraction == 1 && m.transmission == kWhite; }
 
 /// The back faces of closed surfaces are holes. Not those of glass, which light leaves through them.

@@ -11,7 +11,7 @@ namespace rtcore {
 
 /// The mean colour of a texture of the model, linear.
 Colour textureMean(const Model& model, std::uint32_t texture);
-/// Of the material's texture of roughness and metal.
+/// The means of the material's texture of roughness and metal.
 TextureMeans roughnessMeans(const Model& model, const Material& material);
 
 /// The material as `change` makes it, but for the path of a texture.

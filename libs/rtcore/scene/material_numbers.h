@@ -9,7 +9,7 @@
 
 namespace rtcore {
 
-/// What a scene file or an edit says of them; what is absent stays.
+/// Changes of these numbers by a scene file or an edit; absent ones stay.
 struct MaterialNumberChanges {
     std::optional<float> opacity = {}, attenuationDistance = {}, indexOfRefraction = {};
 

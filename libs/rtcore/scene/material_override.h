@@ -1,4 +1,4 @@
-/// What a scene file or an edit changes in materials of the model.
+/// Changes of the model's materials by a scene file or an edit.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -32,13 +32,13 @@ struct MaterialOverride : MaterialNumberChanges {
     bool saysPhong() const { return specular || shininess || reflectivity || fresnel; }
     /// applyTo() needs the means of textures.
     bool needsMeans() const { return saysRoughness() || saysPhong(); }
-    /// All but the path of the texture. Where the sum of diffuse and specular would exceed 1, the one that is
-    /// not overridden gives way. `means`: of what is the diffuse texture afterwards, and of the present one
+    /// Applies all but the path of the texture. Where the sum of diffuse and specular would exceed 1, the one
+    /// that is not overridden gives way. `means`: of the diffuse texture afterwards, and of the present one
     /// of roughness and metal.
     void applyTo(Material& material, const TextureMeans& means = {}) const;
-    /// What `later` says in addition to or in place of this: one after the other would not always do the
-    /// same, since what says the same in other words, such as shininess and roughness, takes the other's
-    /// place. Whom it names stays.
+    /// Adds `later`, which takes precedence. Applying one after the other would not always do the same, since
+    /// a later value replaces all that say the same in other words: roughness replaces shininess. The name or
+    /// number of the material stays.
     void add(const MaterialOverride& later);
     /// Anything but a name.
     bool changes() const;

@@ -18,7 +18,7 @@ inline constexpr std::array kMaterialTextures{&Material::diffuseTexture,
                                               &Material::transmissionTexture,
                                               &Material::specularTexture};
 
-/// Of a material without textures, each of them is kNoTexture, and nothing else is.
+/// A material without textures: each of its textures is kNoTexture, and nothing else is.
 inline constexpr auto kWordsOfPlainMaterial =
     std::bit_cast<std::array<std::uint32_t, sizeof(Material) / sizeof(std::uint32_t)>>(Material{});
 static_assert(std::ranges::count(kWordsOfPlainMaterial, kNoTexture) == std::ssize(kMaterialTextures),

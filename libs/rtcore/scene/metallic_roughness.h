@@ -12,7 +12,7 @@ inline constexpr float kDielectricReflectance = 0.04F;
 /// Mirrored rays show the surroundings in surfaces of less roughness; the rougher, the fainter.
 inline constexpr float kMirrorsBelow = 0.3F;
 
-/// What the textures of a material come to on the mean, 1 where there is none.
+/// The means of a material's textures, 1 where there is none.
 struct TextureMeans {
     Colour diffuse = kWhite; ///< linear
     float roughness = 1, metallic = 1;

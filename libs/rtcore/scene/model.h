@@ -1,5 +1,5 @@
-/// What a model file holds once it is imported, or a .bsp once it is mapped: geometry, materials, textures,
-/// and the file's own lights and cameras. Immutable; views stay valid while `storage` lives.
+/// The content of a model file once it is imported, or of a .bsp once it is mapped: geometry, materials,
+/// textures, and the file's own lights and cameras. Immutable; views stay valid while `storage` lives.
 #pragma once
 
 #include "rtcore/scene/camera.h"
@@ -17,7 +17,7 @@
 
 namespace rtcore {
 
-/// What lies beyond 0..1 of a texture coordinate.
+/// How a texture continues beyond 0..1 of a coordinate.
 enum class TextureWrap : std::uint32_t { Repeat = 0, ClampToEdge = 1, MirroredRepeat = 2 };
 
 /// Between the middles of texels.

@@ -1,6 +1,6 @@
-/// What changed in what is shown, and when: the notes by which frames and caches tell whether they still
-/// hold. It lies beside the scene, since whatever is kept of one (shadow maps, a frame before, samples that
-/// add up) must be able to ask, in a program that serves or in one that does not.
+/// The changes of what is shown, and their order: by them frames and caches tell whether they still hold.
+/// They lie beside the scene, since whatever is kept of one (shadow maps, a frame before, samples that add
+/// up) must be able to ask, in a program that serves or in one that does not.
 #pragma once
 
 #include <bitset>
@@ -51,7 +51,7 @@ class Changes {
 /// of the revision that it knows, and asks what changed since. One thread; several may read while none notes.
 class Revisions {
   public:
-    /// Of what is shown now; 0 before anything was. It never falls.
+    /// The revision that is shown now; 0 before anything was. It never falls.
     std::uint64_t revision() const { return revision_; }
     /// An edit changed these: that is one revision more. Without any kind there was no edit.
     void note(const Changes& changes) {
@@ -74,10 +74,10 @@ class Revisions {
     std::uint64_t last_[kChanges] = {}; ///< the last revision that changed the kind
 };
 
-/// What a subscriber knows already. One thread.
+/// The revision that a subscriber knows already. One thread.
 class Subscription {
   public:
-    /// What changed since the last call; at the first one, since the beginning.
+    /// The changes since the last call; at the first one, since the beginning.
     Changes take(const Revisions& revisions) {
         return revisions.since(std::exchange(seen_, revisions.revision()));
     }

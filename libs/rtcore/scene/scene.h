@@ -45,10 +45,10 @@ struct WalkParameters {
     float gravity = 9.81F;
 };
 
-/// Of SceneLook::activeEnvironment.
+/// SceneLook::activeEnvironment where none is active.
 inline constexpr int kNoEnvironment = -1;
 
-/// What surrounds the surfaces, and how one walks between them: what a scene file says beside the model.
+/// The surroundings of the surfaces and the rules for walking, as a scene file states them beside the model.
 struct SceneLook {
     Colour background; ///< radiance where there is no environment
     Colour ambient;    ///< radiance that reaches every surface from all directions, unshadowed
@@ -74,9 +74,9 @@ struct Scene : SceneLook {
     HiddenParts hiddenParts;                       ///< of the model; visibleTree() is of what is left
     ClosedSurfaces closed;                         ///< findClosedSurfaces() of the mesh with these materials
 
-    /// Of all that may be seen: the model's, and behind its triangles those of the ground.
+    /// The mesh of all that may be seen: the model's, and behind its triangles those of the ground.
     const Mesh& mesh() const { return ground ? ground->mesh : model.mesh; }
-    /// Of a ShadingTriangle of mesh().
+    /// The material of a ShadingTriangle of mesh().
     const Material& material(std::uint32_t number) const {
         return number < materials.size() ? materials[number] : ground->material;
     }

@@ -45,11 +45,11 @@ bool shineAlike(std::span<const SceneLight> a, std::span<const SceneLight> b);
 /// the next one that is free.
 void numberLights(Scene& scene);
 
-/// Of a scene whose lights are numbered: which one has that id.
+/// The index of the light with that id, in a scene whose lights are numbered.
 std::optional<std::size_t> lightWithId(const Scene& scene, int id);
 void eraseLight(Scene& scene, std::size_t light);
-/// For one more light: above all that there are and were, so that none follows in the place of one that was
-/// removed.
+/// The id for one more light: above all that there are and were, so that none follows in the place of one
+/// that was removed.
 int nextLightId(const Scene& scene);
 
 } // namespace rtcore

@@ -38,7 +38,7 @@ std::vector<T> copyOf(std::span<const T> all, std::size_t more) {
 
 std::uint32_t sizeOf(const auto& all) { return static_cast<std::uint32_t>(all.size()); }
 
-/// Of a ground that fades, from its middle; `x` and `y` from -1 to 1 between the sides.
+/// The opacity of a ground that fades; `x` and `y` go from -1 to 1 between its sides, 0 in the middle.
 float opacityAt(float x, float y) {
     constexpr float kOpaque = 0.25F, kEnd = 0.95F; // parts of the way to a side
     const float t = std::clamp((std::sqrt(x * x + y * y) - kOpaque) / (kEnd - kOpaque), 0.0F, 1.0F);

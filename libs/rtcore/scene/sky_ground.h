@@ -29,9 +29,9 @@ struct SkyGround {
     std::shared_ptr<const void> storage; ///< owns the mesh
 };
 
-/// Of a model with triangles, in a scene with that axis up; scatters `albedo` of the light. Takes memory of
-/// its own: all that the model's mesh takes but colours and coordinates of textures, and these where there
-/// are any.
+/// Makes the ground of a model with triangles, in a scene with that axis up; it scatters `albedo` of the
+/// light. Takes memory of its own: as much as the model's mesh without colours and coordinates of textures,
+/// and for these where there are any.
 std::shared_ptr<const SkyGround> makeGround(const Model& model, Vec3 up, Colour albedo,
                                             GroundEdge edge = GroundEdge::Far);
 

@@ -8,17 +8,17 @@
 
 namespace rtcore {
 
-/// Of an image twice as wide as it is high. The same bits on every processor.
+/// The directions of the texels of an image twice as wide as it is high. The same bits on every processor.
 class SphereTexels {
   public:
     explicit SphereTexels(int height);
 
-    /// Of the texels of a row: the sine and the cosine of their angle to the y axis.
+    /// The sine and the cosine of the angle between a row's texels and the y axis.
     struct Row {
         float ring, height;
     };
     Row row(int y) const;
-    /// Of the middle of a texel; of unit length, but for rounding.
+    /// The direction of the middle of a texel; of unit length, but for rounding.
     Vec3 direction(Row row, int x) const {
         const Vec2 across = across_[static_cast<std::size_t>(x)];
         return {row.ring * across.x, row.height, row.ring * across.y};
