@@ -1,4 +1,4 @@
-/// What BSPBuilder tells about a build: for -v, -vv and -hist.
+/// BSPBuilder's reports on a build, for -v, -vv and -hist.
 #pragma once
 
 #include "rtcore/accel/build_options.h"
@@ -25,7 +25,7 @@ struct BuildReport {
     std::uint64_t peakBytes = 0; ///< of this process' memory
 };
 
-/// What the checks of the tree found: nothing when it passed.
+/// Findings of the checks of the tree; none when it passed.
 struct TreeVerdict {
     std::optional<std::string> structure, coverage;
     double seconds = 0;

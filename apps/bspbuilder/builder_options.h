@@ -29,7 +29,7 @@ struct BuilderOptions {
 
 BuilderOptions readBuilderOptions(const app::Arguments& arguments);
 
-/// Of all that decides which tree is built, for BspIdentity.
+/// A hash of all options that decide which tree is built, for BspIdentity; never 0.
 std::uint32_t buildOptionsHash(const BuilderOptions& options);
 
 } // namespace bspbuilder

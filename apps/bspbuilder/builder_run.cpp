@@ -102,7 +102,7 @@ FileState stateOf(const std::filesystem::path& path) {
             std::filesystem::last_write_time(path, unknown)};
 }
 
-// What the .bsp is made from.
+// The model's file and the options that the .bsp is made from.
 rtcore::BspIdentity identify(const BuilderOptions& options) {
     const rtcore::FileBytes file = rtcore::openFileBytes(options.input);
     return {file.bytes.size(), rtcore::crc32Of(file.bytes), buildOptionsHash(options)};

@@ -1,4 +1,4 @@
-/// What the words in capitals of the commands stand for, for completion by shells.
+/// The meanings of the words in capitals in commands, for completion by shells.
 #pragma once
 
 #include "common/cli/options.h"
@@ -15,7 +15,7 @@ std::vector<std::string> suggestInstances(std::span<const std::string> words);
 /// Keys with names of more than one letter.
 std::vector<std::string> suggestKeys(std::span<const std::string> words);
 
-/// What keys can be bound to.
+/// Actions that keys can be bound to.
 std::vector<std::string> suggestActions(std::span<const std::string> words);
 
 } // namespace cui

@@ -1,4 +1,4 @@
-/// What CUI does, from its command line to its exit code.
+/// A run of CUI, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

@@ -1,4 +1,4 @@
-/// What a server tells about itself, for people and for programs.
+/// A server's status as text, for people and for programs.
 #pragma once
 
 #include "ipc/endpoint/instances.h"

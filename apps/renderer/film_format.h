@@ -7,7 +7,7 @@
 
 namespace renderer {
 
-/// What a film is made of.
+/// The size and the rate of a film's frames.
 struct FilmShape {
     int width = 0, height = 0; ///< pixels of its frames
     double framesPerSecond = 25;

@@ -37,7 +37,7 @@ std::filesystem::path numberedPath(const std::filesystem::path& pattern, int num
 /// "-" stands for standard output.
 inline bool isStandardOutput(const std::filesystem::path& path) { return path == "-"; }
 
-/// What to do about an output whose folder does not exist.
+/// The treatment of an output whose folder does not exist.
 enum class MissingFolder {
     Refuse,
     Make, ///< before the first frame, by makeFolder(): where a list is rendered into a folder of its own

@@ -142,7 +142,7 @@ rtcore::ExposureMode PictureMaker::measured() const {
     return incident ? rtcore::ExposureMode::Incident : rtcore::ExposureMode::Automatic;
 }
 
-/// Of the list's first frame, also where another machine renders that one.
+/// The scale of the list's first frame, also where another machine renders that frame.
 float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
     if (scale_) return *scale_;
     const std::filesystem::path& first = firstOfList_.empty() ? cameraFile : firstOfList_;

@@ -34,7 +34,7 @@ class PictureMaker {
     PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::SettingAssignment> settingsFile,
                  const RendererOptions& options, app::Progress& progress);
 
-    /// What is rendered from now on is shown there while it refines; null: nowhere.
+    /// Images rendered from now on are shown there while they refine; null: nowhere.
     void showOn(Preview* preview) { preview_ = preview; }
 
     /// The first camera of the list whose frames are rendered, whichever of them: by it the exposures of a
@@ -59,12 +59,12 @@ class PictureMaker {
         bool recorded = false; ///< its exposure is that of the .cam file
     };
 
-    /// Of a .cam file, whose lights are switched on and off; "": of the scene itself.
+    /// The shot of a .cam file, which switches lights on and off; "": that of the scene itself.
     Shot prepare(const std::filesystem::path& cameraFile);
     /// The same for a frame, with the noise and the exposure that its list gives it.
     Shot prepare(const FrameTask& task);
     rtcore::ExposureMode measured() const;
-    /// What a recorded exposure is multiplied by, for images of that camera or of its list.
+    /// The factor by which recorded exposures are scaled, for images of that camera or of its list.
     float recordedScale(const std::filesystem::path& cameraFile);
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);

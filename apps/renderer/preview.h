@@ -38,7 +38,7 @@ class Preview {
     /// The light on what images to come show, by rtcore::LightMeter.
     void meter(std::optional<float> white) { white_ = white; }
 
-    /// What is rendered.
+    /// A view to be rendered, with its renderer, control and frame.
     struct Work {
         rtcore::ImageRenderer& images;
         const rtcore::View& view;

@@ -1,4 +1,4 @@
-/// What viewers see of an image by paths while it has few samples: most of its noise is taken out.
+/// Takes most of the noise out of an image by paths that viewers see while it has few samples.
 #pragma once
 
 #include "rtcore/post/denoise.h"

@@ -1,4 +1,4 @@
-/// What the Renderer does, from its command line to its exit code.
+/// A run of the Renderer, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

@@ -1,4 +1,4 @@
-/// What `Renderer --settings` prints.
+/// The list that `Renderer --settings` prints.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// What `Renderer --verify` does.
+/// The check of rendered files by `Renderer --verify`.
 #pragma once
 
 #include "renderer/renderer_options.h"

@@ -1,4 +1,4 @@
-/// What a shell may complete: asked by the script packaging/completion.bash when Tab is pressed.
+/// Completions for shells: the script packaging/completion.bash.in asks for them when Tab is pressed.
 #pragma once
 
 #include "common/cli/options.h"

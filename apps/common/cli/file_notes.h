@@ -1,4 +1,4 @@
-/// What manual pages say of the files and the environment that several programs share.
+/// Notes in manual pages on files and environment variables that several programs share.
 #pragma once
 
 #include "common/cli/options.h"

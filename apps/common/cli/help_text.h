@@ -8,20 +8,20 @@
 
 namespace app {
 
-/// What --help prints: usage, purpose, arguments, options by group, examples, exit codes; GNU layout, 79
+/// The text of --help: usage, purpose, arguments, options by group, examples, exit codes; GNU layout, 79
 /// columns.
 std::string helpText(const ProgramSpec& spec);
 
-/// What a program says when it is run without arguments: usage, and where to find more.
+/// The text that a program prints without arguments: usage, and where to find more.
 std::string briefText(const ProgramSpec& spec);
 
-/// What --version prints: name, version, licence, and which optional parts this build has.
+/// The text of --version: name, version, licence, and which optional parts this build has.
 std::string versionText(const ProgramSpec& spec);
 
 /// "0.1.0"
 std::string suiteVersion();
 
-/// What each exit code means: the number, and the words.
+/// The meaning of each exit code: the number, and the words.
 std::span<const HelpWord> exitCodeNotes();
 
 /// "-a, --antialiasing=N": all spellings of an option as the help lists them.

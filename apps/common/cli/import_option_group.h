@@ -5,10 +5,10 @@
 
 namespace app {
 
-/// --crease-angle, --flip-textures, --memory-limit, --time-limit.
+/// --up, --units, --crease-angle, --flip-textures, --memory-limit, --time-limit.
 OptionGroup importOptionGroup();
 
-/// Of those, what the user says of a model: --up and --units.
+/// Those of the group that state facts about a model: --up and --units.
 std::vector<Option> frameOptions();
 
 } // namespace app

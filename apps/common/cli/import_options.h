@@ -14,7 +14,7 @@ namespace app {
 /// Metres per unit; nothing for "auto". Throws UsageError.
 std::optional<double> readUnits(const std::string& text);
 
-/// What the options of importOptionGroup() were given, else the importer's defaults.
+/// The values of importOptionGroup()'s options; the importer's defaults for those that are not given.
 rtcore::ImportOptions readImportOptions(const Arguments& arguments);
 
 } // namespace app

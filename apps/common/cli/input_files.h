@@ -1,4 +1,4 @@
-/// What a run reads, so that nothing it writes destroys it.
+/// The files that a run reads, so that nothing it writes destroys them.
 #pragma once
 
 #include "rtcore/platform/files.h"
@@ -14,7 +14,7 @@ namespace app {
 /// are in it, too.
 class InputFiles {
   public:
-    /// What does not exist is nothing that could be destroyed.
+    /// Ignores a path that does not exist: there is nothing to destroy.
     void add(const std::filesystem::path& path);
     void add(std::span<const std::filesystem::path> paths);
 

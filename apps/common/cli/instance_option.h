@@ -13,7 +13,7 @@ namespace app {
 /// Instances that begin so are Renderers that a window shows; they take no commands.
 inline constexpr std::string_view kPreviewPrefix = "preview-";
 
-/// What --instance or else the environment variable RT_INSTANCE says; nothing where neither does.
+/// The instance that --instance names, or else the environment variable RT_INSTANCE; nothing without both.
 std::optional<std::string> instanceOf(const Arguments& arguments);
 /// For manual pages.
 HelpWord instanceEnvironmentNote();

@@ -75,7 +75,7 @@ std::string optionLabel(const Option& option) {
     return label;
 }
 
-// What is typed as it is in bold, what stands for something in italics.
+// Literal words in bold, placeholders in italics.
 std::string commandLabel(const std::string& label) {
     std::string result;
     for (std::size_t i = 0; i < label.size();) {

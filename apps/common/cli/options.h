@@ -18,7 +18,7 @@ enum class ValueKind {
     Choice,  ///< one of `choices`
 };
 
-/// What may stand for the last of `words`, for shells to complete; one that ends with '=' goes on.
+/// Candidates for the last of `words`, for shells to complete; typing goes on behind one that ends with '='.
 using Suggest = std::vector<std::string> (*)(std::span<const std::string> words);
 
 struct Option {
@@ -61,7 +61,8 @@ struct Positional {
     std::vector<std::string> files = {}; ///< usual extensions; none = any
 };
 
-/// What a word in capitals stands for in the labels of commands, for completion. FILE is a file without that.
+/// The meaning of a word in capitals in the labels of commands, for completion. FILE is a file without a row,
+/// too.
 struct Operand {
     std::string command; ///< empty = in every command that has no row of its own
     std::string name;
@@ -75,7 +76,7 @@ struct Example {
     std::string meaning;
 };
 
-/// What a program was built with or without, for --version.
+/// An optional part that a program was built with or without, for --version.
 struct Feature {
     std::string name;
     bool present;

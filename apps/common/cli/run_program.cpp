@@ -40,7 +40,7 @@ ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& wo
     return ExitCode::Done;
 }
 
-// What is no option for people: shells and the build ask it.
+// Questions of shells and of the build, which are no options for people.
 bool answerForPackaging(const ProgramSpec& spec, std::span<const std::string> words) {
     if (words.empty()) return false;
     if (words.front() == kCompleteOption) {

@@ -1,4 +1,5 @@
-/// What surrounds every program: signals, the standard options, and the one place that catches exceptions.
+/// The main() that all programs share: signals, the standard options, and the one place that catches
+/// exceptions.
 #pragma once
 
 #include "common/cli/command_line.h"

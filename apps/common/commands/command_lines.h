@@ -10,7 +10,7 @@
 
 namespace app::command {
 
-/// What `camera set` and `camera orthographic` take.
+/// The arguments of `camera set` and `camera orthographic`.
 struct View {
     std::array<float, 3> eye{};     ///< scene units
     std::array<float, 3> forward{}; ///< not zero

@@ -175,7 +175,7 @@ enum class Runner {
     Shell,  ///< CUI does it itself
 };
 
-/// What a command does to the server.
+/// The effect of a command on the server.
 enum class CommandEffect {
     Tells,   ///< only says something
     Waits,   ///< needs what is shown, and leaves it as it is: a file of it, or its standing still
@@ -183,7 +183,7 @@ enum class CommandEffect {
     Changes, ///< changes what is shown
 };
 
-/// What people in browsers may bring about by a command. A row without the word forbids it.
+/// How people in browsers may use a command. A row that does not say it forbids it.
 enum class BrowserUse {
     Forbidden, ///< files, names, other people's keys, the server's life
     Own,       ///< the bridge itself sends it
@@ -208,7 +208,7 @@ struct CommandSpec {
     std::string_view help;                   ///< sentence without a full stop, for --help
     std::string_view more = {}; ///< further sentences for the manual, which has code in backquotes
 
-    /// What it changes is one step of `undo`.
+    /// Its changes are one step of `undo`.
     bool edits() const { return !step.empty(); }
 };
 

@@ -1,4 +1,4 @@
-/// What the keys of a client may not do, as it says of itself when it connects: one that serves visitors.
+/// Actions withheld from the keys of a client; one that serves visitors declares them when it connects.
 #pragma once
 
 #include "rtcore/motion/action.h"

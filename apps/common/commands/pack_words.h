@@ -1,4 +1,4 @@
-/// What the server says of a pack and the programs that ask for one understand.
+/// Texts about packs that the server writes and the programs that ask for a pack read.
 #pragma once
 
 #include "rtcore/platform/sentence.h"

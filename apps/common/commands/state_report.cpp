@@ -22,7 +22,7 @@ constexpr int kMax = 1'000'000'000;
 constexpr rtcore::Limits kTurn{.minimum = -360, .maximum = 360};
 constexpr rtcore::Limits kUnit{.minimum = 1e-12, .maximum = 1e12};
 
-/// What of a list is told.
+/// How much of each list is written.
 struct Extent {
     std::size_t max; ///< of the switches
     bool names;

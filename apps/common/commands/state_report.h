@@ -28,14 +28,14 @@ struct ReportedLight {
     friend bool operator==(const ReportedLight&, const ReportedLight&) = default;
 };
 
-/// Of the environment map of a file that is shown.
+/// The environment map that is shown, where it is one of a file.
 struct ReportedMap {
     float rotation = 0; ///< degrees
     float strength = 1; ///< factor
     friend bool operator==(const ReportedMap&, const ReportedMap&) = default;
 };
 
-/// Of an edit that undo takes back, or redo makes again.
+/// An edit that undo takes back, or redo makes again.
 struct ReportedEdit {
     int number = 0; ///< none is given twice while the server runs; 0: there is no such edit
     int person = 0; ///< for whom the asking client made it, by the command `by`; 0: for none, or another did
@@ -62,7 +62,7 @@ struct StateReport {
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 
-/// What is no UTF-8 in names is shown as `\xNN`. At most `max` bytes: where that is too little the
+/// Bytes of names that are no UTF-8 are shown as `\xNN`. At most `max` bytes: where that is too little the
 /// descriptions of lights are left out, then names, then lights and environments from the end. Throws
 /// std::runtime_error where even that does not do.
 std::string formatStateReport(const StateReport& state, std::size_t max);

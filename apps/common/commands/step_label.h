@@ -1,4 +1,4 @@
-/// What clients call the steps that `undo` takes back.
+/// Labels by which clients show the steps that `undo` takes back.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ struct StepLabel {
     bool isSetting = false; ///< `of` names a setting, which says all
 };
 
-/// Of a line of `state`, such as "light temperature 3" or "set bloom.radius". Never throws but
-/// std::bad_alloc.
+/// The label of a step as `state` reports it, such as "light temperature 3" or "set bloom.radius". Throws
+/// nothing but std::bad_alloc.
 StepLabel stepLabel(const std::string& step);
 
 } // namespace app

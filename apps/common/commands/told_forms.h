@@ -4,7 +4,7 @@
 
 namespace app::told {
 
-// What keys did.
+// Effects of keys.
 inline constexpr const char
     *kWalking = "walking",
     *kFlying = "flying",
@@ -14,7 +14,7 @@ inline constexpr const char
     *kLightOff = "light {0} off", *kNoLight = "there is no light {0}", *kEnvironment = "environment {0}",
     *kNoEnvironment = "there is no environment {0}";
 
-// What was decided for the user, and the command that decides otherwise.
+// Decisions made for the user, and the commands that decide otherwise.
 inline constexpr const char *kUpOffer = "{0} is taken for up ({1}); 'up {2}' turns the model",
                             *kUnitOffer = "{0} m are taken for a unit ({1}); 'units' sets another",
                             *kMaterialOffer = "{0}; 'material reset *' takes them as they are";

@@ -1,4 +1,4 @@
-/// What servers of frames tell their clients about them.
+/// The status of frames that their servers publish for clients.
 #pragma once
 
 #include "ipc/layout/status.h"

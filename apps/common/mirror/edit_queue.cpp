@@ -14,7 +14,7 @@ std::optional<std::string> EditQueue::edit(const std::string& thing, const std::
     const auto [found, first] = waiting_.try_emplace(thing);
     if (first) return joins ? command::also(line) : line;
     Waiting& next = found->second;
-    // What takes the place of the first line of a step begins it.
+    // A line that replaces the first one of a step begins that step.
     next.goesOn = next.line ? next.goesOn && joins : joins;
     next.line = line;
     return std::nullopt;

@@ -23,7 +23,7 @@ class EditQueue {
     std::optional<std::string> answered(const std::string& thing);
     /// Whether one is under way, so that what the server says of it is already old.
     bool isBusy(const std::string& thing) const { return waiting_.contains(thing); }
-    /// What follows begins a step of its own.
+    /// The next edit begins a step of its own.
     void endGesture() { last_.clear(); }
     /// Another server, or none: nothing is under way.
     void forget() { *this = EditQueue(); }

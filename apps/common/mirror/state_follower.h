@@ -10,7 +10,7 @@ namespace app {
 /// The client sends `state` when asks() says so, and gives each answer to answered().
 class StateFollower {
   public:
-    /// Of the status that the server told last.
+    /// Takes the revision of the server's latest status.
     void revision(std::uint64_t now) {
         wanted_ = wanted_ || known_ != now;
         known_ = now;
@@ -37,7 +37,7 @@ class StateFollower {
         if (!done) known_.reset();
         return holds;
     }
-    /// What is known holds, as far as the client knows.
+    /// The known state is up to date, as far as the client can tell.
     bool isCurrent() const { return !wanted_ && !underWay_; }
     /// Another server, or none: what is under way is not answered any more.
     void forget() { *this = StateFollower(); }

@@ -1,4 +1,4 @@
-/// What the programs return to the shell (the numbers of sysexits.h, and 128 + signal).
+/// Exit codes of the programs (the numbers of sysexits.h, and 128 + signal).
 #pragma once
 
 #include "rtcore/platform/error.h"

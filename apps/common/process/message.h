@@ -1,4 +1,4 @@
-/// What a program tells the people who run it.
+/// Messages of a program to the people who run it.
 #pragma once
 
 #include <string_view>

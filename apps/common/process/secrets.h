@@ -9,7 +9,7 @@ namespace app {
 /// No core files from now on, and no more rights for this process or its children.
 void protectSecrets() noexcept;
 
-/// Of the system. Throws std::runtime_error where it has none.
+/// Takes them from the system. Throws std::runtime_error where it has none.
 void fillWithRandomBytes(std::span<unsigned char> bytes);
 
 /// From now on SIGUSR1 asks to make secrets anew, in place of ending the process. Before the first thread.
@@ -17,7 +17,7 @@ void installRenewalHandler();
 /// Whether it came since the last call. Any thread.
 bool takeRenewalRequest() noexcept;
 
-/// What this machine calls itself; "" where it does not say.
+/// The name of this machine; "" where the system gives none.
 std::string hostName();
 
 } // namespace app

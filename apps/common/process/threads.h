@@ -10,7 +10,7 @@ namespace app {
 /// OMP_NUM_THREADS is set; else 0: all cores, or OMP_NUM_THREADS.
 int threadCount(std::optional<long long> asked);
 
-/// What is parallel without being told a number uses `threads` from now on; 0 changes nothing.
+/// Parallel code that is told no number uses `threads` from now on; 0 changes nothing.
 void useThreads(int threads);
 
 /// Lets threads that wait for each other sleep soon: those that spin use up, beside other programs, the time

@@ -1,4 +1,4 @@
-/// What a program says of what it guesses of a model.
+/// A program's guesses about a model, as text.
 #pragma once
 
 #include "rtcore/survey/model_units.h"

@@ -1,4 +1,4 @@
-/// What image files say of how they were made.
+/// Texts in image files on how the images were made.
 #pragma once
 
 #include "rtcore/io/images/image_text.h"

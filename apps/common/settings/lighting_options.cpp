@@ -42,7 +42,7 @@ std::string tableOf(std::string_view text) {
     return table;
 }
 
-/// What is no value of a table is no sky, in whichever words the parser says so.
+/// The keys and values in `text`. An error of the parser becomes a UsageError without its words.
 rtcore::TextValue contentOf(std::string_view text) {
     try {
         return rtcore::parseToml(tableOf(text), kPlace);

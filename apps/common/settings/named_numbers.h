@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Of a thing by its place, counted from 0.
+/// The name of the thing with that index, counted from 0.
 using NameOf = std::function<std::string_view(std::size_t)>;
 
 /// Those whose names a pattern fits (rtcore::matchesPattern()), counted from 0, ascending.

@@ -24,8 +24,8 @@ struct Selection {
 
 Selection readSelection(const Arguments& arguments);
 
-/// Of a scene of which `scene` is, or will be, a copy. Both throw UsageError where the scene has no such part
-/// or light; the message names some that it has.
+/// `scene` may be a copy of another scene, or be copied later. Both throw UsageError where the scene has no
+/// such part or light; the message names some that it has.
 void selectParts(const Selection& selection, rtcore::Scene& scene);
 /// The lights must be numbered. After what a .cam says of them, which it overrules.
 void selectLights(const Selection& selection, rtcore::Scene& scene);

@@ -7,7 +7,7 @@
 namespace app {
 
 std::vector<std::string> settingNames();
-/// What the setting of that name takes, where that is a few words; else nothing.
+/// The values of the setting of that name where these are a few words; else none.
 std::vector<std::string> settingValues(const std::string& name);
 
 } // namespace app
