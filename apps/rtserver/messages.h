@@ -22,12 +22,12 @@ class Messages {
     /// The same for what clients can bring about as often as they like: one a second, and how many there were
     /// beside it.
     void complain(const rtcore::Sentence& said);
-    /// What was decided for the user, and the command that decides otherwise, in quotes. Kept for clients,
+    /// A decision made for the user, and the command that decides otherwise, in quotes. Kept for clients,
     /// not printed.
     void offer(const rtcore::Sentence& said);
     /// The user has decided: no offer holds any more.
     void withdrawOffers();
-    /// What a key did. Kept for clients, not printed.
+    /// The effect of a key. Kept for clients, not printed.
     void tell(const rtcore::Sentence& said);
 
     /// How many were kept so far: grows with each, and never falls.

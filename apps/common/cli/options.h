@@ -61,8 +61,7 @@ struct Positional {
     std::vector<std::string> files = {}; ///< usual extensions; none = any
 };
 
-/// The meaning of a word in capitals in the labels of commands, for completion. FILE is a file without a row,
-/// too.
+/// The meaning of a word in capitals in the labels of commands, for completion. FILE needs none.
 struct Operand {
     std::string command; ///< empty = in every command that has no row of its own
     std::string name;

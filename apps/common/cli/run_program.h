@@ -1,5 +1,4 @@
-/// The main() that all programs share: signals, the standard options, and the one place that catches
-/// exceptions.
+/// The common main() of all programs: signals, standard options, and the one place that catches exceptions.
 #pragma once
 
 #include "common/cli/command_line.h"

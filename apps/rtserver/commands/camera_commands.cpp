@@ -110,7 +110,7 @@ Result orbit(const Call& call) {
     return {};
 }
 
-// Of the image, in scene units, at the distance of the pivot; never nothing.
+// The image's width in scene units, at the distance of the pivot; never 0.
 double widthAtPivot(const Call& call) {
     const Document& document = call.document();
     const rtcore::RenderSettings& settings = document.settings();
@@ -135,7 +135,7 @@ Result approach(const Call& call) {
     return {};
 }
 
-// Of the parts that are named, or of what the model is about.
+// The bounds of the named parts; without names those of the model's subject.
 rtcore::Box3 boxToFit(const Call& call) {
     const rtcore::Scene& scene = *call.document().scene();
     if (call.size() == 0) return subjectOf(scene.model.mesh, rtcore::axesOf(scene)).bounds;
@@ -199,7 +199,7 @@ Result paste(const Call& call) {
     return {.answer = warning.empty() ? warning : "warning: " + warning};
 }
 
-// Of the image that is shown, whatever aspect its author framed.
+// The angle of the image that is shown, whatever aspect its author framed.
 Result setAngle(const Call& call, double degrees) {
     rtcore::Camera camera = call.document().camera();
     camera.kind = rtcore::CameraKind::Perspective;

@@ -12,7 +12,7 @@
 
 namespace rtserver {
 
-/// What became of a command that was run.
+/// The state of a command that was run.
 enum class Served {
     Done,   ///< its answer is given, or comes later
     Again,  ///< it waits for a frame, or for a scene: to be run again in the next turn
@@ -30,7 +30,7 @@ class CommandBook {
     bool hasNew() const { return new_; }
     /// Runs what can be run; the rest stays.
     void serve(const Run& run);
-    /// What this client had Beside is done.
+    /// The command that this client had Beside is done.
     void resume(std::uint64_t client) { std::erase(beside_, client); }
 
     /// Something of this client is not done, so that its next command has to wait.

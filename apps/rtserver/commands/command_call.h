@@ -52,8 +52,8 @@ int keyOf(const std::string& name);
 /// The server's own folder says nothing to a client: absolute paths only.
 std::filesystem::path pathOf(const std::string& text);
 
-/// What is shown was read from `inputs`: none of them is written over, but a description by another of its
-/// kind, which has the extension `replaces`. Throws app::UsageError.
+/// Refuses to write over one of `inputs`, from which the shown scene was read; but a description may replace
+/// another of its kind, which has the extension `replaces`. Throws app::UsageError.
 void refuseInput(const app::InputFiles& inputs, const std::filesystem::path& path, std::string_view replaces);
 
 } // namespace rtserver

@@ -26,7 +26,7 @@ namespace rtserver {
 /// memory: commands are handed in, answers go to Replies.
 class CommandService {
   public:
-    /// What the service tells of, or asks for.
+    /// The parts of the server that the service reports to, or asks.
     struct Services {
         Host& host;
         Replies& replies;

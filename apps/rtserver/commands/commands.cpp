@@ -50,7 +50,7 @@ std::string stepLabel(const app::CommandSpec& command, std::span<const std::stri
     }
 }
 
-/// What stands before an edit: `by PERSON`, `also`.
+/// The commands that may precede an edit on its line: `by PERSON`, `also`.
 struct Prefixes {
     int person = 0;
     bool goesOn = false;
@@ -75,7 +75,7 @@ Prefixes takePrefixes(std::vector<std::string>& words, app::FoundCommand& found)
     return prefixes;
 }
 
-// What is done beside the server changes something at its end.
+// Work beside the server makes its change at its end.
 Result runEdit(const Call& call, const app::CommandSpec& command, const Prefixes& prefixes) {
     const auto asStep = [&document = call.document(), label = stepLabel(command, call.arguments),
                          by = EditAuthor{call.client, prefixes.person}, goesOn = prefixes.goesOn](auto act) {

@@ -1,4 +1,4 @@
-/// What the server does for each command of the table (common/commands/command_table.h).
+/// Runs the server's commands of the table (common/commands/command_table.h).
 #pragma once
 
 #include "rtserver/commands/side_work.h"
@@ -16,7 +16,7 @@
 
 namespace rtserver {
 
-/// What a command can ask of the server beside its state.
+/// The services of the server to commands, beside its state.
 class Host {
   public:
     virtual ~Host() = default;
@@ -52,9 +52,9 @@ struct Result {
     StopFlag stop = {};      ///< for Apart: gives the work up
 };
 
-/// What becomes of a command that comes while a long frame is drawn: what Tells only reads the state, so
-/// that runCommand() answers it at once, in another thread; what Waits waits for the frame, or for its turn;
-/// for all others the frame is left. A wrong command Tells what is wrong with it.
+/// The effect of a command that comes while a long frame is drawn: one that Tells only reads the state, so
+/// that runCommand() answers it at once, in another thread; one that Waits is kept for the frame, or for its
+/// turn; for all others the frame is left. A wrong command Tells what is wrong with it.
 app::CommandEffect effectOf(std::string_view text);
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other

@@ -59,7 +59,7 @@ Result describe(const Call& call) {
 
 // --- Places ---
 
-/// What is guessed of a unit counts where it makes the model as large as what electric lights light.
+/// A guessed unit counts only where it makes the model as large as a place that electric lights light.
 std::optional<float> unitForLights(const rtcore::ModelUnits& units, float diagonal) {
     constexpr float kSmallest = 1, kLargest = 10'000; // m
     const float metres = diagonal * units.metresPerUnit;

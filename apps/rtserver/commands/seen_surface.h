@@ -1,4 +1,4 @@
-/// What surface stands at a place of the image.
+/// The surface that is seen at a point of the image.
 #pragma once
 
 #include "rtserver/document/document.h"

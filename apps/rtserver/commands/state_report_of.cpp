@@ -55,7 +55,7 @@ std::vector<app::NamedSwitch> environmentsOf(const Document& document) {
 
 namespace {
 
-/// Of a step, as the asking client is told of it.
+/// The report of a step to the asking client, which is told the persons of its own steps alone.
 app::ReportedEdit reportOf(const EditStep* step, std::uint64_t client) {
     if (step == nullptr) return {};
     const bool own = client != 0 && step->by.client == client;

@@ -1,4 +1,4 @@
-/// What is shown now, for clients that ask: the command `state`, and those that tell a part of it.
+/// The state that is shown now, for clients that ask: the command `state`, and those that tell a part of it.
 #pragma once
 
 #include "rtserver/document/document.h"

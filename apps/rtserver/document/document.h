@@ -44,19 +44,19 @@ class Document {
     /// there.
     void show(std::unique_ptr<World> world);
     bool ready() const { return world_ != nullptr; }
-    /// What follows but revisions() needs ready().
+    /// All below but revisions() needs ready().
     const World& world() const { return *world_; }
     std::string title() const; ///< for messages
     /// As it is shown, with its lights and its environment. To be copied where it has to last: the next edit
     /// puts another one here.
     const std::shared_ptr<const rtcore::Scene>& scene() const { return scene_; }
-    /// Of all that is shown: scene, camera, settings.
+    /// The revisions of all that is shown: scene, camera, settings.
     const rtcore::Revisions& revisions() const { return revisions_; }
 
     // --- What is traced ---
 
     const VisibleModel& visible() const { return visible_; }
-    /// Of what is shown: without hidden parts.
+    /// The tracer of what is shown: without hidden parts.
     const std::shared_ptr<const rtcore::RayTracer>& tracer() const { return visible_.tracer(); }
     /// The exact tree of the same scene, with its tracer. The frames stay the same.
     void useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer);
@@ -75,7 +75,7 @@ class Document {
     /// Another up axis, another unit, as the user says. The model stays where it is: the view of a model
     /// without a camera is found again.
     void setModelUnits(std::optional<rtcore::Vec3> up, std::optional<double> metresPerUnit);
-    /// What would be guessed of a model by itself.
+    /// Takes the guess for a model by itself: of its up axis, its unit, or both.
     void guessModelUnits(bool up, bool unit);
 
     // --- Camera ---
@@ -109,10 +109,10 @@ class Document {
 
     // --- Steps ---
 
-    /// What edits change.
+    /// The state that edits change, as it is now.
     Snapshot snapshot() const { return {scene_, settings_, camera_, modelUnits(), bookmarks_}; }
-    /// What changed since snapshot() was `before` is one step that can be taken back. `label` and `goesOn`:
-    /// as in EditHistory.
+    /// The changes since snapshot() was `before` become one step that can be taken back. `label` and
+    /// `goesOn`: as in EditHistory.
     void keepStep(std::string label, Snapshot before, const EditAuthor& by = {}, bool goesOn = false);
     /// The last step taken back, or made again, or that of a number alone; they return its label. Throw
     /// std::runtime_error where there is none, and what setSettings() throws.

@@ -12,7 +12,7 @@ class DocumentFollower {
     virtual ~DocumentFollower() = default;
     /// Another scene is shown.
     virtual void sceneOpened() = 0;
-    /// Of these kinds; none where only names changed.
+    /// Changes of these kinds were made to the scene; none where only names changed.
     virtual void sceneEdited(const rtcore::Scene& before, const rtcore::Changes& changes) = 0;
     /// Another tree of what is visible; the triangles are the same.
     virtual void treeReplaced() = 0;

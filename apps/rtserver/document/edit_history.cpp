@@ -20,7 +20,7 @@ void dropSkyMaps(EditStep& step) {
     step.after.scene = same ? step.before.scene : rtcore::withoutSkyMap(step.after.scene);
 }
 
-/// What a scene takes of its own: the rest is shared.
+/// The bytes that a scene has to itself: the rest is shared.
 std::size_t bytesOf(const rtcore::Scene& scene) {
     constexpr std::size_t kLight = sizeof(rtcore::SceneLight) + sizeof(std::string);
     return sizeof(scene) + scene.materials.size() * sizeof(rtcore::Material) + scene.lights.size() * kLight +

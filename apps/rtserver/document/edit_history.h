@@ -15,7 +15,7 @@
 
 namespace rtserver {
 
-/// What edits change, as it is at one moment. Cheap to keep: scenes are immutable and shared.
+/// The state that edits change, at one moment. Cheap to keep: scenes are immutable and shared.
 struct Snapshot {
     std::shared_ptr<const rtcore::Scene> scene; ///< of older steps without the sky's map: withSkyMap()
     rtcore::RenderSettings settings;
@@ -40,8 +40,8 @@ struct EditStep {
     int number = 0;          ///< none is given twice, over clear(), too
 };
 
-/// Of each step, whether it changed the scene, the settings, the camera, the up axis or the unit, the
-/// bookmarks: what it left alone stays when it is taken back. A step that changed nothing is none.
+/// Whether a step changed the scene, the settings, the camera, the up axis or the unit, the bookmarks: those
+/// that it left alone stay when it is taken back. A step that changed nothing is none.
 bool changesScene(const EditStep& step);
 bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);

@@ -1,4 +1,4 @@
-/// What is shown now, as files that show it again.
+/// The scene and the view that are shown now, as files that show them again.
 #pragma once
 
 #include "rtserver/document/document.h"

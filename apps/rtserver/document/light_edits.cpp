@@ -23,7 +23,7 @@ using rtcore::LightDescription;
 using rtcore::LightKind;
 using rtcore::Vec3;
 
-/// Of a new light.
+/// The sizes of a new light.
 struct UsualSizes {
     float radius, ball, width, height;
 };
@@ -48,7 +48,7 @@ float squareDistance(Vec3 a, Vec3 b, const SceneExtent& extent) {
     return std::fmax(dot(a - b, a - b), nearest * nearest);
 }
 
-/// What the kind needs and the light lacks; what it has no use for is as a file without it gives it.
+/// Adds values that the kind needs and the light lacks; those without a use become as in a file without them.
 void complete(Light& light, const SceneExtent& extent) {
     const Light usual;
     const rtcore::LightTraits& traits = traitsOf(light);

@@ -1,4 +1,4 @@
-/// What commands do to one light. Lights are as .scn files describe them.
+/// Edits of one light by commands. Lights are as .scn files describe them.
 #pragma once
 
 #include "rtcore/io/text/scn.h"
@@ -15,7 +15,7 @@ struct LightPlace {
     rtcore::Vec3 direction{0, -1, 0}; ///< where a light that has a direction shines to, unit length
 };
 
-/// What sizes and strengths of lights follow from.
+/// The properties of a scene by which lights are sized and their strengths chosen.
 struct SceneExtent {
     rtcore::Vec3 centre; ///< of the model
     float size = 1;      ///< its diagonal, scene units, above 0
@@ -34,15 +34,15 @@ float powerOf(const rtcore::LightDescription& light);
 // They throw std::invalid_argument for a wrong value and std::runtime_error for what lights of that kind
 // lack, with a text for users, and leave the light as it was.
 
-/// Of the same colour; white where it was black. `watts` above 0, as powerOf() counts.
+/// Keeps the colour, or makes it white where it was black. `watts` is above 0, as powerOf() counts.
 void setPower(rtcore::LightDescription& light, float watts);
-/// Of the same power, without a temperature; not black.
+/// Keeps the power, and drops the temperature. `colour` is not black.
 void setColour(rtcore::LightDescription& light, rtcore::Colour colour);
-/// That of a black body, of the same power. Nothing: the light keeps the colour that it has by that as its
-/// own.
+/// Takes the colour of a black body and keeps the power. Nothing: the colour that the light has by its
+/// temperature becomes its own.
 void setTemperature(rtcore::LightDescription& light, std::optional<float> kelvin);
-/// Of the same power; between directional lights and others, of the same irradiance in the middle of the
-/// model. What the new kind needs and the old one lacked is as in a new light.
+/// Keeps the power; between directional lights and others, the irradiance in the middle of the
+/// model. Values that the new kind needs and the old one lacked are those of a new light.
 void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const SceneExtent& extent);
 /// A rectangle takes two numbers, a directional light the angle under which its disc is seen, degrees; the
 /// others a radius. Scene units, not negative.

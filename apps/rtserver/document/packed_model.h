@@ -8,7 +8,7 @@
 
 namespace rtserver {
 
-/// What an import of the model opens, but for itself, by absolute names.
+/// The files that an import of the model opens beside the model itself, by absolute names.
 std::vector<std::filesystem::path> companionsOf(const std::filesystem::path& model,
                                                 const PackProgress& progress);
 

@@ -23,8 +23,8 @@ struct ScenePack {
 
 struct PackedScene {
     int files = 0;
-    /// What the scene names and the pack does not hold: images that are none, files that the model is the
-    /// same without.
+    /// Files that the scene names and the pack does not hold: images that are none, and those that the model
+    /// is the same without.
     std::vector<std::filesystem::path> leftOut;
 };
 

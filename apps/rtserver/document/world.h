@@ -26,7 +26,7 @@ class World {
     World& operator=(const World&) = delete;
 
     rtcore::LoadedScene loaded; ///< its scene as the files say; Document::scene() is what edits made of it
-    /// Of all that is there, hidden or not.
+    /// The tracer of all that is there, hidden or not.
     std::shared_ptr<const rtcore::KdRayTracer> tracer;
     std::filesystem::path source; ///< what the user named
     rtcore::ImportOptions import; ///< as far as the user gave them

@@ -12,8 +12,8 @@ constexpr double kNear = 0.0005;          ///< too little to be seen
 constexpr double kMinSpeed = 0.12;        ///< per second
 constexpr double kMinSpeedOfRange = 0.05; ///< per time constant
 
-/// What is left of a distance: it falls to 1/e in each time constant, but never slower than at the least
-/// speed, so that there is an end.
+/// The rest of a distance after `seconds`: it falls to 1/e in each time constant, but never slower than at
+/// the least speed, so that there is an end.
 double leftOf(double distance, double seconds, double timeConstant) {
     if (timeConstant <= 0) return 0;
     const double min = std::min(kMinSpeed, kMinSpeedOfRange / timeConstant);

@@ -1,4 +1,4 @@
-/// What comes to the server while a frame is drawn, as far as it matters to the frame.
+/// Arrivals at the server while a frame is drawn, as far as they matter to the frame.
 #pragma once
 
 namespace rtserver {

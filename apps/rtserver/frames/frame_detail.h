@@ -9,8 +9,8 @@ namespace rtserver {
 struct FrameDetail {
     double scale = 1; ///< times the width and the height that are asked for: 1/8 to 1
     bool cut = false; ///< few samples in place of those that are asked for
-    /// Of a live frame (rtcore/live): that part of its pixels is traced, and others show the light of the
-    /// frames before. 0: all are.
+    /// The fraction of a live frame's pixels (rtcore/live) that is traced; the others show the light of the
+    /// frames before. 0: all are traced.
     double newSamples = 0;
 
     bool whole() const { return scale == 1 && !cut; }
@@ -21,7 +21,7 @@ struct FrameDetail {
 inline constexpr double kMinScale = 0.125, kMinLiveScale = 1.0 / 3;
 inline constexpr FrameDetail kCoarsest{kMinScale, true};
 
-/// What a frame of that detail is rendered with: `settings` themselves for a whole one.
+/// The settings of a frame of that detail: `settings` themselves for a whole one.
 rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const FrameDetail& detail);
 
 /// The same for a live one: one sample per pixel, in as much light as the whole frame, whatever its size, so

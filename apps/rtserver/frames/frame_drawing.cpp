@@ -100,7 +100,7 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
     return {};
 }
 
-// What an edit does to the time of a frame is learned from frames, within few of them; but of another scene
+// The effect of an edit on the time of a frame is learned from the next few frames; but of another scene
 // nothing is known.
 void FrameDrawing::noticeScene() {
     if (!scheduled_.take(state_.document.revisions()).has(rtcore::Change::Scene)) return;

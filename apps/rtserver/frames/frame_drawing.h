@@ -27,7 +27,7 @@ class FrameDrawing {
   public:
     using Clock = FramePacer::Clock;
 
-    /// Of the server around it.
+    /// Calls into the server around it.
     struct Outlets {
         /// Called every few milliseconds while a frame is traced, in another thread: which may read the state
         /// then, but not change it. What it throws, draw() throws.
@@ -39,7 +39,7 @@ class FrameDrawing {
     /// At most `framesPerSecond`, 0 = as many as there are, by `threads`. All must outlive it.
     FrameDrawing(Workspace& state, SceneUpkeep& upkeep, Outlets outlets, int threads, double framesPerSecond);
 
-    /// What became of a frame.
+    /// How the drawing of a frame ended.
     enum class Outcome {
         Published,
         Left,       ///< for a change, or for the end; another one follows
@@ -71,8 +71,8 @@ class FrameDrawing {
     void prepareToMove() { frames_.seedLive(state_.document); }
 
     const FrameMaker& frames() const { return frames_; }
-    /// What a frame of all pixels and samples takes: the last one, or the one that is traced, so far. 0:
-    /// there was none of this scene. May be called by Outlets::poll.
+    /// Time for a frame of all pixels and samples: of the last one, or of the one being traced if that has
+    /// taken longer already. 0: there was none of this scene. May be called by Outlets::poll.
     double wholeSeconds() const;
     double framesPerSecond() const { return pacer_.framesPerSecond(Clock::now()); }
     SceneUpkeep::Pace pace();
@@ -104,7 +104,7 @@ class FrameDrawing {
     bool wentBack_ = false;          ///< to those settings, for lack of memory, and none is there yet
     bool keepsImage_ = false;        ///< paused, with all of the last image there
 
-    // Of the frame that is traced: the guard's thread has them then.
+    // State of the frame that is being traced: the guard's thread has it then.
     Clock::time_point begun_, stepDue_;
     Arrivals arrivals_;
     std::exception_ptr guardError_;

@@ -16,7 +16,7 @@ namespace rtserver {
 
 namespace {
 
-/// Of live frames, which trace few pixels themselves; an eye does not follow sooner.
+/// Live frames to a measurement of the light: they trace few pixels, and an eye does not follow sooner.
 constexpr int kMeterEvery = 8;
 
 bool canBeLive(const Document& document) {
@@ -242,7 +242,7 @@ void FrameMaker::adapt(float target, const rtcore::ExposureSettings& settings) {
 }
 
 void FrameMaker::develop(const Document& document) {
-    // Of another scene the exposure is found at once.
+    // For another scene the exposure is found at once.
     if (adapted_.take(document.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
     const rtcore::RenderSettings settings = document.frameSettings();
     adapt(target_, settings.exposure);

@@ -40,9 +40,9 @@ class FrameMaker {
     /// Takes over the light of the last frame that was not live, for live ones: that is put off until one is
     /// asked for.
     void seedLive(const Document& document);
-    /// Of the last frame, where it was live: what of its time traced pixels took.
+    /// The traced pixels of the last frame, if that was live, and the part of its time that they took.
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
-    /// Of the pixels of the last frame, the part whose light is of frames before it.
+    /// The fraction of the last frame's pixels whose light is of frames before it.
     double kept() const { return keptPart_; }
     /// The revision of the state that the last frame shows; 0: there is no frame.
     std::uint64_t revision() const { return revision_; }
@@ -58,8 +58,8 @@ class FrameMaker {
     void develop(const Document& document);
     /// Whether develop() would give the same image again.
     bool settled() const { return adaptation_.settled(); }
-    /// What whole frames of such settings take, with their image and effects; where there is a frame time,
-    /// what coarse and live ones take at least, too. (docs/live.md)
+    /// Bytes for whole frames of such settings, with their image and effects; `live`, where there is a frame
+    /// time: also the least that coarse and live ones take. (docs/live.md)
     static std::size_t bytesOf(const rtcore::RenderSettings& settings, bool live);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
     static void requireMemory(const rtcore::RenderSettings& settings, bool live);

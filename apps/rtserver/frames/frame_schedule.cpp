@@ -9,8 +9,8 @@ namespace {
 constexpr auto kLongFrame = std::chrono::seconds(1);
 constexpr double kNotDrawing = 0.4; ///< frame times in which a change is noticed and a frame is left
 constexpr double kMin = 0.25;       ///< frame times; in less no other frame than the coarsest is tried
-/// Of a frame time, for the first live frame after a whole one: nearly all that it shows is known, and where
-/// nothing goes on moving the next whole frame comes the sooner.
+/// Fraction of a frame time for the first live frame after a whole one: nearly all that it shows is known,
+/// and where nothing goes on moving the next whole frame comes the sooner.
 constexpr double kGlimpse = 0.5;
 constexpr double kForget = 0.05; ///< fraction of the way down that is taken after each coarsest frame
 

@@ -1,4 +1,4 @@
-/// What is seen while a whole frame is traced: the image before it goes over to it, so that nothing jumps.
+/// The transition from the image before to a whole frame while that is traced, so that nothing jumps.
 #pragma once
 
 #include "rtcore/post/transition.h"

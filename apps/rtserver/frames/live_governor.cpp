@@ -29,7 +29,7 @@ FrameDetail LiveGovernor::detail(double pixels, double rays, double target) cons
     const double sample = secondsPerSample_ > 0 ? secondsPerSample_ : rays * kSecondsPerRay;
     const double pixel = secondsPerPixel_ > 0 ? secondsPerPixel_ : kSecondsPerPixel;
     const double left = std::max(target * kSpared - count * pixel, 0.0);
-    // Of a scene that nothing is known of, few: its frame is never left.
+    // Few samples of a scene that nothing is known of: its frame is never left.
     constexpr double kFirst = 0.5, kFirstSamples = 64;
     const double first = std::min(kMinSamples, std::max(kFirst * target / sample, kFirstSamples) / count);
     const double min = secondsPerSample_ > 0 ? kMinSamples : first;

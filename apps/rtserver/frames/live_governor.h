@@ -6,12 +6,12 @@
 
 namespace rtserver {
 
-/// One thread. Knows from frames before it what a traced pixel takes, and what each pixel takes besides. What
-/// gives way are traced pixels at first, down to kWantedSamples of them; then the size, by twelfths; then
-/// traced pixels again, down to kMinSamples. Light that is older than 50 frames is worse than few pixels.
+/// One thread. Knows from frames before it what a traced pixel takes, and what each pixel takes besides.
+/// First traced pixels give way, down to kWantedSamples of them; then the size, by twelfths; then traced
+/// pixels again, down to kMinSamples. Light that is older than 50 frames is worse than few pixels.
 class LiveGovernor {
   public:
-    /// What a live frame took.
+    /// The cost of a live frame.
     struct Cost {
         double samples = 0;       ///< traced pixels
         double sampleSeconds = 0; ///< that they took

@@ -1,5 +1,5 @@
-/// What is done beside the frames for the scene that is shown: loading another one, building the exact tree
-/// of a large one, and that of what hidden parts leave, making its shadow maps.
+/// Work beside the frames for the scene that is shown: loading another one, building the exact tree of a
+/// large one and the tree of its visible parts, making its shadow maps.
 #pragma once
 
 #include "rtserver/failure.h"
@@ -32,7 +32,7 @@ class SceneUpkeep {
     /// rtcore::LoadOptions.
     void load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel);
     bool loads() const { return load_ != nullptr; }
-    /// Of the scene that is being loaded, 0..1; 1 when there is none.
+    /// How much of a scene is loaded, 0..1; 1 when none is being loaded.
     float progress() const { return load_ ? load_->fraction() : 1; }
 
     /// How a load ended.

@@ -1,4 +1,4 @@
-/// What RTServer does, from its command line to its exit code.
+/// A run of RTServer, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

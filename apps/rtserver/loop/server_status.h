@@ -1,4 +1,4 @@
-/// What clients read of a server without asking it.
+/// The status that clients read of a server without asking it.
 #pragma once
 
 #include "rtserver/frames/frame_maker.h"
@@ -10,7 +10,7 @@
 
 namespace rtserver {
 
-/// What the state and its last frame do not tell.
+/// The facts of a status that the state and its last frame do not tell.
 struct Activity {
     float progress = 1; ///< of a scene that is being loaded, 0..1; 1 when there is none
     double framesPerSecond = 0;

@@ -8,9 +8,9 @@ namespace rtserver {
 /// One thread at a time.
 class KeyInbox {
   public:
-    /// What ipc::Server::keys() gave. True when the state does not know it yet.
+    /// Takes the result of ipc::Server::keys(). True when the state does not know it yet.
     bool add(const ipc::KeyState& keys);
-    /// What is down, and the presses since the last call.
+    /// The keys that are down, and the presses since the last call.
     ipc::KeyState take();
 
   private:

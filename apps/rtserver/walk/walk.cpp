@@ -86,7 +86,7 @@ void Walk::sceneEdited(const rtcore::Scene& before, const rtcore::Changes& chang
 
 void Walk::treeReplaced() { player_->useTree(document_.visible().tree()); }
 
-// What is recorded and what is walked on is of the old up axis and unit. Flying goes on.
+// A recording and a walk belong to the old up axis and unit, and end. Flying goes on.
 void Walk::unitsChanged() {
     stopPlaying();
     if (recording_) endRecording("the up axis or the unit was changed");

@@ -56,12 +56,11 @@ class Walk final : private DocumentFollower {
     void setWalking(bool walking);
     /// Beside the model, where only a floor that is not seen carries.
     bool onUnseenFloor() const { return player_->onUnseenFloor(); }
-    /// Of flying, in times the usual speed of the scene; until another scene is shown.
+    /// The speed of flying, in multiples of the scene's usual one; until another scene is shown.
     void setSpeed(double factor) { player_->setSpeedFactor(factor); }
     /// The scene's view, walking or not.
     void resetCamera();
-    /// What orbits and zooms are about: the point that was chosen, else the middle of what the model is
-    /// about.
+    /// The centre of orbits and zooms: the point that was chosen, else the middle of the model's subject.
     rtcore::Vec3 pivot();
     void setPivot(std::optional<rtcore::Vec3> pivot) { pivot_ = pivot; }
 
