@@ -55,8 +55,7 @@ class FrameRingReader {
   public:
     using Copy = std::function<void(void* to, const void* from, std::size_t bytes)>;
 
-    /// Of a mapped segment of `bytes`, which must outlive it. `copy` is for tests that write in the middle of
-    /// it.
+    /// Reads a mapped segment of `bytes`, which must outlive it. `copy` is for tests that write meanwhile.
     FrameRingReader(const void* memory, std::size_t bytes, Copy copy = {});
 
     /// True once the writer has laid the segment out, for this epoch and generation, with slots within

@@ -13,8 +13,8 @@ struct Instance {
     std::string name;
     bool running = false;     ///< false: left by a server that died; free it, or start a server of that name
     std::int64_t process = 0; ///< of the server while it runs
-    /// Of the clients that it serves now, as they say themselves; viewers are not known to it. One process
-    /// may be several clients.
+    /// Processes of the clients that it serves now, as they say themselves; viewers are not known to it. One
+    /// process may be several clients.
     std::vector<std::int64_t> clients;
 };
 

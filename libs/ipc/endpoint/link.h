@@ -12,10 +12,10 @@
 
 namespace ipc {
 
-/// What this program expects in a handshake.
+/// The handshake that this program expects.
 Handshake ownHandshake();
 
-/// What a control segment says of itself, copied and checked. Nothing when it is not (yet) one.
+/// The facts in a control segment about itself, copied and checked. Nothing when it is not (yet) one.
 struct ControlFacts {
     Handshake handshake{};
     std::uint64_t epoch = 0;

@@ -1,4 +1,4 @@
-/// What a server has in shared memory during one epoch: a control segment and the current frame segment.
+/// A server's shared memory during one epoch: a control segment and the current frame segment.
 #pragma once
 
 #include "ipc/channel/frame_ring.h"

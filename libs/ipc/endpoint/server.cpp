@@ -99,7 +99,7 @@ void Server::State::sweep() {
     }
 }
 
-// What a buggy client wrote over is gone before anybody looks for long.
+// Restores fields that a buggy client wrote over, before other clients read them for long.
 void Server::State::repair() {
     publication->repair();
     for (int i = 0; i < kMaxClients; ++i) clients[static_cast<std::size_t>(i)].repair(block().clients[i]);

@@ -60,7 +60,7 @@ class Server {
     /// Sleeps until a command, a key or a client comes or goes, at most `timeout`. False when nothing came; a
     /// signal ends the sleep early. Costs well under 1% of a core.
     bool wait(std::chrono::nanoseconds timeout);
-    /// What the clients sent, up to 16 commands of each, each client's in order. Call it at least once per
+    /// The commands of the clients, up to 16 of each, each client's in order. Call it at least once per
     /// frame; it also notices dead clients, and publishes everything anew when its names were removed.
     /// Throws Error AlreadyRunning when another server took the instance over, which takes a removed lock
     /// file.

@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kControlMagic = 0x314C544353545221; ///< "!RTSCTL
 inline constexpr std::uint64_t kServerLock = 0;
 constexpr std::uint64_t clientLock(int slot) { return 1 + static_cast<std::uint64_t>(slot); }
 
-/// What both sides must agree on before they read on. Never reordered, only appended to.
+/// Facts that both sides must agree on before they read on. Never reordered, only appended to.
 struct Handshake {
     std::uint32_t protocolVersion;
     std::uint32_t controlBytes; ///< sizeof(ControlBlock)

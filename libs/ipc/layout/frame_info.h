@@ -1,4 +1,4 @@
-/// What is known of a frame beside its pixels.
+/// The description of a frame beside its pixels.
 #pragma once
 
 #include <cstdint>

@@ -10,13 +10,13 @@
 
 namespace ipc {
 
-/// What is pressed, united over the clients.
+/// The keys that are pressed, united over the clients.
 struct KeyState {
     using Presses = std::array<std::uint32_t, kMaxKeys>;
     std::bitset<kMaxKeys> down; ///< down now
     Presses presses{};          ///< times pressed since the state was last asked for
-    /// Of these the presses by clients of a restraint of 1 at least, and of 2: the higher, the less their
-    /// keys may do. What that is the server says.
+    /// The presses among them by clients of a restraint of 1 at least, and of 2: the higher, the less their
+    /// keys may do. The server decides how much that is.
     std::array<Presses, kKeyRestraints> restrained{};
 };
 

@@ -1,4 +1,4 @@
-/// What a server tells about itself. Plain numbers: the library attaches no meaning to them.
+/// The status of a server. Plain numbers: the library attaches no meaning to them.
 #pragma once
 
 #include <cstdint>

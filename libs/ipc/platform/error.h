@@ -1,4 +1,4 @@
-/// What can go wrong between the processes. Thrown by constructors and by what says so; `what()` tells what
+/// Errors between the processes. Thrown by constructors and by functions that say so; `what()` tells what
 /// to do.
 #pragma once
 

@@ -1,5 +1,4 @@
-/// What segments are called: `rts.<user>.<instance>.<what>`. Different users and instances
-/// never meet.
+/// Names of segments: `rts.<user>.<instance>.<what>`. Different users and instances never meet.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ struct Segment::State {
         if (opened >= 0) closeSegment(opened);
     }
     int descriptor() const { return opened >= 0 ? opened : made.get_mapping_handle().handle; }
-    // What Boost's map asks of a segment: those of others are not opened by Boost, which would wait for the
+    // Boost's map asks a segment for it. Segments of others are not opened by Boost, which would wait for the
     // other end of a pipe.
     bi::mapping_handle_t get_mapping_handle() const { return {descriptor(), false}; }
     void fill(const std::string& name, std::size_t bytes) {

@@ -42,7 +42,7 @@ void unlockByte(int segment, std::uint64_t byte);
 /// because of an error.
 bool isByteLocked(int segment, std::uint64_t byte);
 
-/// What an open segment is.
+/// Facts about an open segment.
 struct SegmentFacts {
     bool regular = false; ///< a segment, not a folder or a pipe of that name
     bool ours = false;    ///< belongs to this user, and no other may read or write it

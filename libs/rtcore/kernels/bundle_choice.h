@@ -14,7 +14,7 @@ class BundleChoice {
     /// Whether to bundle the next packets.
     bool next() const { return bundles_ != (turn_ < kTurns && turn_ % 2 == 1); }
 
-    /// What next() told about took so long, each packet. (Without this, next() tells the same again.)
+    /// Reports the time of each packet that next() decided. (Without this, next() decides the same again.)
     void learn(double seconds) {
         if (turn_ == kTurns) {
             if (--untilTrial_ == 0) turn_ = 0;

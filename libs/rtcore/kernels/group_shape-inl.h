@@ -38,7 +38,7 @@ struct GroupShape {
         }
         return spread < kSpread * longest;
     }
-    /// Of no ray the longest component of the direction is shorter.
+    /// A lower bound of the longest component of each ray's direction.
     float length() const {
         float min = 0;
         for (const Range& r : direction) min = std::max(min, std::max(r.lo, -r.hi));

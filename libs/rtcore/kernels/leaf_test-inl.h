@@ -255,7 +255,7 @@ HWY_INLINE bool isHidden(const KernelScene& scene, std::int32_t triangle) {
     return scene.filter.hides(static_cast<std::uint32_t>(triangle));
 }
 
-/// Of the rays `candidates`, which meet the triangle, those that pass through no hole of it.
+/// Those of the rays `candidates`, which meet the triangle, that pass through no hole of it.
 inline HWY_NOINLINE Mask besideHoles(const Holes& holes, std::int32_t triangle, Mask candidates,
                                      const Outcome& outcome) {
     const FloatTag d;

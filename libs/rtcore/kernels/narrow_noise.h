@@ -14,9 +14,9 @@
 
 namespace rtcore {
 
-/// What rounding may do to the leaf test's sum of weighted distances, the distance times det, for rays that
-/// meet the triangle near their origin. 0 for common triangles: what rays start off them, surfaceClearance(),
-/// is more. Infinity for those so narrow that it matters at any distance. The same bits everywhere.
+/// The largest rounding error of the leaf test's sum of weighted distances, the distance times det, for rays
+/// that meet the triangle near their origin. 0 for common triangles: surfaceClearance(), by which rays start
+/// off them, is more. Infinity for those so narrow that it matters at any distance. The same bits everywhere.
 float narrowNoise(Vec3 a, Vec3 b, Vec3 c);
 
 /// True for most common triangles and for no narrow one, and known sooner. Positions must be finite; the

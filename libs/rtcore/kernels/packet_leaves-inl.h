@@ -317,7 +317,7 @@ class PacketLeaves {
         return blocks * (blockCost + kRayCost * rays) < kTestCost * count * vectors;
     }
 
-    /// Of the leaf's references those from `first` to before `last`: narrow triangles or common ones.
+    /// Tests the leaf's references from `first` to before `last`: narrow triangles or common ones.
     template <bool kNarrow>
     HWY_NOINLINE bool testRayByRay(const Leaf& leaf, std::uint32_t first, std::uint32_t last,
                                    const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {

@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What a vector of rays looks for, and that it has found nothing yet.
+/// Stores the intervals in which a vector of rays searches, and that it has found nothing yet.
 template <bool kAny, typename AnyPacket>
 HWY_INLINE void beginSearch(const RayVector& ray, AnyPacket& packet, std::size_t at) {
     const FloatTag d;

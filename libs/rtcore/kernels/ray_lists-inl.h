@@ -67,7 +67,7 @@ class RayLists {
         return list;
     }
 
-    // Of the rays [i, i + kLanes) of a list, i a multiple of kLanes:
+    // Values of the rays [i, i + kLanes) of a list, i a multiple of kLanes:
 
     HWY_INLINE Floats begin(const List& list, std::size_t i) const { return get(T0, list.intervals + i); }
     HWY_INLINE Floats end(const List& list, std::size_t i) const { return get(T1, list.intervals + i); }

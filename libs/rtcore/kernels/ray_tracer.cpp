@@ -12,7 +12,7 @@ namespace rtcore {
 
 namespace {
 
-/// What each thread works in. It lives as long as the thread: the pages of a fresh one cost more than a wave.
+/// A thread's working memory. It lives as long as the thread: the pages of a fresh one cost more than a wave.
 struct ThreadMemory {
     StreamScratch streams;
     std::vector<std::uint32_t> indices; ///< of some of a wave's rays

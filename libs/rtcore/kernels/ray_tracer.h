@@ -31,8 +31,8 @@ class RayTracer {
     virtual void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const = 0;
     /// 1 for each ray that hits anything in [tMin, tMax], else 0. Resizes `occluded`.
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;
-    /// What is in the way of each ray in [tMin, tMax]; `clear` has an element for each material, not 0 where
-    /// light may pass. Resizes `found`. This one does not know.
+    /// The obstacle to each ray in [tMin, tMax]; `clear` has an element for each material, not 0 where light
+    /// may pass. Resizes `found`. This implementation finds all Unknown.
     virtual void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                                std::vector<Obstacle>& found) const;
     /// Bounds of all that rays may hit.
@@ -74,7 +74,7 @@ class KdRayTracer final : public RayTracer {
 
   private:
     KdRayTracer(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records);
-    /// Of the hits with these indices, which have kTiedHit.
+    /// Settles the hits with these indices, which have kTiedHit.
     void settleTies(const RayWave& rays, std::span<const std::uint32_t> tied, HitWave& hits) const;
 
     KdTree tree_;

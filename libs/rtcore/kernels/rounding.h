@@ -9,8 +9,8 @@ namespace rtcore {
 inline constexpr float kPlaneDown = 1 - 6 * 0x1p-24F;
 inline constexpr float kPlaneUp = 1 + 6 * 0x1p-24F;
 
-/// What rounding may do to distances, as a fraction of what it grows with: in the leaf test the distance of a
-/// triangle's farthest corner, from one surface to another in its plane coordinateSize().
+/// The largest rounding error of distances, as a fraction of the size that it grows with: in the leaf test
+/// the distance of a triangle's farthest corner, from one surface to another in its plane coordinateSize().
 inline constexpr float kDistanceError = 0x1p-17F;
 
 /// Hits that lie no further apart than this fraction of what traversal allows for are looked at again: they

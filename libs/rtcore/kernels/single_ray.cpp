@@ -114,7 +114,7 @@ void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Vi
     }
 }
 
-/// What the tests of leaves need to know of a ray.
+/// A ray that is prepared for the tests of leaves.
 struct HitSearch {
     HitSearch(const KernelScene& in, const Ray& along, const NarrowTriangles* known = nullptr)
         : scene(in), narrow(known), ray(along), shear(along.direction) {}

@@ -17,7 +17,7 @@ class StreamScratch {
     static constexpr std::size_t kRays = 65536;
     static constexpr std::size_t kGroup = 64; ///< rays that are judged coherent or not together
     static constexpr std::size_t kPadding = 64;
-    /// What a list carries for each ray: slot, t0, t1, origin, direction.
+    /// Values of each ray in a list: slot, t0, t1, origin, direction.
     static constexpr std::size_t kColumns = 9;
 
     static constexpr std::size_t kTurns = 2; ///< walks that take turns, each with columns of its own
@@ -38,7 +38,7 @@ class StreamScratch {
     alignas(64) float v[kRays + kPadding], w[kRays + kPadding], det[kRays + kPadding];
     alignas(64) float rootBegin[kRays + kPadding], rootEnd[kRays + kPadding]; ///< in the root's cell
     alignas(64) std::int32_t octant[kRays + kPadding]; ///< 0..7; 8 outside the root's cell
-    /// Of the list being split.
+    /// Where the rays of the list being split leave the near child, and where they enter the far one.
     alignas(64) float nearEnd[kRays + kPadding], farBegin[kRays + kPadding];
     /// First rays of the groups that wait to be streamed.
     std::uint32_t groups[kRays / kGroup];

@@ -59,10 +59,10 @@ class TriangleBlock {
         }
     }
 
-    /// Of triangle `i` of the block.
+    /// The corners of triangle `i` of the block.
     HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
 
-    /// Of common triangles: returns whether the ray hits one of them, closer than what it has found or as
+    /// For common triangles: returns whether the ray hits one of them, closer than its hit so far or as
     /// close.
     template <Search kSearch>
     HWY_INLINE bool test(const ShearedRay& ray, float tMin, FoundByRay& found) const {
@@ -151,7 +151,7 @@ class TriangleBlock {
                                    candidate.v / candidate.det, candidate.w / candidate.det);
     }
 
-    /// Of the triangles `candidates`, which the ray meets, those that it hits.
+    /// Those of the triangles `candidates`, which the ray meets, that it hits.
     HWY_INLINE Mask hitsOf(Mask candidates, const Outcome& outcome) const {
         return scene_.filter.empty() ? candidates : keptOf(candidates, outcome);
     }
@@ -170,7 +170,7 @@ class TriangleBlock {
         return hn::RebindMask(FloatTag(), hn::Ne(hn::Load(di, kept), hn::Zero(di)));
     }
 
-    /// Of the triangles `open` that the ray hits, those that let light through do not stop it.
+    /// Whether one of the triangles `open`, which the ray hits, stops it: all that let no light through do.
     HWY_NOINLINE bool testOpaque(Mask open, FoundByRay& found) const {
         bool stopped = false;
         forEachLane(open, [&](std::size_t lane) {

@@ -90,7 +90,7 @@ template <int Kz, typename NoiseOf>
     return true;
 }
 
-/// Of any triangle.
+/// narrowNoise() of any triangle.
 inline float noiseByCorners(const TriangleCorners& corners) {
     return narrowNoise(corners.a.position(), corners.b.position(), corners.c.position());
 }

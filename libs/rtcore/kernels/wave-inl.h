@@ -141,7 +141,7 @@ struct AnyOutput {
     }
 
   private:
-    /// Of a group: 1 for rays that were stopped, 2 for those that passed through something.
+    /// Stores for a group: 1 for rays that were stopped, 2 for those that passed through something, else 0.
     static HWY_INLINE void store(const float* best, const std::int32_t* triangle, std::uint8_t* to) {
         const FloatTag d;
         const IntTag di;

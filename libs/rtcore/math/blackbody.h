@@ -14,9 +14,9 @@ struct Chromaticity {
     double x = 0, y = 0;
 };
 
-/// Of a black body of that temperature, within the limits above; off by 0.001 at most. Cubic splines of Kim
-/// et al., US patent 7024034 (2006), as Kang et al., "Design of Advanced Color Temperature Control System for
-/// HDTV Applications", J. Korean Phys. Soc. 41 (2002), gives them.
+/// The chromaticity of a black body of that temperature, within the limits above; off by 0.001 at most. Cubic
+/// splines of Kim et al., US patent 7024034 (2006), as Kang et al., "Design of Advanced Color Temperature
+/// Control System for HDTV Applications", J. Korean Phys. Soc. 41 (2002), gives them.
 Chromaticity blackbodyChromaticity(double kelvin);
 
 /// Its linear colour of luminance 1; what is outside of the primaries (blue below 1900 K) is 0. The same bits

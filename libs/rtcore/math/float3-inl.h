@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 /// A vector of space, or the red, green and blue of a colour, in each lane.
 using Float3 = Vec3T<Float>;
 
-/// What formulas over the number F calculate with: Vec3, Vec3d or Float3.
+/// The vector type of formulas over the number F: Vec3, Vec3d or Float3.
 template <typename F>
 using Vec3Of = std::conditional_t<std::is_floating_point_v<F>, rtcore::Vec3T<F>, Vec3T<F>>;
 
@@ -69,7 +69,7 @@ HWY_INLINE Float3 loadInterleaved(const float* from) {
     hn::LoadInterleaved3(FloatTag(), from, a.x.raw, a.y.raw, a.z.raw);
     return a;
 }
-/// Of three arrays {x, y, z}, from the element `i` on.
+/// Loads from three arrays {x, y, z}, from the element `i` on.
 template <typename Arrays>
 HWY_INLINE Float3 loadAt(const Arrays& from, std::size_t i) {
     return load(from.x + i, from.y + i, from.z + i);

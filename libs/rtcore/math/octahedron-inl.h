@@ -20,7 +20,7 @@ struct OctahedronPoint {
     F x, y; ///< 0..1; NaN of the direction (0, 0, 0)
 };
 
-/// Of a direction of any length.
+/// The point of a direction of any length.
 template <typename F>
 HWY_INLINE OctahedronPoint<F> octahedronPoint(Vec3Of<F> direction) {
     const F sum = abs(direction.x) + abs(direction.y) + abs(direction.z);

@@ -1,4 +1,4 @@
-/// What the corners of a triangle tell about it. The formulas are in triangle-inl.h.
+/// Properties of a triangle that follow from its corners. The formulas are in triangle-inl.h.
 #pragma once
 
 #include "rtcore/math/vec.h"

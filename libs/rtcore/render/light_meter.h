@@ -33,7 +33,7 @@ class LightMeter {
     bool render(const View& view, RenderControl& control);
     bool findSurfaces(const View& view, RenderControl& control);
     enum class Metered { Lit, Shining };
-    /// Of what was rendered last.
+    /// The white of such surfaces, in the view that was rendered last.
     std::optional<float> whiteOn(Metered what);
 
     ImageRenderers images_;

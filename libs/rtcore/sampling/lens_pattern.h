@@ -18,7 +18,7 @@ class LensPattern {
     /// Comes before all else. n: 1..16.
     void prepare(int n);
 
-    /// What the samples of a pixel share.
+    /// The part of the pattern that the samples of a pixel share.
     struct Pixel {
         std::uint32_t key;
         SquarePoint shift;

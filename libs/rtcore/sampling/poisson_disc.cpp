@@ -8,7 +8,7 @@ namespace rtcore {
 
 namespace {
 
-/// Of the largest distance, to begin with: a tighter packing is regular, and shows.
+/// Fraction of the largest distance to begin with: a tighter packing is regular, and shows.
 constexpr float kReach = 0.78F;
 constexpr float kShrink = 0.99F;
 constexpr int kThrows = 200; ///< for each point that lies already, until the radius shrinks

@@ -14,7 +14,7 @@ struct SampleId {
     std::uint32_t sub = 0;      ///< which of the pixel's samples
 };
 
-/// What random numbers of a sample are for; each dimension is independent of the others. Use `salt` where a
+/// Uses of the random numbers of a sample; each dimension is independent of the others. Use `salt` where a
 /// path needs several of one dimension: the bounce, the number of a light.
 enum class SampleDimension : std::uint32_t {
     Position,
@@ -62,7 +62,7 @@ constexpr std::uint32_t pixelName(SampleId id, std::uint32_t seed) {
     return nameOfPixel(id.x | static_cast<std::uint32_t>(id.y) << 16, seed);
 }
 
-/// What nameOfUse() takes; bounce < 2^24.
+/// The argument of nameOfUse(); bounce < 2^24.
 constexpr std::uint32_t useBits(SampleDimension dimension, std::uint32_t bounce) {
     return static_cast<std::uint32_t>(dimension) << 24 | bounce;
 }

@@ -52,7 +52,7 @@ class PrimaryHits {
     /// Forgets the hits; the waves of so many samples are to come.
     void start(std::size_t samples);
     /// Takes from a wave the hits of samples that had none so far: what their rays see first, holes passed.
-    /// Of the others what these mirror and transmit.
+    /// For the other samples it takes what their hits mirror and transmit.
     void take(const Wave& wave, const Mesh& mesh, const MaterialTable& materials);
     /// Takes the light of the hits that the wave taken last found: all that the sums have by now.
     void takeSurfaceLight(const Wave& wave, const SampleSums& sums);

@@ -220,7 +220,7 @@ HWY_INLINE F fastAtan2(F y, F x) {
     return copySign(select(x < 0.0F, 3.141592654F - ahead, ahead), y);
 }
 
-/// Of |x| <= pi / 4. (Cephes tanf)
+/// The tangent of |x| <= pi / 4. (Cephes tanf)
 HWY_INLINE Float fastTan(Float x) {
     const Float z = x * x;
     static constexpr float kSeries[] = {3.33331568548e-1F, 1.33387994085e-1F, 5.34112807005e-2F,
@@ -233,8 +233,8 @@ struct UnitCircle {
     F cosine, sine;
 };
 
-/// Of 0 <= turns <= 1; absolute error below 3e-7. An eighth of a turn to each side of an axis by Taylor's
-/// series, the rest by symmetry.
+/// The point at 0 <= turns <= 1; absolute error below 3e-7. An eighth of a turn to each side of an axis by
+/// Taylor's series, the rest by symmetry.
 template <typename F>
 HWY_INLINE UnitCircle<F> unitCircle(F turns) {
     const auto quarter = truncate(turns * 4.0F + 0.5F); // 0..4
@@ -249,8 +249,8 @@ HWY_INLINE UnitCircle<F> unitCircle(F turns) {
     return {select(half, -x, x), select(half, -y, y)};
 }
 
-/// Of |angle| <= pi / 2, in radians; error below 3e-7, of the sine relative to it. (Cephes sinf and cosf of
-/// half the angle)
+/// The point at |angle| <= pi / 2, in radians; error below 3e-7, of the sine relative to it. (Cephes sinf and
+/// cosf of half the angle)
 template <typename F>
 HWY_INLINE UnitCircle<F> fastCircle(F angle) {
     const F a = 0.5F * angle;

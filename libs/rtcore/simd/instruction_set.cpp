@@ -23,7 +23,7 @@ std::string nameOf(std::int64_t target) {
 /// All that this program has code for and this processor can run, fastest first.
 std::vector<std::int64_t> targets() {
     static const std::vector<std::int64_t> all = [] {
-        // What all code is compiled for is there, even if Highway says of NEON that it needs AES.
+        // The target that all code is compiled for is there, even if Highway says that NEON needs AES.
         std::int64_t rest = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
         std::vector<std::int64_t> found;
         for (; rest != 0; rest &= rest - 1) {
@@ -35,8 +35,8 @@ std::vector<std::int64_t> targets() {
     return all;
 }
 
-/// Of the processor's targets, the ones from `first` on: what is slower stays possible, since not every
-/// function is compiled for every target.
+/// Allows the processor's targets from `first` on: slower ones stay possible, since not every function is
+/// compiled for every target.
 void allowFrom(std::size_t first) {
     std::int64_t mask = 0;
     for (std::size_t i = first; i < targets().size(); ++i) mask |= targets()[i];

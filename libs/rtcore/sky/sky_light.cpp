@@ -106,7 +106,7 @@ class SkyPainter {
                 static_cast<float>(onGround_[2])};
     }
 
-    /// What the sun and the sky light of the haze along a ray, which is white where enough of it is passed.
+    /// Adds the light of sun and sky that haze scatters along a ray; it is white where enough haze is passed.
     void addHaze(HdrImage& image) {
         const Colour lit = (sunlight_ + fromSky() * 3.0F) / (4 * kPi);
         forEachTexel(

@@ -225,7 +225,7 @@ class SmallRows {
     Row rowOf(std::vector<float>& planes, int y) const {
         return {at(planes, 0, y), at(planes, 1, y), at(planes, 2, y)};
     }
-    /// What is left and right of a row is as its ends.
+    /// Continues a row to the left and to the right by its ends.
     void widen(float* row) const {
         for (int i = 1; i <= kBorder; ++i) {
             row[-i] = row[0];
@@ -272,7 +272,7 @@ float evenFor(float scale) {
     return kSoft + (kCrisp - kSoft) * std::clamp(kLarge - scale, 0.0F, 1.0F);
 }
 
-/// What one thread keeps of rows of the small image: each of their pixels where the large image needs it.
+/// One thread's copies of rows of the small image: each of their pixels where the large image needs it.
 class SpreadRows {
   public:
     static constexpr std::size_t kLength = UpsampledRow::kPixels + kRoomOfVector;

@@ -25,7 +25,7 @@ struct UpsamplingScale {
 /// Fills `image`, whose edges are those of `small`; both have pixels, and share none. `threads` = 0: all
 /// cores.
 ///
-/// What a pixel shows is a mean of the 4 x 4 pixels of the small image around it. Where these have no edge,
+/// A pixel is a mean of the 4 x 4 pixels of the small image around it. Where these have no edge,
 /// their weights fall off evenly to all sides; across an edge they fall off sooner, along it later, as the
 /// structure tensor tells (Foerstner and Guelch 1987): staircases become slanting lines. No channel is above
 /// or below all those that it is made of. The same bits for any number of threads and any instruction set.

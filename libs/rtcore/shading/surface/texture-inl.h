@@ -22,7 +22,7 @@ struct Taps {
 };
 
 /// `coordinate` counts whole images, `size` is in texels, `wrap` a TextureWrap; `repeats`: it is Repeat.
-/// What is not a number counts as the first texel.
+/// A coordinate that is not a number counts as the first texel.
 template <bool repeats, typename F>
 HWY_INLINE Taps<F> tapsAt(F coordinate, UintOf<F> size, UintOf<F> wrap) {
     const auto n = toInt(size);
