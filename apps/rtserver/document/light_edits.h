@@ -41,8 +41,8 @@ void setColour(rtcore::LightDescription& light, rtcore::Colour colour);
 /// Takes the colour of a black body and keeps the power. Nothing: the colour that the light has by its
 /// temperature becomes its own.
 void setTemperature(rtcore::LightDescription& light, std::optional<float> kelvin);
-/// Keeps the power; between directional lights and others, the irradiance in the middle of the
-/// model. Values that the new kind needs and the old one lacked are those of a new light.
+/// Keeps the power; between directional lights and others, the irradiance in the middle of the model. Values
+/// that the new kind needs and the old one lacked are those of a new light.
 void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const SceneExtent& extent);
 /// A rectangle takes two numbers, a directional light the angle under which its disc is seen, degrees; the
 /// others a radius. Scene units, not negative.

@@ -16,7 +16,7 @@ namespace rtserver {
 
 namespace {
 
-/// Live frames to a measurement of the light: they trace few pixels, and an eye does not follow sooner.
+/// Live frames per measurement of the light: they trace few pixels, and an eye does not follow sooner.
 constexpr int kMeterEvery = 8;
 
 bool canBeLive(const Document& document) {
