@@ -12,7 +12,7 @@
 
 namespace bridge {
 
-/// What a token is good for.
+/// The right that a token grants.
 enum class Right : std::uint8_t {
     None,
     Used, ///< a driver's link that has let a page in: nothing

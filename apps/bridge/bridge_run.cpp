@@ -50,7 +50,7 @@ std::string stateFolder() {
                             "is not set; set it, or XDG_STATE_HOME, for the certificate of --tls-own");
 }
 
-/// What a certificate for that address has to name.
+/// The names that a certificate for that address has to list.
 std::vector<std::string> namesOf(const ListenAddress& address) {
     if (isEverywhere(address.host)) return {app::hostName()};
     return {address.host};

@@ -1,4 +1,4 @@
-/// What RTBridge does, from its command line to its exit code.
+/// RTBridge as a function, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

@@ -22,7 +22,7 @@ bool isToken(const std::string& text) {
     return plain && text.size() >= kMin && text.size() <= kMax;
 }
 
-/// What the file holds takes the place of `tokens`; where there is none they are written to it.
+/// Replaces `tokens` by those in the file; writes them to it where there is no file.
 void keepTokens(const std::string& path, Tokens& tokens) {
     std::optional<std::string> text = app::readPrivateFile(path);
     if (!text) {

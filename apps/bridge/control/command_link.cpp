@@ -34,7 +34,7 @@ ipc::Reply unanswered(ipc::ReplyStatus status, const rtcore::Sentence& why) {
     return {status, why.english(), rtcore::sentenceJson(why)};
 }
 
-/// Of lines that each begin with their number.
+/// The number at the start of the last line; `otherwise` when there is none.
 std::uint32_t lastNumberOf(std::string_view lines, std::uint32_t otherwise) {
     if (lines.ends_with('\n')) lines.remove_suffix(1);
     const std::string_view last = lines.substr(lines.rfind('\n') + 1);
@@ -103,7 +103,7 @@ struct CommandLink::State {
     CommandFigures counted;
     std::optional<LinkClock::time_point> keysSince; ///< the oldest change that the server does not know yet
 
-    // Of the thread alone.
+    // Used by the thread alone.
     std::optional<ipc::Client> client;
     std::optional<ipc::Viewer> viewer;
     std::optional<ServerLink> told;
@@ -112,12 +112,12 @@ struct CommandLink::State {
     app::StateFollower follower;
     bool turning = false, messagesUnderWay = false;
     LinkClock::time_point lastStatus;
-    std::optional<ipc::Status> status; ///< that was told last
+    std::optional<ipc::Status> status; ///< the last one that was told
     std::uint32_t knownMessages = 0;
     bool knowsMessages = false;
     std::uint64_t epoch = 0;
     std::string lastReport;
-    bool tellsAgain = false; ///< a report that is the same as the last one, too
+    bool tellsAgain = false; ///< also a report that equals the last one
 
     std::thread thread; // last: it uses all of the above
 };
@@ -193,7 +193,7 @@ void CommandLink::State::findServer() {
     pressed.reset();
 }
 
-/// What was tapped and turned without a server is none of the next one's.
+/// Taps and turns from the time without a server must not reach the next one.
 void CommandLink::State::dropInput() {
     const std::lock_guard lock(mutex);
     forgetInput();

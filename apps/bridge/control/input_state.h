@@ -23,13 +23,13 @@ class InputState {
         last_ = now;
         return true;
     }
-    /// True: keys were held, and are not any more, since nothing came.
+    /// True: keys were held and are released now, since no input came.
     bool expire(double now) {
         if (held_.none() || now - last_ < kHeartbeat) return false;
         held_.reset();
         return true;
     }
-    /// Of another driver, or none.
+    /// Releases all keys, as the session drives no more.
     void release() { held_.reset(); }
     const KeySet& held() const { return held_; }
     std::uint32_t sequence() const { return sequence_; }

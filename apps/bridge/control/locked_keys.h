@@ -18,9 +18,9 @@ class LockedKeys {
     /// `limits` must outlive it.
     explicit LockedKeys(const Limits& limits) : limits_(limits) {}
 
-    /// Whether any could be.
+    /// Whether any key could be locked.
     bool possible() const { return restraint() != app::KeyRestraint::None; }
-    /// What the server is asked to hold itself: keys may have been bound to something else by now.
+    /// The restraint that the server has to enforce itself: keys may have been bound anew since.
     app::KeyRestraint restraint() const {
         using app::KeyRestraint;
         return limits_.isLocked("edits")          ? KeyRestraint::Edits

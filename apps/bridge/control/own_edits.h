@@ -31,7 +31,7 @@ class OwnEdits {
     int undo() const { return undo_.number; }
     int redo() const { return redo_.number; }
 
-    /// Of a server that is gone; answers to what was sent to it still come.
+    /// The server is gone; answers to steps that were sent to it still come.
     void clear() {
         undo_ = redo_ = {};
         unread_ = false;

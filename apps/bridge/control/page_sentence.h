@@ -1,4 +1,4 @@
-/// What pages are told in sentences, so that each shows them in its own language.
+/// Sentences for pages, as forms and arguments, so that each page shows them in its own language.
 #pragma once
 
 #include "rtcore/platform/sentence.h"

@@ -1,5 +1,5 @@
-/// What pages ask for: commands of the table that it permits them, with arguments that are held against their
-/// rows. A line is composed from numbers and words of tables alone: what a page writes is never part of it.
+/// Requests of pages: commands that the table permits them, with arguments that are checked against its rows.
+/// A line is composed of numbers and of words of tables alone: text of a page is never part of it.
 #pragma once
 
 #include "bridge/control/caps.h"
@@ -30,7 +30,7 @@ struct PlannedCommand {
     std::string setting; ///< that `set` changes
 };
 
-/// What requests are held against.
+/// The limits and the scene that requests are checked against.
 struct RequestContext {
     const Limits& limits;
     std::span<const std::string> bookmarks; ///< of the scene
@@ -41,10 +41,10 @@ struct RequestContext {
 /// Whether pages may ask for it.
 bool isRequest(const app::CommandSpec& command);
 
-/// Of {"do": "light temperature", "args": [3, 4000]}; {"also": true} makes an edit part of the last one.
-/// Throws Refused for a command that pages may not ask for, arguments of another number, type or range, and
-/// what is locked. Never another exception but std::bad_alloc, whatever `request` holds. Who asks is not
-/// looked at.
+/// The command for {"do": "light temperature", "args": [3, 4000]}; {"also": true} makes an edit part of the
+/// last one. Throws Refused for a command that pages may not ask for, arguments of another number, type or
+/// range, and anything locked; no other exception but std::bad_alloc, whatever `request` holds. Does not
+/// check which session asks.
 PlannedCommand planRequest(const nlohmann::json& request, const RequestContext& context);
 
 /// The rows of commands that pages may ask for, with the names, ranges and words of their arguments.

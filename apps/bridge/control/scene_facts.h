@@ -1,4 +1,4 @@
-/// What panels show of a scene, as pages get it: whole at first, then what changed.
+/// The facts of a scene that panels show, as pages get them: all at first, then the changes.
 #pragma once
 
 #include "common/commands/state_report.h"
@@ -19,7 +19,7 @@ class SceneFacts {
   public:
     /// The answer to `state`. False: it is none.
     bool read(std::string_view report);
-    /// Of a server that is gone.
+    /// Forgets a server that is gone.
     void clear();
     bool known() const { return known_; }
 
@@ -46,7 +46,7 @@ class SceneFacts {
     bool hasSky_ = false;
 };
 
-/// What each kind of light has, by its name.
+/// The traits of each kind of light, with its name.
 nlohmann::json lightKindsJson();
 nlohmann::json sceneJson(const app::StateReport& state);
 /// The event `status`.

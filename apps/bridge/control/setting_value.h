@@ -14,9 +14,9 @@ namespace bridge {
 nlohmann::json settingJson(const rtcore::SettingValue& value);
 /// The rows for pages.
 nlohmann::json settingsTableJson(const Limits& limits);
-/// What settings, groups, choices and words for 0 are called, in English, by their names.
+/// The English labels of settings, groups, choices, words for 0 and qualities, by name.
 nlohmann::json settingLabelsJson();
-/// What a page may see of each quality: its settings and their values.
+/// The settings of each quality that a page may see, with their values.
 nlohmann::json qualitiesJson();
 /// The text of a value that may be set. Throws Refused: no such setting, locked, another type, out of range.
 std::string settingValueText(const std::string& name, const nlohmann::json& value, const Limits& limits);

@@ -11,7 +11,7 @@
 
 namespace bridge {
 
-/// What a bridge answers to.
+/// The hosts and origins that a bridge answers to.
 struct Names {
     /// "192.168.1.7:8443", in small letters, besides the loopback's; "*:8443": any numeric address, as DNS
     /// leads to none of them.

@@ -47,7 +47,7 @@ inline CountedSocket counted(StreamSocket socket) {
             std::move(socket)};
 }
 
-/// Of the headers that every answer has: nothing from elsewhere, no frames, nothing kept.
+/// Adds the headers of every answer: no foreign content, no framing, no caching without revalidation.
 template <typename Message>
 void addHeaders(Message& message) {
     message.set(http::field::server, "RTBridge");
@@ -331,7 +331,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
 
     void respond(const Request& request) {
         const bool stays = request.keep_alive();
-        // What follows may be its body, which is no request.
+        // The bytes that follow may be the body of the refused request, not another request.
         if (std::optional<Response> refusal = refusalOf(request)) return answer(std::move(*refusal), false);
         std::string_view path = view(request.target()).substr(0, view(request.target()).find('?'));
         const std::string& prefix = shared_.names.prefix;

@@ -1,4 +1,4 @@
-/// What the connections of one HttpServer share. For its sources alone.
+/// State that the connections of one HttpServer share. For its sources alone.
 #pragma once
 
 #include "bridge/net/http_server.h"

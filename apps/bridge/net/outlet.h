@@ -43,7 +43,7 @@ class Outlet {
     virtual const std::string& address() const = 0; ///< "127.0.0.1", "unix"; for limits
 };
 
-/// What happens on it. Not called after closed().
+/// The events of an Outlet. Not called after closed().
 class Receiver {
   public:
     virtual ~Receiver() = default;

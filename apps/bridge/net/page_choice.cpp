@@ -32,7 +32,7 @@ bool isZero(std::string_view weight) {
            weight.find_first_not_of("0.") == std::string_view::npos;
 }
 
-/// Of the parameters of a coding: whether it is wanted.
+/// Whether a coding with these parameters is wanted: its weight, if any, is not 0.
 bool hasWeight(std::string_view parameters) {
     while (!parameters.empty()) {
         std::string_view value = takePart(parameters, ';');

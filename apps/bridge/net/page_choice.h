@@ -5,7 +5,7 @@
 
 namespace bridge {
 
-/// Of a header Accept-Encoding; without one, or where gzip has the weight 0, false.
+/// Whether a header Accept-Encoding allows gzip; false without one, or where gzip has the weight 0.
 bool takesGzip(std::string_view acceptEncoding);
 
 /// Whether a header If-None-Match names that entity tag: `*`, or a list; weak ones count (RFC 9110, 13.1.2).

@@ -1,4 +1,4 @@
-/// What happens, a line each on standard error: ten a second at most, and none that would have to wait.
+/// Events, a line each on standard error: ten per second at most, and none that would have to wait.
 #pragma once
 
 #include "bridge/net/doorkeeper.h"
@@ -8,7 +8,7 @@
 
 namespace bridge {
 
-/// One thread. What comes from outside is in `text` as names without controls only; never a token.
+/// One thread. Callers put text from outside into `text` as names without controls only, and never a token.
 class Journal {
   public:
     void note(const std::string& text);

@@ -86,7 +86,7 @@ void addHead(std::string& text, const char* name, const char* type, const char* 
     fmt::format_to(std::back_inserter(text), "# HELP {0} {1}\n# TYPE {0} {2}\n", name, help, type);
 }
 
-/// Of all threads, also of the one that serves all instances.
+/// Adds the processor time of all threads, including the one that serves all instances.
 void addProcessorTime(std::string& text, std::span<const RoomFigures> rooms, double ioCpu) {
     constexpr const char* kName = "rtbridge_cpu_seconds_total";
     addHead(text, kName, "counter", "processor time, by thread");

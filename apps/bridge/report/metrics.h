@@ -1,4 +1,4 @@
-/// What /metrics tells, in the text format of Prometheus, version 0.0.4.
+/// The answer to /metrics, in the text format of Prometheus, version 0.0.4.
 #pragma once
 
 #include "bridge/room/room_figures.h"

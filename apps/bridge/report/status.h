@@ -1,4 +1,4 @@
-/// What /status tells of an instance.
+/// The part of /status about one instance.
 #pragma once
 
 #include "bridge/room/room_figures.h"

@@ -1,4 +1,4 @@
-/// What --watch prints.
+/// The lines that --watch prints.
 #pragma once
 
 #include "bridge/room/room_figures.h"

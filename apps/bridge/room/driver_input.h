@@ -37,7 +37,7 @@ class DriverInput {
 
     /// Something of the bridge's own moves the camera.
     void moves() { camera_.acted(clock_.seconds()); }
-    /// What the driver holds goes on moving it.
+    /// Notes that the camera moves on where the driver holds keys.
     void goOn(std::optional<SessionId> driver);
     /// By this status another client moved the camera: true once in 10 s.
     bool movedByOther(const ipc::Status& status);

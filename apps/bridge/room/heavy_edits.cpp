@@ -13,7 +13,7 @@ using app::CommandId;
 constexpr double kLongFrame = 5, kSettled = 0.5; // seconds
 constexpr const char *kLastEdit = "lastEdit", *kSize = "size";
 
-/// What an edit is known by that may make frames last long; "": it is none.
+/// The name by which an edit that may make frames last long is watched; "": it is none.
 std::string watchedName(const PlannedCommand& planned) {
     if (planned.id == CommandId::Bloom) return "bloom.radius";
     if (planned.id == CommandId::Undo || planned.id == CommandId::Redo) return kLastEdit;

@@ -1,4 +1,4 @@
-/// What a room knows of its server.
+/// A room's server as the room knows it: link, scene and status.
 #pragma once
 
 #include "bridge/control/scene_facts.h"

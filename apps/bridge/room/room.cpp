@@ -241,7 +241,7 @@ void Room::applyInput(SessionId id, const InputMessage& sent) {
     stream_.gaveInput(id, sent.sequence);
 }
 
-/// What is held or under way goes on moving it.
+/// Notes that held keys and requests under way still move the camera.
 void Room::noteOwnMovement() {
     if (requests_.moving()) input_.moves();
     input_.goOn(driver());

@@ -1,4 +1,4 @@
-/// What a room tells of itself, at one moment.
+/// The figures that a room reports, at one moment.
 #pragma once
 
 #include "bridge/control/roles.h"

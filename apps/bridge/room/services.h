@@ -1,5 +1,5 @@
-/// What rooms need of the world: threads that talk with servers, the thread of the sockets, a clock. Tests
-/// put something else in its place.
+/// Services that rooms use: threads that talk with servers, the thread of the sockets, a clock. Tests put
+/// others in their place.
 #pragma once
 
 #include "bridge/clock.h"

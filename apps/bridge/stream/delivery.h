@@ -1,5 +1,5 @@
-/// What one viewer is sent next. It holds no frame but the one whose parts are under way, and nothing is
-/// queued: the newest frame wins.
+/// The choice of what one viewer is sent next. It holds no frame but the one whose parts are under way, and
+/// queues nothing: the newest frame wins.
 #pragma once
 
 #include "bridge/stream/encoded_frame.h"
@@ -10,7 +10,7 @@
 
 namespace bridge {
 
-/// What a page says of itself.
+/// A page's view and wishes, as it reports them.
 struct PageView {
     bool visible = true;
     std::optional<int> rung = {}; ///< chosen by hand
@@ -46,8 +46,8 @@ class Delivery {
     bool wantsStill() const { return view_.visible && !view_.noStill && !view_.saveData; }
     bool wantsFine() const { return wantsStill() && rate_.narrow(); }
 
-    /// What to send of the newest frame now; nothing: wait for an acknowledgement or for another one. What is
-    /// returned counts as sent.
+    /// The bytes of the newest frame to send now, which count as sent; nothing: wait for an acknowledgement
+    /// or for another frame.
     std::optional<Shipment> next(const FrameSet& newest, Seconds now);
 
     std::uint64_t framesSent() const { return framesSent_; }

@@ -29,7 +29,7 @@ struct EncodedFrame {
 };
 using SharedFrame = std::shared_ptr<const EncodedFrame>;
 
-/// What there is of one of the server's frames.
+/// All encodings made so far of one of the server's frames.
 struct FrameSet {
     std::uint32_t stream = 0;
     std::uint64_t number = 0;

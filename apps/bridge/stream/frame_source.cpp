@@ -107,7 +107,7 @@ struct FrameSource::State {
     };
     std::optional<StillTask> still;
 
-    // Of the frames' thread alone.
+    // Used by the frames' thread alone.
     std::optional<ipc::Client> client;
     FrameClock::time_point lastSearch, lastEncoded;
     std::vector<std::shared_ptr<ipc::Frame>> memory; ///< used again once no other thread holds it
@@ -119,7 +119,7 @@ struct FrameSource::State {
     MotionEncoder encoder;
     bool framesFail = false; ///< it was told
 
-    bool stillsFail = false; ///< it was told; of the stills' thread alone
+    bool stillsFail = false; ///< it was told; used by the stills' thread alone
 
     std::thread frames, stills; // last: they use all of the above
 };

@@ -30,8 +30,8 @@ class Histogram {
         for (std::size_t i = 0; i <= bucket; ++i) sum += counts_[i];
         return sum;
     }
-    /// What this part of them, 0..1, is below; between the ends of a bucket they count as spread evenly. 0
-    /// without any; of the last bucket its lower end.
+    /// The value that this part of them, 0..1, is below; within a bucket they count as spread evenly. 0
+    /// without any; in the last bucket its lower end.
     double quantile(double part) const {
         const double rank = part * static_cast<double>(count_);
         double before = 0;

@@ -161,7 +161,7 @@ bool RateControl::fallsBehind(Seconds now) {
 bool RateControl::windowOpen() const {
     const auto frames =
         std::count_if(flight_.begin(), flight_.end(), [](const Entry& each) { return !each.part; });
-    // What a link holds is not known before it has carried something.
+    // The capacity of a link is not known before it has carried something.
     return frames < std::min(window(), kMinWindow + drawn_);
 }
 

@@ -102,7 +102,7 @@ class RateControl {
         std::size_t bytes; ///< of the message
     };
     std::deque<Sample> bases_;
-    /// What the link carried, bytes per second, the fastest first, each more than all later ones.
+    /// Rates that the link has carried, bytes per second, the fastest first, each above all later ones.
     struct Proof {
         Seconds time;
         int ack; ///< counted

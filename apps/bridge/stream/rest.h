@@ -1,5 +1,5 @@
-/// What becomes of frames of a view that stands: which steps of a picture that goes on improving are worth
-/// showing, and when an exact image is worth sending. Pure.
+/// The selection of frames while the view stands still: which steps of an image that keeps improving are
+/// worth showing, and when an exact image is worth sending. Pure.
 #pragma once
 
 #include <algorithm>

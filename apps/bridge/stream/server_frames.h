@@ -12,7 +12,7 @@
 
 namespace bridge {
 
-/// What all viewers of an instance wait for together.
+/// The frames that all viewers of an instance together wait for.
 struct FrameDemand {
     static constexpr std::uint64_t kNothing = std::numeric_limits<std::uint64_t>::max();
 
@@ -26,7 +26,7 @@ struct FrameDemand {
 
 /// Called from any thread; must not throw.
 struct FrameEvents {
-    /// What there is of the newest frame, again when more of it is encoded.
+    /// Takes the encodings of the newest frame, again when there are more of them.
     std::function<void(FrameSet)> deliver;
     /// A server is there, and its frames cannot be taken or encoded: no slot or no memory is left. Told once,
     /// and again after a frame that could be.

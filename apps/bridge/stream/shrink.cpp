@@ -6,17 +6,17 @@ namespace bridge {
 
 namespace {
 
-/// A pixel of a row or column, and which part of the whole it is.
+/// A pixel of a row or column, and its weight in the sum.
 struct Weight {
     int pixel;
     float part;
 };
 
-/// What each of `to` pixels covers of `from` that lie as wide; the parts of each add up to 1.
+/// The source pixels, `from` in all, that each of `to` pixels covers, with weights that add up to 1.
 class Covering {
   public:
     Covering(int from, int to) {
-        // In units of which a pixel of `from` is `to` wide, and one of `to` is `from`.
+        // In units in which a pixel of `from` is `to` wide, and one of `to` is `from` wide.
         const std::int64_t is = to, wanted = from;
         for (std::int64_t i = 0; i < to; ++i) {
             starts_.push_back(weights_.size());

@@ -11,7 +11,7 @@ namespace bridge {
 constexpr double kPingSeconds = 15; ///< half of the time after which a page is gone
 
 struct StreamOptions {
-    /// Of the JPEG of moving frames, 50..95: these have full size then, unless a page or `maxBits` asks for
+    /// JPEG quality of moving frames, 50..95; these have full size then, unless a page or `maxBits` asks for
     /// less. Nothing: by the link of each page.
     std::optional<int> quality;
     double maxBits = 0;                ///< a second, for all viewers together; 0: no limit

@@ -13,7 +13,7 @@
 
 namespace bridge {
 
-/// Of all that pages and the bridge say; `hello` names it. A page of another one is to be loaded again.
+/// Version of the messages of pages and bridge; `hello` names it. A page of another one has to be reloaded.
 inline constexpr int kPageVersion = 2;
 
 inline constexpr std::size_t kHeaderBytes = 40;

@@ -1,4 +1,4 @@
-/** What panels and hands share: what the bridge said last, and how it is asked for something. */
+/** The state that panels and hands share: the last messages of the bridge, and requests to it. */
 import { Edits } from "./edits.js";
 import { showFocusedAgain } from "./fields.js";
 import { Notices } from "./notices.js";
@@ -69,7 +69,7 @@ export class App {
         return this.edits.edit(thing, what, { args }, goesOn);
     }
 
-    /** What was asked for is not so: panels show what is. */
+    /** Tells why a request was refused; panels show the actual state again. */
     tellRefusal(answer) {
         if (answer.text) this.notices.show("failed", said(answer), { warn: true });
         this.panels.show();

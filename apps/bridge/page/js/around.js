@@ -1,4 +1,4 @@
-/** What stands around the image: the scene's name, undo and redo, the line of status, the hint, what is waited for. */
+/** Elements around the image: the scene's name, undo and redo, the status line, the hint, the text while waiting. */
 import { byId, name } from "./dom.js";
 import { personName } from "./panel_people.js";
 import { editLabel } from "./setting_labels.js";

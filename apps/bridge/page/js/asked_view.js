@@ -8,7 +8,7 @@ export class AskedView {
         this.wasOffered = false;
     }
 
-    /** Of the address; it is offered once there is a view to leave. */
+    /** Takes the view of the address; it is offered once there is a view to leave. */
     take(view) {
         this.view = view;
         this.wasOffered = false;

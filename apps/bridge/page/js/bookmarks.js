@@ -3,12 +3,12 @@ import { forGood } from "./storage.js";
 
 export const MAX_BOOKMARKS = 200;
 const MAX_NAME = 40;
-/** What no name needs, and what would rule the text around it: controls, ends of lines, marks of direction. */
+/** Characters that no name needs and that would alter the text around it: controls, line ends, direction marks. */
 const CONTROLS = /[\p{Cc}\p{Bidi_Control}\u2028\u2029]/gu;
 
 const key = (instance, scene) => `rt.bookmarks.${instance}.${scene}`;
 
-/** What of `list` is a bookmark. A file of another program may hold anything. */
+/** The valid bookmarks of `list`. A file of another program may hold anything. */
 export function checked(list) {
     if (!Array.isArray(list)) return [];
     const number = (value) => typeof value === "number" && Number.isFinite(value);

@@ -71,7 +71,7 @@ async function decodePixels(bytes, type) {
     return new Pixels(image);
 }
 
-/** What every browser has. */
+/** An image as an ImageBitmap, which every browser has. */
 class Bitmap {
     constructor(image) {
         this.image = image;

@@ -1,4 +1,4 @@
-/** What is told of who drives: who asks the driver, how an own request goes, who drives after this page. */
+/** Notices about driving: requests of others to this page, the state of its own, the driver that follows it. */
 import { personName } from "./panel_people.js";
 import { t } from "./texts.js";
 

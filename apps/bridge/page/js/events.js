@@ -1,4 +1,4 @@
-/** What the bridge says goes to the image, the panels and the notices. */
+/** Passes messages of the bridge to the image, the panels and the notices. */
 import { byId } from "./dom.js";
 import { nameSettings, settingLabel } from "./setting_labels.js";
 import { said, t } from "./texts.js";

@@ -4,7 +4,7 @@
 import { button, freshId, make } from "./dom.js";
 import { t } from "./texts.js";
 
-/** What a field is called, and its unit. */
+/** The label of a field, and its unit. */
 const caption = (label, unit) => [label, ...(unit
     ? ["\u00a0", make("span", { className: unit.length > 2 ? "unit" : "unit short" }, unit)] : [])];
 

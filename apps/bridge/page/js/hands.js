@@ -1,4 +1,4 @@
-/** What hands do, by mouse, touch and keys, goes to the bridge, or offers to drive first. */
+/** Sends input by mouse, touch, keys and gamepad to the bridge, or offers to drive first. */
 import { directionThrough, turnTo } from "./directions.js";
 import { byId } from "./dom.js";
 import { Gamepad } from "./gamepad.js";

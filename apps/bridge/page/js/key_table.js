@@ -12,7 +12,7 @@ const named = {
 
 export const CRAWL = 133; // Control on the server
 
-/** What the server's own bindings are by default. */
+/** Keys of the server's default bindings. */
 export const KEYS = { forward: 87, back: 83, left: 65, right: 68, shift: 132, jump: 32, crouch: 67, fly: 70 };
 
 /** Keys of this page, which no server sees as such: X crawls (Ctrl+W would close the tab), Q E R V turn. */

@@ -38,7 +38,7 @@ export class Link extends EventTarget {
         this.stream.open(++this.serial, address.href, JSON.stringify({ do: "hello", v: 2, ...this.hello() }));
     }
 
-    /** What the stream tells of a connection. */
+    /** Handles a message or the end of a connection, as the stream reports it. */
     heard({ serial, said, closed }) {
         if (serial !== this.serial) return;
         if (closed) this.onClose(closed.code, closed.reason);

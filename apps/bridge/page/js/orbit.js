@@ -61,7 +61,7 @@ export class Orbit {
         this.go();
     }
 
-    /** What is there comes to the middle. */
+    /** Moves the point of the image there to the middle. */
     centre(clientX, clientY) {
         const at = this.picture.at(clientX, clientY);
         if (!at) return;

@@ -19,7 +19,7 @@ export function lightsPanel(app) {
     const has = (trait) => ({ kind }) => app.lightKind(kind)[trait];
     const not = (when) => (one) => !when(one);
 
-    /** Of lengths, which come and go in scene units. */
+    /** Unit and scale of lengths, which the bridge sends and takes in scene units. */
     const metres = { unit: "m", scale: () => app.state.metresPerUnit ?? 1 };
 
     /** A row of fields: when it is shown, and what it shows of a light. */

@@ -45,7 +45,7 @@ export function settingsPanel(app) {
         return groups.get(row.group).place;
     }
 
-    /** What is looked for opens the groups that hold it. */
+    /** Shows the settings that match, and opens their groups. */
     function find(words) {
         const wanted = words.trim().toLowerCase();
         for (const { place } of groups.values()) place.hidden = wanted !== "";
@@ -64,7 +64,7 @@ export function settingsPanel(app) {
 
     /** Name and settings of each, as its command orders them. */
     const qualities = () => (app.argument("quality", 0).words ?? []).map((name) => [name, app.welcome.qualities[name]]);
-    /** What a quality sets, a line each. */
+    /** The settings of a quality, a line each. */
     function qualityTip(settings) {
         const table = app.welcome.settings;
         return Object.entries(settings).map(([name, value]) => {

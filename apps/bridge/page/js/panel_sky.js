@@ -1,4 +1,4 @@
-/** What surrounds the scene: the sky with its sun, the environment map, ready-made light. */
+/** The panel of the scene's environment: the sky with its sun, the environment map, lighting presets. */
 import { button, make } from "./dom.js";
 import { choice, numeric, text, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
@@ -14,7 +14,7 @@ export function skyPanel(app) {
         place.append(made.element);
         rows.push({ made, when, value });
     };
-    /** What follows a hand: `edit(command)(value, goesOn)`. */
+    /** An edit that follows a hand: `edit(command)(value, goesOn)`. */
     const edit = (command) => (value, goesOn) => app.edit(command, command, [value].flat(), goesOn);
     const ask = (command) => (value) => app.ask(command, value);
     const onOff = (command) => (on) => app.ask(command, on ? "on" : "off");

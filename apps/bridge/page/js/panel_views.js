@@ -6,7 +6,7 @@ import { copyView } from "./share.js";
 import { counted, t } from "./texts.js";
 
 const SPEED_STEP = 1.5;
-/** Of "three-quarter": sideThreeQuarter. */
+/** The text of a side: sideThreeQuarter for "three-quarter". */
 const sideText = (side) => t(("side-" + side).replace(/-(\w)/g, (_, letter) => letter.toUpperCase()));
 
 /** Offers bytes as a file. */

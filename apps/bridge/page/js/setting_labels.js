@@ -1,8 +1,8 @@
-/** What settings, edits and values are called: in English as the bridge says, translated as in the window. */
+/** Labels of settings, edits and values: in English as the bridge sends them, translated as in the window. */
 import { of, number, t } from "./texts.js";
 
 let labels = {};
-/** @param {Object<string, string>} english names of settings, groups and choices, and what they are called */
+/** @param {Object<string, string>} english labels of settings, groups and choices, by name */
 export const nameSettings = (english) => (labels = english);
 const labelText = (name) => labels[name] ?? name;
 
@@ -20,7 +20,7 @@ export function settingValue(row, value) {
     return row.unit ? shown + " " + settingUnit(row.unit) : shown;
 }
 
-/** What `undo` or `redo` of the state means: {"label": "power of light", "of": "2"} is "power of light 2". */
+/** The label of `undo` or `redo` of the state: {"label": "power of light", "of": "2"} is "power of light 2". */
 export function editLabel({ setting, label, of: thing }) {
     if (setting) return settingLabel(setting);
     return of("Edits", label) + (thing ? " " + (/^\d+$/.test(thing) ? number(Number(thing)) : thing) : "");

@@ -1,4 +1,4 @@
-/** What the browser keeps. Where it keeps nothing (private windows, sandboxed frames), the page works without. */
+/** Values that the browser keeps. Where it keeps none (private windows, sandboxed frames), the page works without. */
 
 function store(kind) {
     try {

@@ -41,7 +41,7 @@ export function inWords(table, part) {
     return words.replace(/\{(\d)\}/g, (place, index) => (index in places ? inWords(table, places[index]) : place));
 }
 
-/** What an event tells, in the page's language. @param {{text: string, sentence?: Array}} event */
+/** The text of an event, in the page's language. @param {{text: string, sentence?: Array}} event */
 export const said = ({ text, sentence }) => (sentence && shared.Server ? inWords(shared.Server, sentence) : text);
 
 const formats = new Map();

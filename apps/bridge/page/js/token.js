@@ -1,7 +1,7 @@
 /**
- * What lets this tab in: the token of the link that was opened, or the page's own. The driver's link is good once, and
- * the bridge gives the page a token in its place, since browsers keep addresses. Nor does the browser keep that one on
- * its disk, but while the tab is hidden or loaded again.
+ * The token that lets this tab in: that of the link that was opened, or the page's own. The driver's link is good once,
+ * and the bridge gives the page a token in its place, since browsers keep addresses. The browser keeps that one on its
+ * disk only while the tab is hidden or loaded again.
  */
 import { forThisTab } from "./storage.js";
 
