@@ -1,4 +1,4 @@
-/// RTBridge as a function, from its command line to its exit code.
+/// A run of RTBridge, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

@@ -36,8 +36,8 @@ void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
     std::_Exit(static_cast<int>(app::ExitCode::Failed));
 }
 
-// What is wrong with the file; empty when nothing is. A user who starts the program by an icon sees no
-// stderr: then the window tells it.
+// The error about the file; empty when there is none. A user who starts the program by an icon sees no
+// stderr: then the window shows it.
 QString troubleWith(const Options& options) {
     try {
         requireFile(options);

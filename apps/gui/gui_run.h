@@ -1,4 +1,4 @@
-/// What GUI does, from its command line to its exit code.
+/// A run of GUI, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

@@ -175,7 +175,7 @@ void ConfigureDialog::addScale(QFormLayout& form) {
     stores_.append([this, box] { preferences_.set(pref::pictureScale, box->currentData().toInt()); });
 }
 
-// What progressive rendering and quick render do better than the live frame.
+// Settings of progressive rendering and quick render, which do better than the live frame.
 void ConfigureDialog::addStillQuality(QFormLayout& form) {
     constexpr int kMaxSamples = 16, kMaxBloom = 4096, kMaxRays = 4096;
     const QString asLive = tr("same as viewport");

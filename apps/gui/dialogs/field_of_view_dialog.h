@@ -17,7 +17,7 @@ class FieldOfViewDialog : public QDialog {
     /// Degrees from the left to the right edge; 0 for a view without perspective.
     explicit FieldOfViewDialog(double degrees, QWidget* parent = nullptr);
 
-    /// What the camera has now. Asks for nothing.
+    /// Shows the camera's current angle, in degrees. Emits nothing.
     void follow(double degrees);
 
   signals:

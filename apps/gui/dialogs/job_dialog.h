@@ -1,5 +1,5 @@
-/// What the dialogs for jobs have in common: more options from the program's table, the command that will
-/// run, what is wrong with it, and the buttons.
+/// The base of the dialogs for jobs: more options from the program's table, the command that will run, its
+/// errors, and the buttons.
 #pragma once
 
 #include "gui/processes/job.h"
@@ -42,7 +42,7 @@ class JobDialog : public QDialog {
 
     /// Positionals and options by the fields of the dialog.
     virtual QStringList ownArguments() const = 0;
-    /// What is missing, in words for the user; empty when nothing is.
+    /// The missing input, in words for the user; empty when nothing is missing.
     virtual QString missing() const = 0;
     virtual void finish() = 0;
 

@@ -1,4 +1,4 @@
-/// Fields made from a program's table of options: what the table learns, the dialog has.
+/// Fields made from a program's table of options: the dialog shows each option that is added to the table.
 #pragma once
 
 #include "common/cli/options.h"
@@ -22,7 +22,7 @@ class OptionFields : public QWidget {
     /// All options of `spec` but those of these names, and those that answer a question.
     OptionFields(const app::ProgramSpec& spec, const QStringList& without, QWidget* parent = nullptr);
 
-    /// Of the fields that differ from the default, as the program takes them.
+    /// The options of the fields that differ from the default, as the program takes them.
     QStringList arguments() const;
 
     /// A field that is off is grey and gives no argument, whatever is in it.

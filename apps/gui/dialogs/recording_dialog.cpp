@@ -54,7 +54,7 @@ void RecordingDialog::toggle() {
         session_.send(command::exportVideoStop(), this, [this](const Answer& answer) { tell(answer); });
         return;
     }
-    // What has been recorded stays.
+    // An existing recording is never overwritten.
     if (QFileInfo::exists(path_->path())) path_->setPath(freeList(path_->path()));
     session_.send(command::exportVideoStart(path_->path().toStdString()), this,
                   [this](const Answer& answer) { tell(answer); });

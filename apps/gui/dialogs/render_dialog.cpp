@@ -173,7 +173,7 @@ void RenderDialog::listen() {
     enableFields();
 }
 
-// What an integrator does not use is grey, and back as it was with the other one.
+// Fields that an integrator does not use are disabled, and keep their values for the other one.
 void RenderDialog::enableFields() {
     width_->setEnabled(size_->currentIndex() == Fixed);
     height_->setEnabled(size_->currentIndex() == Fixed);

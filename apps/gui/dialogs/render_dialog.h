@@ -1,4 +1,4 @@
-/// What the Renderer is to render, where to, and how well.
+/// The dialog for a job of the Renderer: its input, output and quality.
 #pragma once
 
 #include "gui/dialogs/job_dialog.h"
@@ -16,7 +16,7 @@ namespace gui {
 
 class FileField;
 
-/// What the dialog starts from.
+/// The state that the dialog starts from.
 struct RenderContext {
     bool live = false; ///< there is a server whose view can be rendered
     QSize size;        ///< of a live frame
@@ -26,7 +26,7 @@ struct RenderContext {
     int antialiasing = 3;
 };
 
-/// A job, and what the server has to write for it first.
+/// A job, and the files that the server has to write for it first.
 struct RenderWish {
     JobRequest job;
     QString sceneFile, cameraFile; ///< to be exported; empty: not needed

@@ -1,4 +1,4 @@
-/// What a new server is to show, and how.
+/// The dialog for a new server: its scene, camera and options.
 #pragma once
 
 #include "gui/models/preferences.h"

@@ -17,7 +17,7 @@ class UpAndUnitDialog : public QDialog {
     /// `up`: "+y".
     UpAndUnitDialog(const QString& up, float metresPerUnit, QWidget* parent = nullptr);
 
-    /// What the server has now. Asks for nothing.
+    /// Shows the server's current up axis and unit. Emits nothing.
     void follow(const QString& up, float metresPerUnit);
 
   signals:

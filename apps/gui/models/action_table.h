@@ -1,4 +1,4 @@
-/// What the menus offer, as data: a row here and a call of Actions::on() make an action.
+/// The actions of the menus, as data: a row here and a call of Actions::on() make an action.
 #pragma once
 
 #include <QKeySequence>
@@ -99,7 +99,7 @@ struct ActionRow {
     bool has(Trait trait) const { return (traits & trait) != 0; }
 };
 
-/// What shortcuts go by: the habits of desktops, or the thesis that describes the first version.
+/// The origin of the shortcuts: the habits of desktops, or the thesis that describes the first version.
 enum class ShortcutScheme { Desktop, Thesis };
 /// "thesis"; anything else is Desktop.
 ShortcutScheme shortcutSchemeOf(const QString& preference);

@@ -1,5 +1,5 @@
-/// What the window shows when the camera rests, as one choice: kept as the two preferences that it had
-/// before.
+/// The image that the window shows when the camera rests, as one choice; stored as the two preferences that
+/// it replaces.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@ struct Bookmark {
     friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
-/// What the files of one hold, to bring it back.
+/// The contents of a bookmark's files, to bring it back.
 struct BookmarkFiles {
     QString file;
     QByteArray camera, picture; ///< .cam, .png; the image may be missing

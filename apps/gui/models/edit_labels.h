@@ -1,4 +1,4 @@
-/// What the steps are called that undo takes back.
+/// Labels of the steps that undo takes back.
 #pragma once
 
 #include <QString>

@@ -35,7 +35,7 @@ QString countedText(const QString& first, qsizetype count) {
     return count == 1 ? text : tr("%1 (and others like this: %2)").arg(text, QString::number(count - 1));
 }
 
-// What the window says in words of its own; %1 is the first place of the form.
+// A form that the window shows in words of its own; %1 is the first argument of the form.
 struct OwnWords {
     const char *form, *words;
 };

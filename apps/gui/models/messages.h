@@ -1,4 +1,4 @@
-/// What a server has to say, as its command `messages` prints it: NUMBER warning|offer|event TEXT.
+/// Messages of a server, as its command `messages` prints them: NUMBER warning|offer|event TEXT.
 #pragma once
 
 #include "gui/session/server_sentence.h"
@@ -21,19 +21,19 @@ struct Message {
     QString shown() const; ///< in the user's language
 };
 
-/// What an offer of another up axis says.
+/// An offer of another up axis.
 struct UpOffer {
     QString text;  ///< in the user's language
     QString other; ///< axis: "+y"
 };
-/// Nothing where the message is none.
+/// Nothing where the message is no such offer.
 std::optional<UpOffer> readUpOffer(const Message& offer);
 
-/// What an offer of another unit says, in the user's language: "1 unit = 0.01 m (guessed, by its size).";
-/// nothing where the message is none.
+/// The text of an offer of another unit, in the user's language: "1 unit = 0.01 m (guessed, by its size).";
+/// nothing where the message is no such offer.
 std::optional<QString> readUnitOffer(const Message& offer);
 
-/// What an offer to take guessed materials back says, in the user's language.
+/// The same of an offer to take guessed materials back.
 std::optional<QString> readMaterialOffer(const Message& offer);
 
 /// Lines that are none are left out. `detail` is that of the answer.
@@ -42,7 +42,7 @@ QList<Message> readMessages(const QString& answer, const QString& detail);
 /// A warning that an import printed, in the user's language.
 QString importWarning(const QString& printed);
 
-/// What a key did, in the user's language: "Light 3: off".
+/// The effect of a key, in the user's language: "Light 3: off".
 QString eventText(const Message& event);
 /// Many warnings, in the user's language, in a few lines: those of one kind are counted, files stand without
 /// their folders.

@@ -1,5 +1,5 @@
-/// What the server says of the model's parts and materials (the commands parts, materials, material get, seen
-/// and mask), read.
+/// Readers of the server's answers about the model's parts and materials (the commands parts, materials,
+/// material get, seen and mask).
 #pragma once
 
 #include <QImage>

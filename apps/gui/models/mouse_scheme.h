@@ -1,4 +1,4 @@
-/// What drags over the image do while they turn the model: by preference as in other viewers.
+/// The effects of drags over the image while the mouse turns the model: by preference as in other viewers.
 #pragma once
 
 #include <QList>
@@ -17,7 +17,7 @@ enum class Drag {
     Nears  ///< it, upwards; away downwards
 };
 
-/// Of a drag by that button, while these are down; others may be, too.
+/// The effect of a drag by that button while these modifiers are down; others may be, too.
 struct DragRow {
     Qt::MouseButton button;
     Qt::KeyboardModifiers modifiers;

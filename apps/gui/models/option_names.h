@@ -1,5 +1,5 @@
-/// What the options of the programs are called in the window. An option that is added to a program gets its
-/// texts by itself, in English until translations/tables_cs.ts has them.
+/// Texts for the options of the programs in the window. An option that is added to a program gets its texts
+/// by itself, in English until translations/tables_cs.ts has them.
 #pragma once
 
 #include "common/cli/options.h"
@@ -9,7 +9,7 @@
 
 namespace gui {
 
-/// What an option is called in a form: "crease-angle" is "Crease angle".
+/// The label of an option in a form: "Crease angle" for "crease-angle".
 QString optionLabel(const app::Option& option);
 QString optionGroupTitle(const app::OptionGroup& group);
 /// Its help, as a sentence for a tooltip, in rich text.

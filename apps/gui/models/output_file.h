@@ -1,4 +1,4 @@
-/// What the window writes where its user wants it, as the other programs do.
+/// Output files of the window, at paths of the user's choice, written as the other programs do.
 #pragma once
 
 #include <QByteArray>

@@ -1,4 +1,4 @@
-/// What the window remembers: each key of QSettings with its default, once.
+/// The preferences of the window: each key of QSettings with its default, once.
 #pragma once
 
 #include <QObject>
@@ -9,7 +9,7 @@
 
 namespace gui {
 
-/// One row: name in the file, and what holds while nothing is stored.
+/// One row: the name in the file, and the value while none is stored.
 template <typename T>
 struct Preference {
     const char* name;

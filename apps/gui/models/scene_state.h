@@ -1,4 +1,4 @@
-/// What the server says of its scene, settings, lights, environment maps and edits, as the panels show it.
+/// The server's scene, settings, lights, environment maps and edits, as it reports and the panels show them.
 #pragma once
 
 #include "rtcore/io/text/scn.h"
@@ -26,7 +26,7 @@ struct ShownLight {
     friend bool operator==(const ShownLight&, const ShownLight&) = default;
 };
 
-/// Of the environment map of a file that is shown.
+/// The environment map of a file, while it is shown.
 struct ShownMap {
     float rotation = 0; ///< degrees
     float strength = 1; ///< factor
@@ -56,7 +56,7 @@ const ShownLight* lightOf(const SceneState& state, int id);
 /// Width or height, which follow the window and have no usual value.
 bool isPictureSize(const QString& setting);
 
-/// What the server says of what it shows.
+/// The server's report on the scene that it shows.
 struct StateAnswer {
     QString scene; ///< absolute path
     SceneState state;

@@ -1,5 +1,5 @@
-/// What the settings are called in the window. A setting that is added to the core gets its texts by itself,
-/// in English until translations/tables_cs.ts has them.
+/// Texts for the settings in the window. A setting that is added to the core gets its texts by itself, in
+/// English until translations/tables_cs.ts has them.
 #pragma once
 
 #include <QString>

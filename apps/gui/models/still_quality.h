@@ -7,7 +7,7 @@ namespace gui {
 
 class Preferences;
 
-/// What stands beside ambient occlusion for "on or off".
+/// Ambient occlusion of a still image: as in the live frame, on, or off.
 enum class StillOcclusion { AsLive, On, Off };
 
 struct StillQuality {
@@ -22,7 +22,7 @@ struct StillQuality {
     friend bool operator==(const StillQuality&, const StillQuality&) = default;
 };
 
-/// What the user has chosen.
+/// The quality that the user has chosen.
 StillQuality stillQuality(const Preferences& preferences);
 
 /// The Renderer's options; what is the same as in the viewport comes with the exported scene and camera.

@@ -1,4 +1,4 @@
-/// What keys and the mouse do in the image beside the bindings of keys: for F1 and docs/window.md.
+/// Keys and mouse actions in the image, besides the bindings of keys: for F1 and docs/window.md.
 #pragma once
 
 #include "gui/models/mouse_scheme.h"

@@ -24,7 +24,7 @@ class Actions : public QObject {
     Actions(QWidget& window, Preferences& preferences);
 
     QAction* operator[](ActionId id) const { return actions_.value(static_cast<int>(id)); }
-    /// What happens when the action is chosen, or a checkable one is toggled.
+    /// Calls `act` when the action is chosen, or a checkable one is toggled.
     void on(ActionId id, const std::function<void()>& act);
     void onToggle(ActionId id, const std::function<void(bool)>& act);
     /// A checkable action that shows, and changes, a preference.

@@ -1,5 +1,5 @@
-/// What the operations work on. An operation is made once, with the window; its constructor connects it to
-/// its actions and signals.
+/// The objects that the operations work on. An operation is made once, with the window; its constructor
+/// connects it to its actions and signals.
 #pragma once
 
 class QWidget;

@@ -61,7 +61,7 @@ void JobOperations::openRenderDialog(const QString& list) {
     RenderContext context;
     context.live = context_.session.live() && !context_.session.status().resolution.isEmpty();
     context.size = context_.session.status().resolution;
-    // What the server shows is more than its file: lights, settings.
+    // The server shows more than its file holds: lights, settings.
     context.scene = context.live ? QString() : context_.preferences.recentFiles().value(0);
     context.list = list;
     context.output = freeOutput();

@@ -110,7 +110,7 @@ void LookOperations::setAngle(double degrees) {
     context_.editor.edit(goesOn() ? command::also(line) : line);
 }
 
-// What the server is too slow for adds up.
+// Steps that come faster than the server takes them add up.
 void LookOperations::zoom(double steps) {
     constexpr double kStep = 1.1;
     if (!context_.session.live()) return;

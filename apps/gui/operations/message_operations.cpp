@@ -57,7 +57,7 @@ void MessageOperations::onStatus() {
                           });
 }
 
-// What keys did before we came is over; the warnings still hold.
+// Events of keys from before we came are over; the warnings still hold.
 void MessageOperations::take(const QList<Message>& messages) {
     QStringList warnings;
     for (const Message& message : messages) {
@@ -141,13 +141,13 @@ void MessageOperations::notify() {
     context_.notice.explain(shown_, actions);
 }
 
-// What others explain stays.
+// A notice of other operations stays.
 void MessageOperations::hideNotice() {
     if (!shown_.isEmpty() && context_.notice.text() == shown_) context_.notice.hide();
     shown_.clear();
 }
 
-// What a server of ours has printed outlives it.
+// The log of a server of ours outlives it.
 void MessageOperations::showLog() {
     auto* dialog = new LogDialog(
         [this] {

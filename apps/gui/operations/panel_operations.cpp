@@ -81,7 +81,7 @@ PanelOperations::PanelOperations(const GuiContext& context, QObject* parent)
             [this](const QString& text) { context_.notice.explain(text, {}); });
 }
 
-// What was hidden comes back as it was; at first that is every panel but the jobs.
+// Hidden panels come back as they were; at first these are all but the jobs.
 void PanelOperations::switchAll() {
     const QList<QDockWidget*> all = context_.window.findChildren<QDockWidget*>();
     QList<QDockWidget*> shown = all;
@@ -120,7 +120,7 @@ void PanelOperations::addSettings() {
             [this](const QStringList& folded) { context_.preferences.set(pref::foldedSettings, folded); });
 }
 
-// Of the window, not of the server: what is rendered when nothing moves.
+// A preference of the window, not of the server: the image that is rendered when nothing moves.
 void PanelOperations::addAtRest(SettingsPanel& panel) {
     auto* box = new QComboBox;
     fillAtRest(*box);

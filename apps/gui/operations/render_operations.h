@@ -45,7 +45,7 @@ class RenderOperations : public QObject {
     void showActivity();
     QString progressText() const;
 
-    /// What an image is an image of.
+    /// The view and the frame that an image belongs to.
     struct Moment {
         View view;
         QSize size;

@@ -145,7 +145,7 @@ void SaveOperations::onPacked(const Answer& answer, const QString& folder) {
     const auto said = readSentence(answer.detail);
     if (const auto* const refusal = said ? said->find(app::kPackRefusal) : nullptr)
         return confirmOutside(refusal->argument(0), folder);
-    // What was left out stands in lines of its own.
+    // Files that were left out are listed in lines of their own.
     if (!answer.done) return context_.notice.explain(answer.text, {});
     QStringList lines = answer.text.split(QLatin1Char('\n')).mid(1);
     for (QString& line : lines) line = translatedAs(line, std::array{app::kLeftOut});

@@ -31,9 +31,9 @@ class SaveOperations : public QObject {
     void beforeLeaving(const std::function<void()>& go);
 
   signals:
-    /// What the window itself keeps for the scene goes to the server now.
+    /// Data that the window itself keeps for the scene has to go to the server now.
     void aboutToSave();
-    /// As another file than before.
+    /// The scene was saved as another file than before.
     void savedAs(const QString& path);
 
   private:

@@ -1,5 +1,5 @@
-/// What the user changes in the scene: settings, lights, environment, the place of the camera. Keeps what the
-/// server says of them. The server keeps the steps that can be taken back, those of other clients, too.
+/// The user's changes to the scene: settings, lights, environment, the place of the camera. Keeps their state
+/// as the server reports it. The server keeps the steps that can be taken back, those of other clients, too.
 #pragma once
 
 #include "gui/models/scene_state.h"
@@ -32,15 +32,15 @@ class SceneEditor : public QObject {
     const QString& scene() const { return scene_; }
     void refresh();
 
-    // What the server refuses is told by refused().
-    /// Of several values for one name in short order the server gets the newest; those of one gesture are one
-    /// step.
+    // Refusals of the server are reported by refused().
+    /// The server gets the newest of several values for one name in quick succession; those of one gesture
+    /// are one step.
     void setSetting(const QString& name, const QString& value);
     void setDefaults();
     void switchLight(int id, bool on);
-    /// Of several lines for one step (EditStep::label, as "light move 2") in short order the server gets the
-    /// newest. `goesOn`: it belongs to the step of the last one, if that was of the same thing; nothing: by
-    /// the time in between, as those of one gesture do.
+    /// The server gets the newest of several lines for one step (EditStep::label, as "light move 2") in quick
+    /// succession. `goesOn`: the line belongs to the step of the last one, if that was of the same thing;
+    /// nothing: by the time in between, as those of one gesture do.
     void follow(const QString& step, const std::string& line, std::optional<bool> goesOn = {});
     void chooseEnvironment(int environment);
     /// Sends a command that edits. `done` gets the server's answer, and tells a refusal itself.
@@ -49,7 +49,7 @@ class SceneEditor : public QObject {
     /// Take the last step back, or make it again: the window's own or the server's, in their order.
     void undo();
     void redo();
-    /// What these would do, as menus say it; empty: there is nothing.
+    /// Labels of the steps that these would take, as menus show them; empty: there is none.
     QString undoText() const;
     QString redoText() const;
     /// Does something of the window's own that can be taken back until another scene is shown.
@@ -58,7 +58,7 @@ class SceneEditor : public QObject {
   signals:
     /// A change of the user's is on its way.
     void sending();
-    /// What undo() and redo() would do included.
+    /// Also when undoText() or redoText() changes.
     void stateChanged();
     void sceneChanged();
     /// A change of the user's was not taken.

@@ -1,4 +1,4 @@
-/// What lights the scene: looks and environment maps, of menus and of files that are dropped.
+/// Operations on the light of the scene: lighting presets and environment maps, from menus and dropped files.
 #pragma once
 
 #include "gui/operations/gui_context.h"
