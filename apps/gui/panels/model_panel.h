@@ -35,7 +35,7 @@ class ModelPanel : public QWidget {
     /// Those of the chosen parts, as commands take them: numbers, patterns for groups.
     QStringList chosenParts() const;
     int chosenMaterial() const; ///< 0: none
-    /// What can be done with the chosen parts.
+    /// Adds the actions on the chosen parts.
     void fillMenu(QMenu& menu);
 
   signals:

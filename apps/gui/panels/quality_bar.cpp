@@ -36,7 +36,7 @@ int qualityOf(const QMap<QString, QString>& values) {
     return -1;
 }
 
-/// What it sets: "Anti-aliasing: 3, ...".
+/// The settings of a quality, a line each: "Anti-aliasing: 3".
 QString tipOf(Quality quality) {
     QStringList parts;
     for (const QualityRow& row : rtcore::qualityTable()) {

@@ -21,7 +21,7 @@ class QualityBar : public QWidget {
     /// By values of settings. Emits nothing.
     void show(const QMap<QString, QString>& values);
     using QWidget::show;
-    /// Of rtcore::kQualityNames; null when it is none.
+    /// The button of a quality, by one of rtcore::kQualityNames; null for other names.
     QAbstractButton* step(const QString& name) const;
     /// Whether it says that the settings are as in none.
     bool saysCustom() const;

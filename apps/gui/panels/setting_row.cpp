@@ -37,7 +37,7 @@ QString suffixOf(const Setting& setting) {
     return setting.unit.empty() ? QString() : QLatin1Char(' ') + settingUnit(setting.unit);
 }
 
-// What is typed counts when it is finished, not each digit; the wheel scrolls the panel.
+// A typed value counts when it is finished, not each digit.
 template <typename Box>
 Box* tamed(Box* box, const Setting& setting) {
     box->setKeyboardTracking(false);

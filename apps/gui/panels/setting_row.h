@@ -25,8 +25,8 @@ class SettingRow : public QObject {
     /// A row at the end of `form`. `label`: as it is called there.
     SettingRow(const rtcore::Setting& setting, const QString& label, QFormLayout& form, QObject* parent);
 
-    /// What the server has; one that it does not know is disabled. Emits nothing. The field in which the user
-    /// is typing is left alone.
+    /// Shows the server's value; a setting that the server does not know is disabled. Emits nothing. The
+    /// field in which the user is typing is left alone.
     void show(const QMap<QString, QString>& values);
 
     const QString& name() const { return name_; }

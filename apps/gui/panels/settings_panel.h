@@ -23,8 +23,8 @@ class SettingsPanel : public QWidget {
   public:
     explicit SettingsPanel(QWidget* parent = nullptr);
 
-    /// What the server has; settings that it does not know are disabled. Emits nothing. The field in which
-    /// the user is typing is left alone.
+    /// Shows the server's values; settings that it does not know are disabled. Emits nothing. The field in
+    /// which the user is typing is left alone.
     void show(const QMap<QString, QString>& values);
     using QWidget::show;
     /// One more row below those that most people change; takes it over.
@@ -40,7 +40,7 @@ class SettingsPanel : public QWidget {
     ValueSlider* slider(const QString& name) const;
     /// By Setting::group; what most people change is in none.
     FoldBox* group(const QString& key) const { return groups_.value(key); }
-    /// What holds the groups; folded up at first.
+    /// The box that holds the groups; folded up at first.
     FoldBox& advanced() { return *advanced_; }
     /// Those that are folded up, by their keys.
     void setFolded(const QStringList& keys);

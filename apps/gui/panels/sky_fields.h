@@ -1,4 +1,4 @@
-/// What surrounds the scene: the sky with its sun, and the environment map that is shown. Knows no server.
+/// Fields of the sky with its sun, and of the environment map that is shown. They know no server.
 #pragma once
 
 #include "gui/models/scene_state.h"
@@ -62,7 +62,7 @@ class SkyFields : public QWidget {
     void addDirection();
     void addAir();
     ValueBox* number(const QString& label, double min, double max, const QString& unit = {});
-    /// What changes is sent as the command that `line` makes of the value.
+    /// Sends each change of the value as the command that `line` makes of it.
     void sends(ValueBox* box, const char* step, std::string (*line)(double));
     void sendPlace();
     void sendDirection();

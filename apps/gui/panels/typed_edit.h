@@ -14,8 +14,8 @@ std::optional<QTime> timeOf(const QString& text);
 /// Year, month and day: "2026-06-21", "2026/6/21", "20260621".
 std::optional<QDate> dateOf(const QString& text);
 
-/// What is typed over a selected text, or after that was deleted, holds from Return, Tab or a click
-/// elsewhere; what is no value gives way to the one before, as Esc does.
+/// Text typed over the whole old one, selected or deleted, is taken at Return, Tab or a click elsewhere;
+/// where it is no value, and at Esc, the old value comes back.
 template <typename Edit>
 class TypedEdit : public Edit {
   public:

@@ -21,7 +21,7 @@ struct Visitor {
     friend bool operator==(const Visitor&, const Visitor&) = default;
 };
 
-/// Of the bridge's /status; those that look at any server. Nothing when it is none.
+/// The visitors of all servers in the bridge's /status; none when the text is no status.
 QList<Visitor> readVisitors(const QByteArray& status);
 
 /// Asks every two seconds, without waiting.

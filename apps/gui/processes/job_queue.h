@@ -19,7 +19,7 @@ class JobQueue : public QAbstractTableModel {
 
   public:
     enum Column { Title, State, Progress, TimeLeft, Columns };
-    /// Of the column Progress: 0..1, or invalid when it is not known; and whether the job runs.
+    /// Roles of the column Progress: 0..1, or invalid when it is not known; and whether the job runs.
     enum Role { FractionRole = Qt::UserRole, RunningRole };
 
     explicit JobQueue(QObject* parent = nullptr);

@@ -54,7 +54,7 @@ void add(QCryptographicHash& hash, const QFileInfo& file) {
     hash.addData(QByteArray::number(file.lastModified().toMSecsSinceEpoch()));
 }
 
-// What models name: materials, textures, buffers. Those further away than a folder below are not looked at.
+// Files that models may name: materials, textures, buffers; at most one folder below that of the model.
 void addCompanions(QCryptographicHash& hash, const QFileInfo& model) {
     const QStringList alone{QStringLiteral("ply"), QStringLiteral("stl"), QStringLiteral("off"),
                             QStringLiteral("glb")};
@@ -107,7 +107,7 @@ QString ModelCache::find(const QString& scene) const {
     const std::optional<Source> source = megabytes_ > 0 ? sourceOf(scene) : std::nullopt;
     if (!source) return {};
     QFile file(fileFor(*source));
-    // What is used is young.
+    // Use makes a file young: the oldest ones are removed first.
     if (!file.open(QIODevice::ReadWrite | QIODevice::ExistingOnly)) return {};
     file.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);
     return file.fileName();
@@ -168,7 +168,7 @@ void ModelCache::makeRoom() const {
         room -= file.size();
         if (room < 0) QFile::remove(file.filePath());
     }
-    // Of those, of builds that were given up, and of those that had nothing to say.
+    // Texts printed for those, for builds that were given up, and by builds that had nothing to say.
     for (const QFileInfo& printed : folder.entryInfoList({QStringLiteral("*.bsp.txt")}, QDir::Files)) {
         if (printed.size() == 0 || !folder.exists(printed.completeBaseName()))
             QFile::remove(printed.filePath());

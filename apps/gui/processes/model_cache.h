@@ -25,7 +25,7 @@ class ModelCache : public QObject {
     /// The .bsp of a model, or of the model of a .scn; empty when there is none, or when that is a .bsp
     /// itself.
     QString find(const QString& scene) const;
-    /// What that model's import had warned of; empty where find() gives nothing.
+    /// The warnings of that model's import; empty where find() gives nothing.
     QStringList warnings(const QString& scene) const;
     /// Makes it by a BSPBuilder that stays behind everything else, unless it is there. One at a time: the
     /// build of another model is given up. Failures are silent, for nothing depends on it.

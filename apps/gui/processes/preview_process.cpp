@@ -32,7 +32,7 @@ int nextNumber() {
     return ++number;
 }
 
-// What was not asked for is not waited for. Until it is a Renderer, a process may lose the request to end.
+// Does not wait for the end. Until it has become a Renderer, a process may lose the request to end.
 void end(QProcess& process) {
     if (process.state() == QProcess::Starting) return process.kill();
     process.terminate();

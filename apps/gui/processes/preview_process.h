@@ -30,7 +30,7 @@ class PreviewProcess : public QObject {
     /// Renderers that run are ended, and waited for.
     ~PreviewProcess() override;
 
-    /// Of the size of a live frame. An image still under way is given up.
+    /// Renders an image of the size of a live frame. An image still under way is given up.
     void render(const StillQuality& quality);
     /// Nothing more is heard of the image under way; its Renderer is told to end at once.
     void cancel();

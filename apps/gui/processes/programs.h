@@ -12,8 +12,8 @@ QString programPath(const QString& name);
 /// the file may turn out not to be writable.
 QString logPath(const QString& name);
 
-/// Of this session, where there is such a thing: what a killed window leaves there goes with it. Else the
-/// folder for temporary files.
+/// The folder of this login session, where there is one: files that a killed window leaves there go with the
+/// session. Else the folder for temporary files.
 QString sessionFolder();
 
 /// A file filter for scenes, kd-trees and models, for file dialogs.

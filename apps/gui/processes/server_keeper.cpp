@@ -78,7 +78,7 @@ void ServerKeeper::leaveOurs() {
     if (shared) return server_.release();
     asked_ = true;
     server_.stop();
-    QEventLoop loop; // a second at most: its shared memory is to be free again
+    QEventLoop loop; // kMax at most: its shared memory has to be free again
     connect(&server_, &ServerProcess::ended, &loop, &QEventLoop::quit);
     constexpr int kMax = 4000;
     QTimer::singleShot(kMax, &loop, &QEventLoop::quit);

@@ -43,7 +43,8 @@ class ServerKeeper : public QObject {
 
     /// The session's server is the one that we started.
     bool ours() const;
-    /// What the window does when it closes; may take a few seconds when a server takes its time to end.
+    /// Leaves the server as the window closes. The server ends with this object, in up to a few seconds,
+    /// unless it is kept or others use it.
     void close();
 
     const ServerProcess& server() const { return server_; }

@@ -1,4 +1,4 @@
-/// What servers say, in the user's language.
+/// Sentences of servers, in the user's language.
 #pragma once
 
 #include "rtcore/platform/sentence.h"
@@ -19,11 +19,11 @@ struct ServerSentence {
     QList<ServerSentence> arguments;
 
     QString argument(qsizetype place) const; ///< in the user's language
-    /// Itself or what stands in its places, at any depth; null where none has this form.
+    /// The sentence of this form: itself or an argument, at any depth; null where none has it.
     const ServerSentence* find(const char* wanted) const;
 };
 
-/// Of the detail of an answer (rtcore/io/text/sentence_json.h); nothing where it is none.
+/// The sentence in the detail of an answer (rtcore/io/text/sentence_json.h); nothing where there is none.
 std::optional<ServerSentence> readSentence(const QString& detail);
 
 /// A form without a translation stays English.
@@ -32,7 +32,7 @@ QString translated(const rtcore::Sentence& said);
 /// Errors of shared memory, files and values; what() of others.
 QString translated(const std::exception& error);
 
-/// Of English text that came without a detail, by the forms that it may have been made of (rtcore::readAs).
+/// Translates English text that came without a detail, by the forms that may have made it (rtcore::readAs).
 QString translatedAs(const QString& text, std::span<const char* const> forms);
 
 /// `text`, or what `detail` says in the user's language.

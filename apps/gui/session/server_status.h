@@ -1,4 +1,4 @@
-/// What the server tells of itself, as the window shows it.
+/// The server's report on itself, as the window shows it.
 #pragma once
 
 #include <QSize>
@@ -8,7 +8,7 @@
 
 namespace gui {
 
-/// From where and into which direction the server looks; scene units, degrees.
+/// The camera of the server; scene units, degrees.
 struct View {
     QVector3D eye, forward{0, 0, -1}, up{0, 1, 0};
     float fieldOfView = 0;

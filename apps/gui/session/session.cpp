@@ -136,7 +136,7 @@ void Session::look() {
         link_->lastNews = Clock::now();
         toRgb32(link_->next.pixels);
         std::swap(link_->frame, link_->next);
-        // What comes next must be newer than this one.
+        // The next frame must be newer than this one.
         link_->next.info = link_->frame.info;
         link_->next.epoch = link_->frame.epoch;
         emit frameChanged();

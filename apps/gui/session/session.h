@@ -75,10 +75,10 @@ class Session : public QObject {
     void pressKey(int key);
     void releaseKey(int key);
     void releaseAllKeys();
-    /// Turns the camera; degrees to the right and upwards. What comes faster than frames do is added up, here
-    /// and in the next three.
+    /// Turns the camera; degrees to the right and upwards. Calls that come faster than frames are added up,
+    /// also those of orbit(), pan() and approach().
     void turn(double right, double upwards);
-    /// What is seen there is what these are about: 0..1 from the left and from the top.
+    /// Makes the point seen there the pivot of the next three; 0..1 from the left and from the top.
     void takeHold(double right, double down);
     void orbit(double right, double upwards); ///< degrees
     void pan(double right, double upwards);   ///< of the image's width

@@ -1,4 +1,4 @@
-// What a session sends: commands, keys, turns.
+// The part of Session that sends: commands, keys, turns.
 #include "gui/session/session_link.h"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ void Session::sendSteering() {
     link_->steering = left;
 }
 
-// What is called may send more, or leave: the list is taken first.
+// Callbacks may send more, or leave: the answered orders are moved out of the list first.
 void Session::collectAnswers() {
     std::vector<std::pair<Order, Answer>> ready;
     std::erase_if(link_->open, [&](Order& order) {

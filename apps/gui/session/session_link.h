@@ -1,4 +1,5 @@
-/// What a session holds of its server. For the sources of Session alone: here is where ipc is seen.
+/// A session's connection to its server, for the sources of Session alone: ipc is included here, not in
+/// session.h.
 #pragma once
 
 #include "gui/session/session.h"

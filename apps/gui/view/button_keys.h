@@ -1,4 +1,4 @@
-/// What presses a button: outside dialogs, too, Return does, not Space alone.
+/// Lets Return press a button outside dialogs, too, where Qt takes Space alone.
 #pragma once
 
 #include <QObject>

@@ -25,8 +25,8 @@ constexpr auto kTellFor = 4s;
 constexpr auto kResizeRest = 300ms;
 constexpr QRgb kBackground = 0xff1a1c1f;
 
-/// Of the same kind, along its edges, so that a frame of few pixels shows no squares; at most about as large
-/// as a widget of `max`, and not above what is upsampled within a few milliseconds.
+/// The image upsampled along its edges, in the same format, so that a frame of few pixels shows no squares;
+/// at most about as large as a widget of `max`, and no larger than takes a few milliseconds.
 QImage upsampled(const QImage& picture, const QSize& max) {
     constexpr double kMaxPixels = 1 << 21;
     const double pixels = static_cast<double>(max.width()) * max.height();
@@ -183,7 +183,7 @@ void FrameView::countDelay() {
     painted_ = session_.frameNumber();
     constexpr double kNewest = 0.1;
     const double delay = std::chrono::duration<double>(session_.frameAge()).count();
-    // What a server at rest had drawn before this window came tells nothing.
+    // A frame that a server at rest drew before this window came says nothing about the delay.
     constexpr double kSecond = 1;
     if (delay > kSecond) return;
     paintDelay_ += (paintDelay_ > 0 ? kNewest : 1) * (delay - paintDelay_);

@@ -49,7 +49,7 @@ class FrameView : public QWidget {
     const QString& told() const { return told_; }           ///< by tell(), as long as it is seen
     const QImage& picture() const { return picture_; }      ///< null while it shows live frames
     const PictureOrigin& origin() const { return origin_; } ///< of picture()
-    /// What is seen, but for words, marks and a fade: picture(), or the live frame.
+    /// The visible image without words, marks and a fade: picture(), or the live frame.
     QImage shown() const { return showsLive() ? session_.frame() : picture_; }
     bool fades() const { return fade_.active(); }
 
@@ -60,7 +60,7 @@ class FrameView : public QWidget {
     /// Where a point of the widget is in the image: from -1 (left, bottom) to 1; nothing beside it.
     std::optional<QPointF> inPicture(const QPointF& position) const;
 
-    /// What the view could show at most, in the screen's own pixels.
+    /// The size of the largest image that the view can show in full, in the screen's own pixels.
     QSize devicePixels() const;
     QSize sizeHint() const override;
     /// From a frame's publication by the server until it was painted, averaged over the last ones; seconds.

@@ -19,7 +19,7 @@ class QWidget;
 
 namespace gui {
 
-/// What the mouse does with the image.
+/// The effect of the mouse on the image.
 enum class Hand {
     Looks, ///< a click captures the mouse, which turns the camera
     Turns  ///< a drag turns the model
@@ -41,7 +41,7 @@ class InputCapture : public QObject {
     void setHand(Hand hand);
     MouseScheme mouseScheme() const { return scheme_; }
     void setMouseScheme(MouseScheme scheme);
-    /// What the keys do on the server.
+    /// Sets the server's bindings of keys.
     void setBindings(const QList<Binding>& bindings) { keys_ = CameraKeys(bindings); }
 
   signals:
@@ -51,14 +51,14 @@ class InputCapture : public QObject {
     void allKeysReleased();
     void turned(double right, double upwards); ///< degrees
     void wheelTurned(double steps);            ///< away from the user is positive
-    // Of a hand that turns; widget pixels.
+    // Signals of a hand that turns the model; widget pixels.
     void grasped(const QPointF& position);               ///< a drag begins there
     void dragged(const QPointF& by);                     ///< the model is to turn
     void pushed(const QPointF& by);                      ///< it is to move
     void neared(double by);                              ///< it is to come nearer: pixels upwards
     void reached(const QPointF& position, double steps); ///< the wheel, there
     void centred(const QPointF& position);               ///< a double click
-    void zoomed(double steps);                           ///< the same with Ctrl
+    void zoomed(double steps);                           ///< the wheel with Ctrl, of either hand
     /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with
     /// it.
     void commandKey(int code, bool withL);

@@ -17,7 +17,7 @@ namespace gui {
 /// `orbits`: the model is in the hand.
 QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering,
                     const QString& sharing = {}, bool orbits = false);
-/// What stands in the middle while there is no live frame; empty when there is.
+/// The text in the middle while there is no live frame; empty when there is, and for the start page.
 QString stateText(const Session& session);
 
 /// From the top of the viewport to below the overlay.

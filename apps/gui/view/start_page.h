@@ -1,4 +1,4 @@
-/// What the viewport shows while there is no server: scenes to open, and how one walks.
+/// The page in the viewport while there is no server: scenes to open, and how to walk.
 #pragma once
 
 #include "gui/models/example_scenes.h"

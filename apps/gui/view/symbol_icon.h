@@ -6,7 +6,7 @@
 
 namespace gui {
 
-/// Of the symbol of that name (symbolPath()); dim while what it stands for is disabled.
+/// The icon of the symbol of that name (symbolPath()); dim while its action is disabled.
 QIcon symbolIcon(const QString& name);
 
 } // namespace gui

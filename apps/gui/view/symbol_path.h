@@ -8,7 +8,7 @@ namespace gui {
 
 constexpr int kSymbolSide = 24; ///< of the square that symbols are drawn in
 
-/// Of the `d` of a <path>: moves, lines, cubic curves and arcs that are not turned, absolute and relative.
+/// The path of the `d` of a <path>: moves, lines, cubic curves and unrotated arcs, absolute and relative.
 /// Ends where anything else begins.
 QPainterPath pathOf(const QString& drawing);
 

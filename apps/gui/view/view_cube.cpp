@@ -28,7 +28,7 @@ constexpr auto kCornerView = "three-quarter";
 
 QVector3D vectorOf(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// What stands on a side.
+/// The label on a side.
 QString labelOf(const QString& side) {
     static const std::array<std::pair<const char*, const char*>, 6> kLabels{
         {{"front", QT_TRANSLATE_NOOP("gui::ViewCube", "FRONT")},
@@ -184,7 +184,7 @@ void ViewCube::paintEvent(QPaintEvent*) {
     }
 }
 
-// What is not the cube's is the image's: a drag beside it turns the model.
+// A press beside the cube goes on to the image, where a drag turns the model.
 void ViewCube::mousePressEvent(QMouseEvent* event) {
     pressed_ = event->button() == Qt::LeftButton ? sideAt(event->position()) : QString();
     event->setAccepted(!pressed_.isEmpty());
