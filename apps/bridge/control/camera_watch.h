@@ -9,7 +9,7 @@
 
 namespace bridge {
 
-/// One thread. What is given to the server takes effect some frames later, and however long these last: own
+/// One thread. Input given to the server takes effect some frames later, and however long these last: own
 /// movement is over after a count of frames, not after a time. While walking it goes on without keys (falls,
 /// jumps), so that there the server must have come to rest, too, unless the view turns, which nothing does by
 /// itself. Then, and as long as nothing of one's own is given, all movement is another's.

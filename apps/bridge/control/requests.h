@@ -50,8 +50,8 @@ PlannedCommand planRequest(const nlohmann::json& request, const RequestContext& 
 /// The rows of commands that pages may ask for, with the names, ranges and words of their arguments.
 nlohmann::json commandTableJson();
 
-/// The server's answer to a command as a page gets it: keys beside `ok` and `text`. What is not as expected
-/// is left out; none where `text` is the answer.
+/// The server's answer to a command as a page gets it: keys beside `ok` and `text`; none where `text` is the
+/// answer. Unexpected parts are left out.
 nlohmann::json answerContent(app::CommandId id, const std::string& text);
 
 } // namespace bridge

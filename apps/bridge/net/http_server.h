@@ -1,5 +1,4 @@
-/// HTTP and WebSockets, on one thread. What is behind it is told by functions; it knows no server and no
-/// frames.
+/// HTTP and WebSockets, on one thread. Functions connect it to the rest; it knows no server and no frames.
 #pragma once
 
 #include "bridge/net/doorkeeper.h"

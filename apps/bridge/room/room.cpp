@@ -234,7 +234,7 @@ void Room::tellRoles() {
 
 void Room::applyInput(SessionId id, const InputMessage& sent) {
     if (!roles_.drives(id)) return;
-    noteOwnMovement(); // what is let go of now
+    noteOwnMovement(); // by keys that are released now
     const DriverInput::Given given = input_.give(id, sent, *commands_);
     if (given == DriverInput::Given::Nothing) return;
     if (given == DriverInput::Given::Action) roles_.touch(id, now());

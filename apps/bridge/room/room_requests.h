@@ -30,7 +30,7 @@ struct RequestLinks {
     std::function<void()> refresh; ///< the server's state is wanted soon
     std::function<void(SessionId to, const nlohmann::json& event)> send;
     std::function<void(const nlohmann::json& event)> sendAll;
-    std::function<void()> moves; ///< what was asked for may move the camera now
+    std::function<void()> moves; ///< a request may move the camera now
 };
 
 /// One thread.

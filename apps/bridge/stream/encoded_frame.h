@@ -17,7 +17,7 @@ struct FrameFacts {
     std::uint32_t stream = 0;                      ///< another number after another server or size
     std::uint64_t number = 0;                      ///< of the server's frame
     std::uint16_t width = 0, height = 0;           ///< coded
-    std::uint16_t shownWidth = 0, shownHeight = 0; ///< what it is stretched to
+    std::uint16_t shownWidth = 0, shownHeight = 0; ///< stretched to these
     std::int64_t publishedNs = 0;                  ///< by the steady clock
 };
 

@@ -115,7 +115,7 @@ class RateControl {
     double recent_ = 0; ///< bytes of the last second, older ones fading
     Seconds lastSent_ = 0;
     Seconds lastAck_ = -1, rtt_ = 0, queue_ = 0, decode_ = 0, usualDecode_ = 0;
-    Seconds onLink_ = 0; ///< what the last frame took of it, about
+    Seconds onLink_ = 0; ///< time that the last frame took on the link, about
     int lateAcks_ = 0, drawn_ = 0;
     bool climbedByProof_ = false; ///< the last time
     Seconds lastChange_ = -1e9, lastClimb_ = -1e9, goodSince_ = -1, climbWait_ = 2;

@@ -49,7 +49,7 @@ class ConfigureDialog : public QDialog {
     QList<std::function<void()>> stores_; ///< each writes one field to the preferences
     KeyBindingsPage* keys_;
     QPushButton* ok_ = nullptr;
-    QList<Binding> present_; ///< what the server, or the preferences, have now
+    QList<Binding> present_; ///< current ones of the server, or of the preferences
 };
 
 } // namespace gui

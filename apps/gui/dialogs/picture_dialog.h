@@ -18,8 +18,8 @@ class PictureDialog : public QDialog {
     explicit PictureDialog(const QString& file, QWidget* parent = nullptr);
     bool readable() const { return !picture_.isNull(); }
     PictureView& view() { return *view_; }
-    /// The file as it is, or in the format of another extension. What went wrong, or nothing; then nothing is
-    /// half-written.
+    /// Copies the file as it is, or converts it to the format of another extension. Returns the error, or
+    /// nothing; no file is left half-written.
     QString saveTo(const QString& path) const;
 
   private:

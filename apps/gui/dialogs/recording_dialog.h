@@ -1,5 +1,5 @@
-/// Starts and stops the recording of the camera, and plays lists. Can be closed meanwhile: the server knows
-/// what is being recorded.
+/// Starts and stops the recording of the camera, and plays lists. Can be closed meanwhile: the server keeps
+/// the state of the recording.
 #pragma once
 
 #include "gui/session/session.h"

@@ -22,7 +22,7 @@ class ShareLinksPage : public QWidget {
 
     void show(const BridgeRequest& request, const BridgeLinks& links);
     void show(const QList<Visitor>& visitors);
-    void tell(const QString& text); ///< what was done last
+    void tell(const QString& text); ///< about the last action
 
   signals:
     void openWanted(const QString& link);

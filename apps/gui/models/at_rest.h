@@ -12,7 +12,7 @@ namespace gui {
 class Preferences;
 
 enum class AtRest {
-    Live,    ///< what the server draws
+    Live,    ///< the frame of the server
     Refined, ///< that in higher quality
     Global,  ///< with all light, also from surface to surface
 };

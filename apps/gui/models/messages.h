@@ -13,9 +13,9 @@ namespace gui {
 
 struct Message {
     quint64 number = 0;   ///< counts from 1
-    bool warning = false; ///< else what a key did, or an offer
+    bool warning = false; ///< else the effect of a key, or an offer
     QString text;         ///< in English
-    bool offer = false;   ///< what was decided for the user, who may want it otherwise
+    bool offer = false;   ///< a decision for the user, who may want another one
     std::optional<ServerSentence> said = {};
 
     QString shown() const; ///< in the user's language

@@ -8,7 +8,7 @@ namespace gui {
 
 struct OwnAddress {
     QString address; ///< numeric
-    QString network; ///< what the system calls the way there, such as "wlan0"
+    QString network; ///< the system's name of the interface, such as "wlan0"
 };
 
 /// Those of networks that are up, IPv4 first; not those that count on one wire alone. Empty without a

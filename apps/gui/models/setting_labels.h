@@ -17,7 +17,7 @@ namespace gui {
 /// A group of the table (Setting::group) as it is called: "Ambient occlusion"; the one without a name:
 /// "Image".
 QString settingGroup(std::string_view group);
-/// The part behind the dot, or all of it: "brighterSeconds" is "Brighter seconds". Of choices, too.
+/// The part behind the dot, or all of it: "brighterSeconds" is "Brighter seconds". For choices, too.
 QString settingLabel(std::string_view name);
 /// As it is called outside of its group.
 QString mainSettingLabel(const rtcore::MainSetting& setting);

@@ -26,7 +26,7 @@ class BookmarkOperations : public QObject {
     void follow(const QString& scene);
 
   private:
-    /// The scene's come first. What the window keeps under the name of one of them is its image.
+    /// Those of the scene come first, with the images of the window's bookmarks of the same names.
     struct Entry {
         QString name;
         bool ofScene = false;

@@ -60,7 +60,7 @@ void ModeOperations::showCube() {
     if (shows != cube_->isVisibleTo(&context_.view)) cube_->setVisible(shows);
 }
 
-// The view stays as it is, but that a body falls onto the ground. What cannot be walked in stays in the hand.
+// The view stays, but that a body falls onto the ground. A model that cannot be walked in stays in the hand.
 void ModeOperations::choose(Mode mode) {
     if (mode != Mode::Walk) {
         if (context_.session.status().view.walking) context_.session.send(command::fly());

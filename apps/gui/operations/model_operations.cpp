@@ -102,7 +102,7 @@ void ModelOperations::setMaterial(const QString& key, const std::string& line) {
     const bool goesOn = which == lastKey_ && sinceSet_.elapsed() < SceneEditor::kOneGesture;
     lastKey_ = which;
     sinceSet_.start();
-    select(false, 0); // what is marked would hide what is changed
+    select(false, 0); // its mark would hide the change
     context_.editor.edit(goesOn ? command::also(line) : line, [this](const Answer& answer) {
         if (!answer.done) context_.view.tell(answer.text);
         refresh_.start(kCollect);
@@ -150,7 +150,7 @@ void ModelOperations::askFields() {
     });
 }
 
-// --- What is selected ---
+// --- The selection ---
 
 void ModelOperations::pick(const QPointF& position) {
     const std::optional<QPointF> point = context_.view.inPicture(position);

@@ -167,7 +167,7 @@ void RenderOperations::onPreferences() {
     if (!settled_ && mayRenderProgressively()) rest_.start();
 }
 
-// --- What ---
+// --- Images and progress ---
 
 void RenderOperations::onRefined(const QImage& picture, bool last, const PictureOrigin& origin) {
     const bool worse = kept_ && (origin.paths != kept_->paths || origin.samples < kept_->samples);

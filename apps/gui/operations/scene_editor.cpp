@@ -21,7 +21,7 @@ void SceneEditor::onSession() {
     take({}, {});
 }
 
-// --- What the server has ---
+// --- The server's state ---
 
 void SceneEditor::onStatus() {
     follower_.revision(session_.status().stateRevision);
@@ -86,7 +86,7 @@ void SceneEditor::onAnswer(const std::string& thing, const Answer& answer) {
 void SceneEditor::onRefusal(const Answer& answer) {
     if (answer.done) return;
     emit refused(answer.text);
-    emit stateChanged(); // what is shown goes back to what is
+    emit stateChanged(); // panels go back to the actual state
 }
 
 void SceneEditor::edit(const std::string& line, std::function<void(const Answer&)> done) {

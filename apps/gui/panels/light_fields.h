@@ -87,7 +87,7 @@ class LightFields : public QWidget {
     QFormLayout* form_;
     ShownLight light_;
     float metresPerUnit_ = 1;
-    bool showing_ = false; ///< what changes is not the user's
+    bool showing_ = false; ///< changes are not the user's
     QLineEdit* name_;
     QComboBox* kind_;
     Vector position_, direction_;

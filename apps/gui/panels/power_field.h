@@ -39,7 +39,7 @@ class PowerField : public QWidget {
     rtcore::Light light_;
     double power_ = 0;
     float metresPerUnit_ = 1;
-    bool showing_ = false; ///< what changes is not the user's
+    bool showing_ = false; ///< changes are not the user's
 };
 
 } // namespace gui

@@ -180,7 +180,7 @@ void SettingRow::showValue(const QString& value) {
     } else if (auto* choice = qobject_cast<QComboBox*>(editor_)) {
         choice->setCurrentIndex(choice->findData(value));
     } else if (auto* whole = qobject_cast<QSpinBox*>(editor_)) {
-        if (whole->value() == value.toInt()) return; // what is being typed stays
+        if (whole->value() == value.toInt()) return; // a text under way stays
         whole->setValue(value.toInt());
         if (whole->hasFocus()) whole->selectAll();
     } else if (auto* number = qobject_cast<ValueBox*>(editor_)) {

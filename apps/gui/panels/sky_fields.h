@@ -73,7 +73,7 @@ class SkyFields : public QWidget {
 
     QFormLayout* form_;
     SceneState state_;
-    bool showing_ = false; ///< what changes is not the user's
+    bool showing_ = false; ///< changes are not the user's
     ValueBox *mapRotation_, *mapStrength_;
     QCheckBox *ground_, *haze_;
     QComboBox* sun_;

@@ -29,7 +29,7 @@ struct Job {
     std::optional<double> fraction;    ///< of the phase, 0..1
     std::optional<double> secondsLeft; ///< estimate
     int frame = 0, frames = 0;         ///< of a list; 0 = none
-    QString log;                       ///< what the program printed, the last part of it
+    QString log;                       ///< the last part of the program's output
     QString message;                   ///< of a failure: why, in the program's words
 
     /// There is nothing to wait for any more.

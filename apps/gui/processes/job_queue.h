@@ -23,7 +23,7 @@ class JobQueue : public QAbstractTableModel {
     enum Role { FractionRole = Qt::UserRole, RunningRole };
 
     explicit JobQueue(QObject* parent = nullptr);
-    ~JobQueue() override; ///< what runs is stopped
+    ~JobQueue() override; ///< stops the running job
 
     /// At the end; starts at once when nothing else is under way. Returns the job's number.
     quint64 add(const JobRequest& request);

@@ -9,8 +9,8 @@ class QProcess;
 
 namespace gui {
 
-/// A folder of .bsp files in the user's cache, with what BSPBuilder printed in a .txt beside each. What a
-/// file was made of is in its name: the model's path, size and time, those of the materials and textures
+/// A folder of .bsp files in the user's cache, with the output of BSPBuilder in a .txt beside each. The name
+/// of a file is a hash of its sources: the model's path, size and time, those of the materials and textures
 /// beside it, and how it is imported.
 class ModelCache : public QObject {
     Q_OBJECT

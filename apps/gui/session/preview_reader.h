@@ -24,7 +24,7 @@ class PreviewReader {
     PreviewReader(const PreviewReader&) = delete;
     PreviewReader& operator=(const PreviewReader&) = delete;
 
-    /// A newer image, where there is one that is better than `live`. What the Renderer has interpolated is
+    /// A newer image, where there is one that is better than `live`. Interpolated pixels of the Renderer are
     /// worse: there `live` is seen, or, where that is null or has another size, there is no image yet.
     std::optional<PreviewPicture> read(const QImage& live);
     double progress() const { return progress_; } ///< fraction of the work that is done; 0 while it loads

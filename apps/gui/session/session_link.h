@@ -1,5 +1,4 @@
-/// A session's connection to its server, for the sources of Session alone: ipc is included here, not in
-/// session.h.
+/// A session's connection to its server, for the sources of Session alone, since it includes ipc.
 #pragma once
 
 #include "gui/session/session.h"

@@ -44,7 +44,7 @@ class FrameView : public QWidget {
     void setMark(const QImage& mark);
     const QImage& mark() const { return mark_; }
     bool showsLive() const { return picture_.isNull(); }
-    const QString& activity() const { return activity_; } ///< what goes on, in a word
+    const QString& activity() const { return activity_; } ///< in a few words
     const QString& sharing() const { return sharing_; }
     const QString& told() const { return told_; }           ///< by tell(), as long as it is seen
     const QImage& picture() const { return picture_; }      ///< null while it shows live frames

@@ -18,7 +18,7 @@ namespace gui {
 namespace {
 
 constexpr int kTremble = 6;        ///< pixels
-constexpr double kWheelStep = 120; ///< what Qt calls one notch
+constexpr double kWheelStep = 120; ///< Qt's unit of one notch
 
 // The same key has the same number when it comes up again, whatever Shift has made of it.
 quint64 placeOf(const QKeyEvent& event) {

@@ -13,7 +13,7 @@ export class Around {
         this.exact = false;  // the exact image is shown
         this.walked = false; // the hint has done its work
         this.said = "";
-        this.live = true;    // what is shown is of a server that is there
+        this.live = true;    // the shown image comes from a server that is there
         this.waitingFor = "connecting";
         this.nameAll();
         this.showHeader();

@@ -56,7 +56,7 @@ const short = (value) => String(Number(Number(value).toPrecision(6)));
 const unscaled = (shown, scale) => (scale === 1 ? shown : Number((shown / scale).toPrecision(7)));
 
 /**
- * A typed number counts when it is finished; one that the arrows change, at once. What is shown is the value times
+ * A typed number counts when it is finished; one that the arrows change, at once. The shown number is the value times
  * `scale()`.
  */
 function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {

@@ -71,7 +71,7 @@ export class Held {
         this.sequence = (this.sequence + 1) >>> 0;
         this.lastSent = performance.now();
         if (this.send(inputMessage(this.sequence, right, up, this.taps.splice(0), held))) this.remember();
-        this.turned.right -= right / 1000; // what is too little to be sent stays
+        this.turned.right -= right / 1000; // the rest, too small to be sent, stays
         this.turned.up -= up / 1000;
         if (held.length) this.flushIn(REPEAT_MS);
     }

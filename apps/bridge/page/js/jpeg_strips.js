@@ -1,7 +1,7 @@
 /** Takes a JPEG apart at its restart markers (ITU-T T.81, E.1.4): strips that can be decoded at the same time. */
 const FRAME = 0xc0, FIRST_RESTART = 0xd0, END = 0xd9, SCAN = 0xda, INTERVAL = 0xdd;
 
-/** Where what begins, and rows of a strip; null where the image is not one of strips. */
+/** Offsets of frame header and content, rows of a strip, size; null where the image is not one of strips. */
 function layoutOf(bytes) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     let frame = 0, interval = 0, at = 2;

@@ -51,7 +51,7 @@ function takeFragment() {
 }
 takeFragment();
 addEventListener("hashchange", () => (takeFragment() ? link.again() : asked.offer()));
-link.connect(); // what it says comes after the last line of this module
+link.connect(); // its messages come after the last line of this module
 
 app.held = new Held((message) => app.drives() && link.send(message));
 app.picture = new Picture(canvas);

@@ -1,6 +1,6 @@
 /**
- * A model in the hand: a drag turns it about the point under the pointer, and moves it. What hands do while an answer
- * is on its way goes with the next request, so that a slow line never falls behind.
+ * A model in the hand: a drag turns it about the point under the pointer, and moves it. Movements while an answer
+ * is on its way go with the next request, so that a slow line never falls behind.
  */
 const HALF_TURN = 180; // degrees, of a drag over the width of the image
 
