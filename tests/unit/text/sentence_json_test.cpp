@@ -9,8 +9,8 @@
 
 namespace {
 
-using rtcore::sentenceJson;
 using rtcore::say;
+using rtcore::sentenceJson;
 
 TEST(SentenceJson, HasTheFormAndWhatStandsInItsPlaces) {
     EXPECT_EQ(sentenceJson(say("there is nothing to undo")), R"(["there is nothing to undo"])");
