@@ -1,4 +1,4 @@
-# What every target of ours is compiled with.
+# The compiler options of every target of ours.
 add_library(rt_compile_options INTERFACE)
 target_compile_options(rt_compile_options INTERFACE
     -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual

@@ -24,7 +24,7 @@ for part in "$@"; do
     esac
 done
 
-# What is mounted in here is seen by this script and its children alone, and is gone with them, however they end.
+# Mounts made in here are seen by this script and its children alone, and are gone with them, however they end.
 if [ "${RT_ARM64_MOUNTS:-}" != own ]; then
     [ "$(dpkg --print-architecture 2>/dev/null)" = amd64 ] || skip "this is no Debian for amd64"
     [ "$(id -u)" -eq 0 ] || skip "a Debian beside this one needs root"

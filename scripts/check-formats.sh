@@ -19,7 +19,7 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM
 
-# What Debian's Assimp 5.2 reads, but for animations without a model, and .bsp and .scn, which mean our own files.
+# Formats of Debian's Assimp 5.2, but for animations without a model, and .bsp and .scn, which mean our own files.
 extensions="3d 3ds 3mf ac ac3d acc amf ase ask assbin b3d blend bvh cob csm dae dxf enff fbx glb gltf hmp ifc ifczip
 iqm irr irrmesh lwo lws lxo md2 md3 md5mesh mdc mdl mesh mot ms3d ndo nff obj off ogex pk3 ply pmx prj q3o q3s raw
 sib smd step stl stp ter uc vta x x3d x3db xgl xml zae zgl"

@@ -13,7 +13,7 @@ import mutants
 BRIDGE = "apps/bridge/"
 SLOW = "-Floods.OfSlow*:BridgeSoak.*:Nginx.*:Requests.OfAny*"
 PROGRAMS = [["test_bridge"], ["test_bridge_process", "--gtest_filter=" + SLOW], ["test_web_modules"]]
-# What is broken; where, what stands there, what comes in its place.
+# The broken rule; then the file, the text that stands there, and its replacement.
 MUTANTS = [
     ("frames: acknowledgements are ignored", [
         ("stream/rate_control.cpp", "if (found == flight_.end()) return false;",

@@ -28,7 +28,7 @@ def linesOutsideCode(text):
 
 
 def isTooLong(line):
-    """Of what can be wrapped: no row of a table, no heading, no single link or piece of code."""
+    """Only lines that can be wrapped are: no row of a table, no heading, no single link or piece of code."""
     return len(line) > COLUMNS and not re.match(r"\s*(\||#+ )", line) and " " in re.sub(r"`[^`]*`", "", line).strip()
 
 
@@ -99,7 +99,7 @@ def longLines(modules):
 
 
 LONG = "word " * 25
-# What is to be found, and what is not: a check that finds nothing checks nothing.
+# Examples of faults, and of faultless text: a check that finds nothing checks nothing.
 WRONG = (LONG, "- " + LONG, "[a](none.md)", "![a](none.png)", "[a](#none)", "[a](other.md#none)", '<img src="none.png">')
 RIGHT = ("word " * 20, "| " + LONG + "|", "```\n" + LONG + "\n[a](none.md)\n```", "    " + LONG, "`" + LONG + "`,", "`[a](none.md)`", "[a](../x.h)", "[a](../docs)",
          "# A `b`: c\n[a](#a-b-c)", "[a](other.md#own)", "<a name=\"here\"></a>\n[a](#here)", "[a](https://x.org/" + "y" * 120 + ")",

@@ -11,7 +11,7 @@ import mutants
 
 KERNELS = "libs/rtcore/kernels/"
 PROGRAMS = [["test_kernels"], ["test_leaks"]]
-# What is broken; where, what stands there, what comes in its place.
+# The broken rule; then the file, the text that stands there, and its replacement.
 MUTANTS = [
     ("packets: planes are not widened", [
         ("packet-inl.h", "kDown = kPlaneDown;",

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 HELPER = "apps/gui/view/plain_widgets."
-# What Qt interprets, and what stands for it.
+# Code by which Qt takes text for markup, and the remedy.
 BANNED = (
     (r"\bnew QLabel\b|\bQLabel\s+\w+\s*[({;,]|\bQLabel\s*\(|\bmake_unique<QLabel>|:\s*public QLabel\b",
      "make a PlainLabel (view/plain_widgets.h)"),
@@ -23,7 +23,7 @@ BANNED = (
     (r"\bQToolTip::showText\b|\bQWhatsThis::showText\b", "set a tool tip by plainTip() (models/plain_text.h)"),
     (r"\bQt::(RichText|MarkdownText|AutoText)\b", "use markupLabel() for markup of our own (view/plain_widgets.h)"),
 )
-# Of which each piece of text is escaped where it is put in.
+# Files that may set HTML, since they escape each piece of text where they put it in.
 ESCAPED = ("apps/gui/dialogs/keys_dialog.cpp",)
 HTML = ((r"\bsetHtml\s*\(", "show it in a PlainLabel"),)
 ROLE = re.compile(r"\bToolTipRole\b(?![^;]*\bplainTip\s*\()")
@@ -33,7 +33,7 @@ WORDS = re.compile(r'(\w+::)?tr\s*\(\s*("([^"\\]|\\.)*"\s*)+\)|(QStringLiteral|Q
 
 
 def argument(text, start):
-    """What stands between the parenthesis that opens before `start` and the one that closes it."""
+    """The text between the parenthesis that opens before `start` and the one that closes it."""
     depth, quoted, at = 1, False, start
     while at < len(text) and depth > 0:
         c = text[at]
@@ -58,7 +58,7 @@ def isSafeTip(words):
 
 
 def withoutComments(text):
-    """Of the same length."""
+    """Blanks comments, so that the text keeps its length."""
     return re.sub(r"//[^\n]*", lambda match: " " * len(match.group()), text)
 
 
@@ -75,7 +75,7 @@ def troubles(name, text):
         yield match.start(), "ToolTipRole: give it plainTip(...) (models/plain_text.h)"
 
 
-# What is to be found, and what is not: a check that finds nothing checks nothing.
+# Examples of faults, and of faultless code: a check that finds nothing checks nothing.
 WRONG = ("auto* a = new QLabel(name);", "QLabel b(name);", "QLabel member_;", "auto c = std::make_unique<QLabel>(name);",
          "new QMessageBox(QMessageBox::Warning, tr(\"x\"), path);", "QMessageBox::warning(this, tr(\"x\"), path);",
          "w->setToolTip(name);", "w->setToolTip(tr(\"%1\").arg(name));", "item->setToolTip(0, name);",

@@ -18,7 +18,7 @@ SAMPLED = r"^(libs/rtcore|tests/unit)/(lights|pathtracing|sampling|scattering|sh
 POINTS = r"^(libs/rtcore|tests/unit)/(lights|live|look|pathtracing|sampling|scattering)/.*\.(cpp|h)$"
 LIVE = r"^(libs/rtcore|tests/unit)/live/.*\.(cpp|h)$"
 
-# What is banned, what to say, and in which files.
+# Banned words, their replacements, and the files in which they are banned.
 BANNED = (
     (r"\b[Ll]amps?\b", "light, area light", ALL),
     (r"\b[a-z]*Lamp[A-Z]\w*|\b\w*Lamps?\b|\blamp[A-Z]\w*", "Light, AreaLight", CODE),

@@ -36,7 +36,7 @@ fail() { # CODE MESSAGE
 }
 # shellcheck source=scripts/names.sh
 . "$(dirname "$0")/names.sh"
-# What arithmetic of the shell takes: no leading zero, nothing that overflows.
+# Passes numbers that the shell's arithmetic takes: no leading zero, nothing that overflows.
 check_number() { # OPTION VALUE LEAST
     case $2 in
         '' | *[!0-9]* | 0?* | ??????????*) ;;
@@ -127,7 +127,7 @@ by_parallel() {
     printf '%s\n' "$here; $render --chunk=\$1/$parts --requeue" >"$log/part.sh"
     [ -z "$hosts" ] || set -- "$@" -S "$hosts" --workdir=.
     [ ! -t 2 ] || set -- "$@" --bar
-    # What was stopped (75) or failed is tried again; a part that was rendered yesterday is quickly skipped.
+    # A part that was stopped (75) or failed is tried again; one that was rendered yesterday is quickly skipped.
     (
         cd "$log"
         rm -f journal

@@ -51,7 +51,7 @@ FURNITURE = {
     "tray.obj": ("Scopia", "scopia/bandeja/bandeja.obj"),
 }
 
-# What FreeCAD makes, in its millimetres: a house without a roof, and a bracket.
+# Models made by FreeCAD, in its millimetres: a house without a roof, and a bracket.
 FREECAD = """
 import FreeCAD, Part, Mesh, MeshPart
 def export(shape, path):

@@ -43,7 +43,7 @@ tree() {
     "$bin/BSPBuilder" -v "$1" "$output/$name.bsp"
 }
 
-# What is opened: the tree in place of the model. A .scn of data/ is copied with it; its other files stay where they are.
+# The scene to open: the tree in place of the model. A .scn of data/ is copied with it; its other files stay in place.
 folder=$(dirname "$scene")
 # As a text of a .scn, by sed.
 in_text() { printf %s "$1" | sed -e 's/["\\]/\\&/g' -e 's/[\\&#]/\\&/g'; }

@@ -33,7 +33,7 @@ HEADERS = ("apps/common/commands/told_forms.h", "apps/common/commands/pack_words
 
 
 def inside(text, start):
-    """What stands between the parenthesis that opens before `start` and the one that closes it."""
+    """The text between the parenthesis that opens before `start` and the one that closes it."""
     depth, at = 1, start
     while at < len(text) and depth > 0:
         if text[at] == '"':

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Brings the translations of the window's texts up to date: new texts come in as unfinished, those that are gone go out.
-# What is unfinished is then to be translated (a test refuses it), by Qt Linguist or in an editor.
+# Unfinished texts are then to be translated (a test refuses them), by Qt Linguist or in an editor.
 #   scripts/translate.sh [--check]      --check: change nothing; say what is missing, and fail if anything is
 set -eu
 cd "$(dirname "$0")/.."

@@ -1,4 +1,4 @@
-"""What the Renderer and Cycles can both say of a scene."""
+"""A scene in terms that the Renderer and Cycles share."""
 from dataclasses import dataclass, field
 
 from geometry import Soup

@@ -1,8 +1,8 @@
-"""What two threads bring to paths, over what they bring to rays in rtbench, for scripts/performance/cycles.sh.
+"""The speedup of paths by two threads, over that of rays in rtbench, for scripts/performance/cycles.sh.
 
     two_threads.py FOLDER WIDTH HEIGHT ROUNDS RENDERER RTBENCH MODELS NAME...
 
-Wall time, so the machine must have nothing else to do. Of each number of threads the fastest round counts.
+Wall time, so the machine must have nothing else to do. The fastest round of each number of threads counts.
 """
 import json
 import math

@@ -123,7 +123,7 @@ def material_lines(material):
 
 
 def told(scene, textures, name):
-    """What render_cycles.py reads beside the triangles."""
+    """The facts that render_cycles.py reads beside the triangles."""
     materials = [dict(vars(m), texture=texture) for m, texture in zip(scene.materials, textures)]
     return {"eye": scene.eye, "lookAt": scene.look_at, "fov": scene.fov, "bounces": scene.bounces,
             "caustics": scene.caustics, "background": scene.background, "materials": materials,

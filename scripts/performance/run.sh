@@ -79,7 +79,7 @@ if [ $# -eq 0 ] && [ -n "${RT_TEST_SCENES:-}" ]; then
 fi
 for model in "$@"; do
     if [ -e "$model" ]; then
-        # What a model shows first is lit by a sky; figures are those of the light beside the viewer.
+        # By default a model is lit by a sky; the figures are those of the light beside the viewer.
         case $model in
         *.scn) row "$(basename "$model")" - "$model" ;;
         *) row "$(basename "$model"), headlight" - "$model" --look=headlight ;;

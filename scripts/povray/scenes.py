@@ -17,7 +17,7 @@ FADE = 1e-3  # POV-Ray's light falls off as 2 / (1 + (d / FADE)^2): beyond some 
 
 
 class Material:
-    """What both can say: matte under a mirror, or glass that leaves `tint` of the light after `distance`."""
+    """A material of both renderers: matte under a mirror, or glass that leaves `tint` of the light after `distance`."""
 
     def __init__(self, diffuse=(0.0, 0.0, 0.0), mirror=0.0, glass=0.0, tint=(1.0, 1.0, 1.0), distance=1.0):
         self.diffuse, self.mirror, self.glass = diffuse, mirror, glass  # glass: index of refraction, or 0
@@ -223,7 +223,7 @@ def write_pov_part(file, part, number):
                "finish { ambient 0 diffuse 0 emission 1 } no_shadow }\n#else\n" % (pov_mesh(part), number))
     file.write("object { Shape %s" % pov_texture(part.material))
     if part.material.glass:
-        # What is seen casts no shadow, and what casts the shadow is not seen.
+        # The object that is seen casts no shadow, and the one that casts the shadow is not seen.
         file.write("\n  #if (Pass != 1) no_shadow #end }\n#if (Pass = 0 | Pass = 2)\n"
                    "object { Shape no_image no_reflection\n  #if (Pass = 2) pigment { rgb 0 } #else %s #end\n"
                    "  finish { ambient 0 diffuse 0 } %s }\n#end"
@@ -243,7 +243,7 @@ def straight_shadow(index):
 
 
 def fresnel(cosine, index):
-    """Of unpolarised light that comes to glass from air."""
+    """The reflectance of glass for unpolarised light that comes from air."""
     inside = math.sqrt(1 - (1 - cosine * cosine) / (index * index))
     s = (cosine - index * inside) / (cosine + index * inside)
     p = (index * cosine - inside) / (index * cosine + inside)

@@ -1,8 +1,8 @@
-// What the bridge costs, and how soon it reacts: each figure beside its goal.
+// The cost of the bridge, and how soon it reacts: each figure beside its goal.
 //   bench_bridge [--seconds=N] [--rounds=N] [--scene=FILE] [--server=RTSERVER] [--only=PART]
 // PART: encoders, input, browser, thirty, renderer. A server that publishes a frame of the scene at once, or
-// 30 times a second, shows what is the bridge's alone; then RTServer draws every frame, for 0, 1 and 10
-// viewers in turn. Where RT_TEST_SCENES names a folder with models, encoders meet Sponza, too.
+// 30 times a second, shows the bridge's own cost; then RTServer draws every frame, for 0, 1 and 10 viewers in
+// turn. Where RT_TEST_SCENES names a folder with models, encoders meet Sponza, too.
 #include "bench/bridge/bench_parts.h"
 #include "bench/bridge/goals.h"
 

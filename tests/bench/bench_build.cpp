@@ -1,4 +1,4 @@
-// What building the kd-tree of model files costs, and what tree comes out.
+// The cost of building the kd-trees of model files, and statistics of the trees.
 //   bench_build [--exact | --fast] [--threads N] [--quality N] [--equal N] FILE...     PLY or OBJ
 // --equal adds a scene of N equal triangles.
 // The best wall time of five, and the least processor time; peak memory above what the process held before,

@@ -1,12 +1,12 @@
-// What a steady frame costs, stage by stage.
+// The cost of a steady frame, stage by stage.
 //   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames
 //   N]
 //               [--antialiasing N] [--no-shadows] [--setting NAME=VALUE]... [--shadow-maps]
 //               [--replay-only]
 // SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that
 // name (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without
-// tracing` renders the same frame with the answers of the tracer played back, by one thread: what is left is
-// all that a faster tracer cannot save.
+// tracing` renders the same frame with the answers of the tracer played back, by one thread: the time that
+// no faster tracer can save.
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
@@ -43,7 +43,7 @@ struct Options {
     bool shadows = true, shadowMaps = false, replayOnly = false;
 };
 
-/// Of all threads, so that other work on the machine does not count.
+/// Processor time of all threads, so that other work on the machine does not count.
 double processSeconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

@@ -1,7 +1,7 @@
-// What rays cost where parts of a model are hidden, and how soon that is so.
+// The cost of rays where parts of a model are hidden, and how soon rays can be traced after hiding.
 //   bench_hiding [--views FILE] [--size N] [--hidden A,B,...] MODEL...     shares of the parts: 0.1,0.5,0.9
-// For each share and each kind of rays: the time over that by a tree built anew of what is left, of one whose
-// leaves lack what is hidden, and of the whole one with a mask at the candidate; geometric means of the
+// For each share and each kind of rays: the times by a tree whose leaves lack the hidden triangles and by the
+// whole tree with a mask at the candidate, over that by a tree built anew of the rest; geometric means of the
 // views, one thread, processor time. Before that, wall clock, all threads: until each of the three can trace.
 #include "bench/rtbench/bench_view.h"
 #include "bench/rtbench/contenders.h"
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> bitsOf(const std::vector<std::uint8_t>& hidden) {
     return bits;
 }
 
-/// What is left of a model, by each of the three.
+/// A model without its hidden parts, by each of the three trees.
 class Hiding {
   public:
     Hiding(const rtcore::LoadedScene& loaded, double fraction) : loaded_(loaded) {

@@ -155,7 +155,7 @@ void crowd() {
                 alone, crowded, (crowded - alone) / 16700 * 100);
 }
 
-// What a sleeping server takes of a core.
+// The load of a core by a sleeping server.
 void idle() {
     const test::IpcInstance instance;
     ipc::Server server({.instance = instance.name(), .width = 64, .height = 64});

@@ -1,4 +1,4 @@
-// What a step of the walk-through mode costs: random walks from random places on the floors of a scene, and
+// The cost of a step of the walk-through mode: random walks from random places on the floors of a scene, and
 // standing still there.
 //   bench_motion scene [metres-per-unit [walks]]
 #include "rtcore/io/scene_loader.h"

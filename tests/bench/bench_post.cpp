@@ -1,4 +1,4 @@
-// What is done to a whole image, and how long it takes: bench_post [WIDTH HEIGHT [THREADS]]
+// The time of each effect on a whole image: bench_post [WIDTH HEIGHT [THREADS]]
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"

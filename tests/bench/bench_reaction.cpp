@@ -69,7 +69,7 @@ class Turn {
 
 double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
-/// What is turned on and off, dear ones among it.
+/// Settings that are turned on and off, expensive ones among them.
 constexpr std::array<const char*, 20> kSettings{"ambientOcclusion.on true",
                                                 "ambientOcclusion.samples 4096",
                                                 "ambientOcclusion.samples 9",
@@ -190,7 +190,7 @@ class Measured {
         light_.clear();
     }
 
-    /// Of the model's first hundred parts, so that a command holds them.
+    /// Numbers of every second one of the model's first hundred parts, so that a command holds them.
     std::string everySecondPart(int from) {
         const std::string listed = client_->request("parts", 60s).text;
         const auto lines = 1 + std::count(listed.begin(), listed.end(), '\n');

@@ -4,7 +4,7 @@ farm=$2/scripts/farm.sh
 frames=24
 work=$(mktemp -d)
 
-# Of FILE.lst and its cameras.
+# Writes film.lst and its cameras.
 write_film() {
     number=0 # recorded exposures are scaled by the first frame, whoever renders which
     while [ "$number" -lt "$frames" ]; do

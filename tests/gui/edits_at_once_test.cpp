@@ -55,7 +55,7 @@ class EditsAtOnce : public test::WindowFixture {
     QString oneOf(const QStringList& words) {
         return words[std::uniform_int_distribution<qsizetype>(0, words.size() - 1)(random_)];
     }
-    /// Of any kind; what does not fit what is shown is refused.
+    /// An edit of any kind; one that does not fit the scene is refused.
     QString randomEdit() {
         const QStringList kinds{
             QStringLiteral("set maxDepth ") + number(1, 6),

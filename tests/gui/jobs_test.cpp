@@ -178,7 +178,7 @@ TEST_F(JobsTest, TheNewestFrameStandsForAll) {
     EXPECT_EQ(resultFile(file("frame_####.png")), file("frame_0001.png"));
     EXPECT_TRUE(resultFile(file("other_####.png")).isEmpty());
     EXPECT_TRUE(resultFile(file("none.png")).isEmpty());
-    // What a pattern of files, or of text, would mean to somebody.
+    // Names that would mean something as a pattern of files, or of text.
     for (const QString& name :
          {QStringLiteral("[a]*?"), QStringLiteral("(a|b)+\\d"), QStringLiteral("#1 %1")}) {
         writeText(folder() / (name + QStringLiteral("_0001.png")).toStdString(), "x");

@@ -102,7 +102,7 @@ TEST_F(KeeperTest, TheSecondSceneReplacesTheFirstServer) {
     EXPECT_EQ(deaths.count(), 0);
 }
 
-// What happens when the window closes: by its own session and keeper, which end with the block.
+// A window that closes: its own session and keeper, which end with the block.
 struct Window {
     Session session;
     ServerKeeper keeper{session};

@@ -1,4 +1,4 @@
-/// What the server has to say is seen in the window.
+/// The server's messages are seen in the window.
 #include "gui/lit_scene.h"
 #include "gui/window_support.h"
 

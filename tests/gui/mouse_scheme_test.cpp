@@ -1,4 +1,4 @@
-// What each drag does in each scheme, and that none of them is a key of the camera.
+// The effect of each drag in each scheme; none of the modifiers is a key that moves the camera by itself.
 #include "gui/models/bindings.h"
 #include "gui/models/mouse_scheme.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr Drag kNone = Drag::None, kTurns = Drag::Turns, kMoves = Drag::Moves, kNears = Drag::Nears;
 
-/// Of left, middle and right button: alone, with Shift, with Ctrl, with both.
+/// Drags by the left, middle and right button: alone, with Shift, with Ctrl, with both.
 struct Expected {
     MouseScheme scheme;
     Drag drags[3][4];

@@ -127,7 +127,7 @@ TEST_F(PanelsTest, AChangeReachesTheServerAndIsTakenBack) {
 
 TEST_F(PanelsTest, AKeyBringsAPanelBehindAnotherToTheFront) {
     const auto inFront = [](const QWidget& panel) {
-        // Of its dock there is the title; what is inside may cover the panel as a whole.
+        // The dock shows its title at least; the contents may cover the panel as a whole.
         return comes([&] { return panel.isVisible() && !panel.parentWidget()->visibleRegion().isEmpty(); });
     };
     QTest::keyClick(&*window, Qt::Key_F5);
@@ -151,7 +151,7 @@ TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
     EXPECT_TRUE(comes([&] { return settings().isAncestorOf(QApplication::focusWidget()); }));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     EXPECT_TRUE(comes([&] { return QApplication::focusWidget() == &window->view(); }));
-    // What is typed into a field does not take the key that takes changes back.
+    // A field that was typed into leaves the key of undo to the window.
     action(ActionId::SettingsPanel)->trigger();
     action(ActionId::SettingsPanel)->trigger();
     auto& depth = field<QSpinBox>("maxDepth");

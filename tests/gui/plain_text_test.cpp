@@ -35,7 +35,7 @@ TEST(PlainText, IsNeitherMarkupNorMnemonicNorPlaceholder) {
     EXPECT_EQ(tip, QStringLiteral("<qt>&lt;h1&gt;x&lt;/h1&gt;<br>&amp;</qt>"));
     EXPECT_EQ(plainEntry(QStringLiteral("R&D\t")), QStringLiteral("R&&D\\x09"));
     EXPECT_EQ(plainTitle(QStringLiteral("x[*].scn")), QStringLiteral("x[*][*].scn"));
-    // What a tip shows is the text.
+    // A tip shows the text as it is.
     for (const char* text : {"<b>bold</b>", "&lt;i&gt;", "<img src='/dev/zero'>", "a &amp; b", "1 < 2"}) {
         QTextDocument shown;
         const QString given = plainTip(QString::fromLatin1(text));

@@ -1,5 +1,5 @@
-/// What the window hands to other programs is this user's alone, and goes even after a window that was
-/// killed.
+/// The folder in which the window hands files to other programs is this user's alone, and is removed even
+/// after a window that was killed.
 #include "gui/processes/private_folder.h"
 
 #include "support/temporary_folder.h"
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Of a process that has ended.
+/// The number of a process that has ended.
 int deadProcess() {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);

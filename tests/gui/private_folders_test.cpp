@@ -1,4 +1,4 @@
-/// What the window keeps for its user: of no use to other users of the machine.
+/// Files that the window keeps for its user are closed to other users of the machine.
 #include "gui/window_support.h"
 
 #include "gui/models/bookmark_store.h"

@@ -16,7 +16,7 @@ struct Child {
     bool zombie = false;
 };
 
-/// Of the process, those whose names begin so.
+/// The children of the process whose names begin with `name`.
 inline QList<Child> childrenOf(pid_t parent, const QString& name) {
     QList<Child> children;
     for (const QString& entry : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {

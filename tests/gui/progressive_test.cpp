@@ -73,7 +73,7 @@ class ProgressiveTest : public GuiTest {
         ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
     }
     bool renders() const { return !childrenOf(::getpid(), kRenderer).isEmpty(); }
-    /// What the Renderer makes of the view by itself.
+    /// The view as the Renderer by itself renders it.
     QImage rendered(int antialiasing) {
         const QSize size = window->session().status().resolution;
         EXPECT_TRUE(ask(window->session(), command::exportScene(file("own.scn").toStdString())).done);

@@ -37,7 +37,7 @@ namespace {
 using namespace test;
 using namespace gui;
 
-/// What a browser would get.
+/// The answer that a browser would get.
 QByteArray fetched(const QUrl& url) {
     QTcpSocket socket;
     socket.connectToHost(QHostAddress(url.host()), static_cast<quint16>(url.port()));

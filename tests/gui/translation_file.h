@@ -1,4 +1,4 @@
-/// What stands in a .ts file.
+/// The messages of a .ts file.
 #pragma once
 
 #include <gtest/gtest.h>

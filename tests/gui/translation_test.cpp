@@ -84,7 +84,7 @@ class LanguageTest : public GuiTest, public testing::WithParamInterface<const ch
         EXPECT_FALSE(seen.contains(key)) << where << ": " << text.toStdString();
         seen.insert(key);
     }
-    // What is seen at the same time: the pages of tabs one after the other.
+    // No mnemonic occurs twice among texts seen at the same time; pages of tabs are checked one by one.
     static void checkPage(const QWidget& page, QSet<QChar> seen) {
         const char* where = page.metaObject()->className();
         for (const QWidget* each : page.findChildren<QWidget*>()) {

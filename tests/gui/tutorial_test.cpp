@@ -1,4 +1,4 @@
-/// What docs/tutorial.md tells to do in the window, done: keys and menus are read from its text.
+/// The steps of docs/tutorial.md in the window, carried out: keys and menus are read from its text.
 #include "gui/dialog_support.h"
 #include "gui/jobs_support.h"
 #include "gui/window_support.h"

@@ -57,7 +57,7 @@ rtcore::LoadedScene load(const fs::path& path) {
     return rtcore::loadScene(path, options);
 }
 
-/// Of the model with the truth's up axis and the guess's unit.
+/// The model's height in metres, by the truth's up axis and the guess's unit.
 double heightOf(const rtcore::LoadedScene& scene, rtcore::Vec3 up) {
     const double units = std::fabs(double{dot(scene.tree.bounds.size(), up)});
     return units * double{scene.units.metresPerUnit};

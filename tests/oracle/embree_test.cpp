@@ -1,6 +1,6 @@
 // The kernels and Embree trace the same rays; where they differ, brute force in double precision decides.
-// What the kernels find in whole waves has the bits that single rays find. RT_TEST_SCENES is the folder of
-// models; RT_ORACLE_RAYS sets how many rays of each kind (200,000 unless told), RT_ISA the instruction set.
+// The kernels' hits of whole waves have the same bits as those of single rays. RT_TEST_SCENES is the folder
+// of models; RT_ORACLE_RAYS sets how many rays of each kind (200,000 by default), RT_ISA the instruction set.
 #include "rtcore/accel/builder.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/kernels/single_ray.h"
@@ -46,7 +46,7 @@ struct Verdicts {
     std::size_t otherBits = 0; ///< ours in waves, compared with our single rays
     std::size_t oursWrong = 0, theirsWrong = 0;
     std::size_t undecidable = 0; ///< both are right within the rounding of single precision
-    /// Of the undecidable ones: who is nearer than 1e-4 to the answer in double, edges included.
+    /// Undecidable ones where ours, or theirs, is within 1e-4 of the answer in double, edges included.
     std::size_t oursExact = 0, theirsExact = 0;
 
     void count(bool hit, bool asAlone) {

@@ -148,7 +148,7 @@ std::string nameOfCase(const testing::TestParamInfo<std::tuple<Solid, float>>& t
     return name + std::to_string(static_cast<int>(offset));
 }
 
-/// Of all cases of one run.
+/// The sum of all cases of one run.
 Count& totalOf(Kernel kernel) {
     static Count totals[std::size(test::kKernels)];
     return totals[static_cast<std::size_t>(kernel)];

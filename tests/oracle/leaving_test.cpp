@@ -113,7 +113,7 @@ struct ExactPlane {
     double length;
 };
 
-/// Of a triangle, on which rays start: a face, an edge or a corner of it by turns.
+/// A point of the triangle on which a ray starts: on its face, an edge or a corner by turns of `number`.
 Vec3 pointOf(const Mesh& mesh, std::uint32_t triangle, std::uint64_t number, Random& random) {
     float u = random.number(0, 1);
     float v = random.number(0, 1 - u);
@@ -163,7 +163,7 @@ class Subject {
     }
 
   private:
-    /// Of one triangle, close together, or of any and anywhere.
+    /// Rays that leave triangles, 64 at a time in similar directions where `number` is even, else in any.
     void fill(std::size_t count, std::uint64_t number, Random& random, rtcore::RayWave& wave,
               std::vector<std::uint32_t>& left) const {
         Vec3 around{};

@@ -1,4 +1,4 @@
-/// What is wrong with the world: each kind has its exit code, and no file is left behind.
+/// Failures that come from outside: each kind has its exit code, and no file is left behind.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST_F(Failures, ATruncatedBsp) {
     expect(test::renderer({file("half.bsp"), "-o", file("a.png")}), 65, "half.bsp");
 }
 
-// Of what was never written nothing is read: neither a checksum nor a model.
+// Parts that were never written are not read: neither for a checksum nor for a model.
 TEST_F(Failures, FilesOfHolesAreRefusedByBothProgramsAlike) {
     test::writeRoom(folder / "room.obj");
     ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);

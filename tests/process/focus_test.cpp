@@ -1,4 +1,4 @@
-/// What is sharp, by Renderer --focus-at; and what Renderer -v tells of samples that it did without.
+/// The distance in focus by Renderer --focus-at; and the samples that Renderer -v reports as saved.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// What the measurements of bench_bridge share: a bridge, viewers, a server that needs no time.
+/// Parts shared by the measurements of bench_bridge: a bridge, viewers, a server that needs no time.
 #pragma once
 
 #include "process/bridge/web_client.h"
@@ -41,7 +41,7 @@ class Bridge {
     int port() const { return port_; }
     pid_t process() const { return process_.process(); }
     double cpu() const { return processorSeconds(process()); }
-    /// What /status tells of its instance.
+    /// The entry of its instance in /status.
     nlohmann::json status() const;
     std::string link() const;
 

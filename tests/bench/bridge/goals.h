@@ -10,7 +10,7 @@
 
 namespace bridgebench {
 
-/// What a figure is to lie between.
+/// The range in which a figure should lie.
 struct Bounds {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();

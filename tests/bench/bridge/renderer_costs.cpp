@@ -39,7 +39,7 @@ Round measureRound(const Bridge& bridge, const std::string& instance, int count,
     return round;
 }
 
-/// What a frame would last if the viewers ran on another machine.
+/// Seconds that a frame would take if the viewers ran on another machine.
 double withoutViewers(const Round& round, double cores) { return round.frame * (cores - round.own) / cores; }
 
 double medianOf(const std::vector<Round>& rounds, auto&& value) {

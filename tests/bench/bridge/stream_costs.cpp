@@ -1,4 +1,4 @@
-// What frames cost: each rung by itself, and 30 frames per second for one, ten and 64 viewers.
+// The cost of frames: each rung by itself, and 30 frames per second for one, ten and 64 viewers.
 #include "bench/bridge/bench_parts.h"
 #include "bench/bridge/goals.h"
 

@@ -1,4 +1,4 @@
-/// What rtbench does, from its command line to its exit code.
+/// A run of rtbench, from its command line to its exit code.
 #pragma once
 
 #include "common/cli/command_line.h"

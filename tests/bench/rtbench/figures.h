@@ -1,4 +1,4 @@
-/// What is measured.
+/// The figures that rtbench measures.
 #pragma once
 
 #include "bench/rtbench/ray_test.h"
@@ -42,10 +42,10 @@ struct FrameFigures {
     double ratio() const { return embree ? embree->best / ours.best : 0; }
 };
 
-/// What a tree takes.
+/// The memory of a tree.
 struct TreeFigures {
     std::string name; ///< "ours", "Embree default"
-    double bytes = 0; ///< a triangle, the mesh not counted
+    double bytes = 0; ///< per triangle, the mesh not counted
 };
 
 /// One view of a scene.

@@ -57,7 +57,7 @@ class FrameRunner {
         renderer_.render({scene_, *contender_.tracer, camera_, settings_}, control_, frame_);
         seconds_.push_back(stopwatch.seconds());
     }
-    /// Of all but the first, which fetches memory.
+    /// The times of all frames but the first, which fetches memory.
     FrameTimes times() const {
         std::vector<double> sorted(seconds_.begin() + (seconds_.size() > 1 ? 1 : 0), seconds_.end());
         std::sort(sorted.begin(), sorted.end());

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a reader can use of it; the noise has more digits.
+/// The digits that a reader can use; the noise has more.
 Json rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json rayJson(const RayFigures& f) {

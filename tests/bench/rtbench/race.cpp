@@ -108,7 +108,7 @@ class Race {
         }
     }
 
-    /// Of Embree's robust modes, or of the others.
+    /// The fastest of Embree's robust modes, or of the others; null when none is racing.
     const Runner* fastest(bool robust) const {
         const Runner* best = nullptr;
         for (const Runner& runner : runners_) {
@@ -118,7 +118,7 @@ class Race {
         return best;
     }
 
-    /// Of all of Embree's modes.
+    /// The fastest of all of Embree's modes; null when none is racing.
     const Runner* fastest() const {
         const Runner* const robust = fastest(true);
         const Runner* const other = fastest(false);

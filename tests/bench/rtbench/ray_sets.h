@@ -26,7 +26,7 @@ inline constexpr std::size_t kWaveRays = 16384;
 /// The same rays at every call. Surfaces are found by `tracer`; both it and `mesh` must outlive the object.
 class RaySource {
   public:
-    /// Of an image of `size` x `size` pixels.
+    /// The rays are those of an image of `size` x `size` pixels.
     RaySource(const rtcore::Mesh& mesh, const rtcore::RayTracer& tracer, const BenchView& view, int size);
 
     /// Empty where the view shows nothing.

@@ -12,11 +12,11 @@
 
 namespace rtbench {
 
-/// What counts of the views of a scene.
+/// How the views of a scene are averaged.
 enum class OfViews { Mean, Median };
 
-/// Of the positive values that `ratios` gives; the views of one scene together count as one scene. Nothing
-/// when there is none.
+/// The mean of the positive values that `ratios` gives; the views of one scene together count as one scene.
+/// Nothing when there are none.
 std::optional<double> geometricMean(std::span<const SceneFigures> scenes,
                                     const std::function<std::vector<double>(const SceneFigures&)>& ratios,
                                     OfViews ofViews = OfViews::Mean);
@@ -29,7 +29,7 @@ std::optional<double> meanRatio(std::span<const SceneFigures> scenes, const RayT
 std::optional<double> meanFrameRatio(std::span<const SceneFigures> scenes, const std::string& kind,
                                      int threads);
 
-/// What frames were rendered: kind and threads, in order, each once.
+/// Kind and threads of the frames that were rendered, in order, each pair once.
 std::vector<std::pair<std::string, int>> frameKinds(std::span<const SceneFigures> scenes);
 
 } // namespace rtbench

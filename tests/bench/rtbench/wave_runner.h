@@ -12,7 +12,7 @@
 
 namespace rtbench {
 
-/// What a wave found: `hits`, or `occluded` for kinds of rays that ask no more.
+/// The answers to a wave: `hits`, or `occluded` for kinds of rays that ask no more.
 struct WaveAnswer {
     rtcore::HitWave hits;
     std::vector<std::uint8_t> occluded;

@@ -130,7 +130,7 @@ void addBlinds(SampleMesh& mesh) {
     }
 }
 
-/// Of fine slats, with backs: rows of them on both sides of the crowd.
+/// Benches of fine slats, with backs: rows of them on both sides of the crowd.
 void addBenches(SampleMesh& mesh) {
     constexpr float kBench = 4, kSlat = kBench / kSlender, kDeep = 0.4F, kSeat = 0.45F;
     const int slats = stripsIn(kDeep, kBench);

@@ -44,7 +44,7 @@ def sun(direction, intensity):
 
 SKY = pathlib.Path(__file__).resolve().parents[3] / "data/environments/generated/day.hdr"
 
-# What stands in their scenes: the model of RT_TEST_SCENES and all else.
+# The scenes of the walks: the model in RT_TEST_SCENES, and all else of the .scn.
 SCENES = {
     "sibenik": ("sibenik/sibenik.obj",
                 "ambient = [0.25, 0.25, 0.27]\n" + lamp([-15, -8, 0], 30) + lamp([0, -6, 0], 60) +

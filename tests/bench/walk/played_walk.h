@@ -1,4 +1,4 @@
-/// What a window shows of a recorded walk that the server plays.
+/// The frames that a window shows of a recorded walk that the server plays.
 #pragma once
 
 #include "bench/walk/walk_options.h"
@@ -40,15 +40,15 @@ class LiveServer {
 
     /// Plays the cameras at the options' pace, after it came to rest at the first one.
     std::vector<Published> play(const std::vector<rtcore::Camera>& cameras);
-    /// What was seen after play() until the image was whole and stayed; the first is the last of the walk.
-    /// `seconds` since that ended.
+    /// Frames seen after play() until the image was complete and stayed; the first is the last of the walk.
+    /// `seconds` are since the end of the walk.
     const std::vector<Published>& rest() const { return rest_; }
     /// Draws each of them in a whole frame, one after the other; `seconds` are those of the frame alone.
     std::vector<Published> drawEach(const std::vector<rtcore::Camera>& cameras);
     /// Draws those steps, the first from nothing; `seconds` are theirs, or those of the frame alone where
     /// they say 0.
     std::vector<Published> draw(const std::vector<WalkStep>& steps);
-    /// Of the light of all images that draw() drew, for comparison: the same bits give the same number.
+    /// Hash of the light of all images of the last draw(), for comparison: equal bits give equal numbers.
     std::uint64_t bits() const { return bits_; }
 
     const rtserver::Document& document() const { return state_.document; }

@@ -13,7 +13,7 @@ struct PictureErrors {
     double bias = 0;   ///< mean of x - r in parts of the mean of r, of displayed light
 };
 
-/// What the window draws of a frame that is smaller than it: interpolated linearly.
+/// A frame smaller than the window, as the window draws it: interpolated linearly.
 rtcore::LdrImage upsampled(const rtcore::LdrImage& image, int width, int height);
 
 PictureErrors errorsOf(const rtcore::LdrImage& image, const rtcore::LdrImage& reference,

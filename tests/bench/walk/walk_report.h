@@ -1,4 +1,4 @@
-/// What bench_walk found, as text, a table and a picture.
+/// The results of bench_walk, as text, a table and a picture.
 #pragma once
 
 #include "bench/walk/walk_errors.h"

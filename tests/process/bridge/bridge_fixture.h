@@ -96,7 +96,7 @@ class FakeServer {
         const std::lock_guard lock(mutex_);
         takeBack();
     }
-    /// What it says that a frame takes, and the whole one at rest.
+    /// The time that it reports for a frame, and for the whole one at rest.
     void tellFrameSeconds(double seconds) { frameSeconds_ = seconds; }
     void tellWholeSeconds(double seconds) { wholeSeconds_ = seconds; }
     /// Instead of doing what it says; "": done.
@@ -282,7 +282,7 @@ class BridgeTest : public testing::Test {
         startServer();
         startBridge();
     }
-    /// What sanitizers say of the bridge fails the test.
+    /// Errors that sanitizers find in the bridge fail the test.
     void TearDown() override {
         if (!kSanitized || bridge.process() <= 0) return;
         bridge.send(SIGTERM);

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 20> kHttpTokens{"\r\n",
                                                        "\xFF",
                                                        "Upgrade: h2c\r\n"};
 
-/// Of the first so many, each second one stays open.
+/// Every second connection of the first so many stays open after its head.
 constexpr long kOpenHeads = 1'000;
 
 class DamagedHeads : public BridgeTest {};

@@ -26,7 +26,7 @@ class Floods : public BridgeTest {
         }
         return deaf;
     }
-    /// What an honest client gets of the frames that the server publishes, 1 is all.
+    /// The fraction of the frames published by the server that an honest client gets, 1 is all.
     double fractionWithin(WebClient& client, std::chrono::seconds time, Clients& readers) {
         int frames = 0;
         std::size_t turn = 0;

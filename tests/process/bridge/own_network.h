@@ -15,7 +15,7 @@
 
 namespace test {
 
-/// Of this thread, and of processes and threads that it starts; until the destructor.
+/// A network namespace of this thread, and of processes and threads that it starts; until the destructor.
 class OwnNetwork {
   public:
     /// `address`: besides 127.0.0.1.

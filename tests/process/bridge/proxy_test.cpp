@@ -18,7 +18,7 @@ using namespace test;
 const char* const kNginx = "/usr/sbin/nginx";
 const std::string kOrigin = "https://viz.example", kPrefix = "/node7/";
 
-/// What the document tells the administrator to write.
+/// The nginx configuration that the document tells the administrator to write.
 std::string documentedLocation() {
     std::ostringstream page;
     page << std::ifstream(RT_DOCUMENTS "/bridge.md").rdbuf();

@@ -1,4 +1,4 @@
-// What a page may ask for.
+// Requests that a page may make.
 #include "process/bridge/bridge_fixture.h"
 
 #include "rtcore/settings/render_settings.h"
@@ -115,7 +115,7 @@ TEST_F(Requests, ThatChangeNothingMakeNobodysEditOnesOwn) {
     EXPECT_EQ(server->commands(), std::vector<std::string>{"light 3 on"});
 }
 
-// Of the same name, and as many as before.
+// The other edit has the same name, and there are as many edits as before.
 TEST_F(Requests, UndoNoEditThatAnotherClientMadeInItsPlace) {
     const auto client = join();
     EXPECT_FALSE(client->event("state").is_null());

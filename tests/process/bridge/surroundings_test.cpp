@@ -1,4 +1,4 @@
-// What the bridge meets of the system: names and files that are taken, signals, several servers.
+// The bridge and the system around it: names and files that are taken, signals, several servers.
 #include "process/bridge/bridge_fixture.h"
 #include "support/run_program.h"
 

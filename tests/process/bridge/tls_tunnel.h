@@ -19,7 +19,7 @@ struct TlsPair {
     std::string certificate, key; ///< files; empty: there is no openssl
 };
 
-/// Of its own signature, in this folder, for a name such as "DNS:localhost".
+/// A self-signed certificate in this folder, for a name such as "DNS:localhost".
 inline TlsPair makeCertificate(const std::filesystem::path& folder,
                                const std::string& name = "DNS:localhost") {
     const TlsPair made{(folder / "cert.pem").string(), (folder / "key.pem").string()};

@@ -29,7 +29,7 @@ class RawSocket {
 
     bool write(std::string_view bytes) const; ///< false: it is closed
     void endWriting() const;                  ///< the other side reads to the end, and may still answer
-    /// What is there, within the time; "" and closed() when the other side has ended it.
+    /// The bytes that come within the time; "" and closed() when the other side has ended the connection.
     std::string read(std::chrono::milliseconds within);
     bool closed() const { return closed_; }
     /// All until it is closed.

@@ -1,4 +1,4 @@
-/// What the participants of a fault test tell the test: counters in a mapped file, which no kill -9 can lose.
+/// Reports of a fault test's participants to the test: counters in a mapped file, which no kill -9 can lose.
 #pragma once
 
 #include <atomic>

@@ -106,7 +106,7 @@ TEST(Isolation, AnInstanceFeelsNothingOfAnothersDeath) {
 
 constexpr uid_t kNobody = 65534;
 
-// What `attempt` returns in a process of another user.
+// The result of `attempt` in a process of another user.
 int asAnotherUser(const std::function<int()>& attempt) {
     const pid_t child = ::fork();
     if (child == 0) {

@@ -19,7 +19,7 @@ inline int rounds(int quick) {
     return factor == nullptr ? quick : std::max(1, quick * std::atoi(factor));
 }
 
-/// What hangs is not there by then; slow machines are.
+/// The time within which a slow machine answers, too; a process that takes longer hangs.
 inline constexpr std::chrono::seconds kLongest{10};
 
 /// One instance with its server (number 0 on the board) and others.

@@ -111,7 +111,7 @@ class SeenFiles : public testing::Test {
         rtcore::HdrImage image;
         std::string said;
 
-        /// Of columns and rows from the first to before the last, in fractions of the image.
+        /// The mean of columns and rows from the first to before the last, in fractions of the image.
         rtcore::Colour mean(double fromX = 0, double toX = 1, double fromY = 0, double toY = 1) const {
             rtcore::Colour sum;
             int count = 0;
@@ -124,7 +124,8 @@ class SeenFiles : public testing::Test {
         }
     };
 
-    /// Of a scene or model, by both integrators where none is said. Black around it, no light but `lights`.
+    /// The model by this integrator: no lights but those of `look`, and black around it unless `look` sets a
+    /// background.
     Seen see(const std::string& model, const std::string& integrator, const std::string& look = "") {
         const std::string scene =
             "version = 2\nmodel = \"" + model + "\"\nambient = [0, 0, 0]\n" +
