@@ -1,4 +1,4 @@
-/// What --progress writes.
+/// The output of --progress.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ class RecordedExposure : public testing::Test {
     bool same(const std::string& a, const std::string& b) const {
         return test::readBytes(folder / a) == test::readBytes(folder / b);
     }
-    /// Of the display's values.
+    /// The mean of the display's green values, 0..255.
     double brightness(const std::string& name) const {
         const rtcore::LdrImage image = rtcore::readLdrImage(folder / name);
         double sum = 0;

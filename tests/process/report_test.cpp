@@ -1,4 +1,4 @@
-/// What BSPBuilder reports.
+/// The report of BSPBuilder.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>

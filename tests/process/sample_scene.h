@@ -1,4 +1,4 @@
-/// What the process tests feed to the programs: small models and text files, written on the spot.
+/// Input that the process tests feed to the programs: small models and text files, written on the spot.
 #pragma once
 
 #include "support/run_program.h"

@@ -26,7 +26,7 @@ class Skies : public testing::Test {
     void writeScene(const std::string& name, const std::string& lines) {
         test::writeText(folder / name, "version = 2\nmodel = \"room.obj\"\n" + lines);
     }
-    /// Of two colours, left and right of the middle.
+    /// A map of two colours, left and right of the middle.
     void writeMap(const std::string& name, int width, int height) {
         std::string text = "P3 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
         for (int i = 0; i < width * height; ++i)

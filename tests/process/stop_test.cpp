@@ -76,7 +76,7 @@ TEST_F(Stopping, FinishedFramesOfAListStay) {
               (Names{"f1.png", "film.lst", "quick.cam", "room.obj", "slow.cam"}));
 }
 
-// What the program reads, or writes to, may be a pipe whose partner says nothing.
+// The file that the program reads or writes may be a pipe whose partner says nothing.
 class StoppingAtAPipe : public Stopping {
   protected:
     void SetUp() override {
@@ -128,7 +128,7 @@ TEST_F(StoppingAtAPipe, OneSignalIsEnough) {
     EXPECT_EQ(test::filesIn(folder.path()), (Names{"pipe", "pipe.ppm", "room.obj"}));
 }
 
-// Of an instance that it names: among several servers of other tests it would ask for one, and end.
+// The instance is named: without a name it would ask for one among the servers of other tests, and end.
 TEST_F(StoppingAtAPipe, AScriptThatSaysNothing) {
     test::RunningProgram program(test::programPath("CUI"), {"script", "pipe", "--instance=t-no-server"},
                                  {.folder = folder.path()});

@@ -27,7 +27,7 @@ std::string replacedAll(std::string text, const std::string& what, const std::st
     return text;
 }
 
-/// What stands between ```sh and ```.
+/// The texts between ```sh and ```.
 Names shellBlocks() {
     Names blocks;
     std::istringstream page(test::readBytes(kSource / "docs" / "tutorial.md"));

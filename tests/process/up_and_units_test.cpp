@@ -1,4 +1,4 @@
-/// What is up and how long a unit is: --up and --units, .scn, .bsp, and what is guessed of a model by itself.
+/// The up axis and the length of a unit: --up and --units, .scn, .bsp, and guesses for a bare model.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST_F(UpAndUnits, UnitsDecideWhatALensBlurs) {
     EXPECT_NE(picture("m.scn", small), picture("m.scn", lens));
 }
 
-// What nobody said is told to people: the image may lie on its side.
+// People are told of a guess, since the image may lie on its side.
 TEST_F(UpAndUnits, AGuessIsTold) {
     const auto told = [&](const std::string& scene, const Names& options) {
         Names arguments{file(scene), "-o", file("a.ppm"), "-w", "8", "-h", "8"};

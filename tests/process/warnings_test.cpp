@@ -1,4 +1,4 @@
-/// What is lost of a model is said by every program that opens it, from its .bsp, too.
+/// Losses of a model are reported by every program that opens it, from its .bsp, too.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>

@@ -167,7 +167,7 @@ std::string saidOf(const rtcore::LoadedScene& scene) {
     return all;
 }
 
-/// Of the model's own pixels, as a display shows them, 0..255.
+/// Statistics of the model's own pixels, as a display shows them, 0..255.
 struct Shown {
     double mean = 0, black = 0, white = 0; ///< the last two as parts of all
     double albedo = 0;                     ///< the mean of its surfaces

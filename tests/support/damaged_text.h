@@ -21,7 +21,7 @@ inline long damagedTexts() {
     return count > 0 ? count : 1500;
 }
 
-/// What stands in TOML, and what may not.
+/// Tokens of TOML, and some that may not stand there.
 inline constexpr std::array<std::string_view, 24> kTomlTokens{"=",
                                                               "[",
                                                               "]",

@@ -9,7 +9,7 @@
 
 namespace test {
 
-/// What every call takes besides scene and rays. Cheap to make; one for each thread and wave.
+/// The arguments of every call besides scene and rays. Cheap to make; one for each thread and wave.
 /// `coherent`: packets hold rays that take nearly the same way; single rays ignore it.
 class EmbreeQuery {
   public:

@@ -33,7 +33,7 @@ struct WithoutEffect {
     rtcore::RenderSettings settings;
 };
 
-/// Of `all`, for each setting of an effect, and each effect that is on unless told.
+/// `all` without each effect in turn: each switch that is on, and each other setting that is not its default.
 inline std::vector<WithoutEffect> withoutEachEffect(const rtcore::RenderSettings& all) {
     std::vector<WithoutEffect> result;
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {

@@ -176,7 +176,7 @@ inline ExactAnswer exactAnswer(const rtcore::Mesh& mesh, const rtcore::Ray& ray)
     return answer;
 }
 
-/// What is wrong with an answer to a closest-hit query; empty when nothing is. `answer` belongs to the ray.
+/// The fault of an answer to a closest-hit query; empty when there is none. `answer` belongs to the ray.
 inline std::string faultOfClosest(const ExactAnswer& answer, const rtcore::Mesh& mesh, const rtcore::Ray& ray,
                                   bool found, const rtcore::Hit& hit) {
     const double nearest = answer.nearestSure;
@@ -192,7 +192,7 @@ inline std::string faultOfClosest(const ExactAnswer& answer, const rtcore::Mesh&
     return "";
 }
 
-/// What is wrong with an answer to an any-hit query; empty when nothing is. `answer` belongs to the ray.
+/// The fault of an answer to an any-hit query; empty when there is none. `answer` belongs to the ray.
 inline std::string faultOfAny(const ExactAnswer& answer, bool occluded) {
     if (occluded) return answer.anyPossible ? "" : "occluded by nothing";
     return std::isinf(answer.nearestSure) ? "" : "misses a hit at " + std::to_string(answer.nearestSure);

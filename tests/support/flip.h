@@ -12,7 +12,7 @@ namespace test {
 /// Compares images with one reference. The same reference may be asked by several threads at once.
 class Flip {
   public:
-    /// What the paper takes: a screen of 0.7 m and 3840 pixels, 0.7 m away.
+    /// The paper's viewing conditions: a screen of 0.7 m and 3840 pixels, 0.7 m away.
     static constexpr float kPixelsPerDegree = 67.0206F;
 
     explicit Flip(const rtcore::LdrImage& reference, float pixelsPerDegree = kPixelsPerDegree);
@@ -22,7 +22,7 @@ class Flip {
     /// Their mean.
     double mean(const rtcore::LdrImage& image) const;
 
-    /// Of the largest difference of colour that there is, that of green and blue.
+    /// The largest difference of colour that there is, that of green and blue.
     static float largestColourDifference();
 
   private:
@@ -36,7 +36,7 @@ class Flip {
         float narrowPart = 1, widePart = 0; ///< of the last two
         Weights smooth, slope, curvature;   ///< Gaussian and its derivatives
     };
-    /// What of an image is compared.
+    /// The features of an image that are compared.
     struct Seen {
         Plane lightness, redGreen, blueYellow; ///< CIELAB after the eye's filter, Hunt-adjusted
         Plane edges, points;                   ///< how strong

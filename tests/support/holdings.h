@@ -1,4 +1,4 @@
-/// What a process holds of the system, to see that it does not grow.
+/// The resources of the system that a process holds, to see that they do not grow.
 #pragma once
 
 #include <cstddef>

@@ -50,7 +50,7 @@ inline Texts exrTexts(const std::string& bytes) {
 
 } // namespace detail
 
-/// Of a PNG or EXR file.
+/// The texts in a PNG or EXR file.
 inline Texts imageTexts(const std::string& bytes) {
     if (bytes.starts_with("\x89PNG")) return detail::pngTexts(bytes);
     if (bytes.starts_with("\x76\x2f\x31\x01")) return detail::exrTexts(bytes);

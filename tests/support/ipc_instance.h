@@ -26,7 +26,7 @@ class IpcInstance {
 
     const std::string& name() const { return name_; }
     ipc::Names names() const { return ipc::Names(name_); }
-    /// What is there in shared memory under the name.
+    /// The names of the instance's segments in shared memory.
     std::vector<std::string> segments() const { return ipc::segmentNames(names().prefix()); }
     const TemporaryFolder& folder() const { return folder_; }
 

@@ -1,4 +1,4 @@
-/// What most of some measured values are.
+/// Quantiles of measured values.
 #pragma once
 
 #include <algorithm>

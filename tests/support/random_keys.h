@@ -16,7 +16,7 @@ class RandomKeys {
   public:
     explicit RandomKeys(Random& random) : random_(random) {}
 
-    /// Of the next step.
+    /// The keys of the next step.
     rtcore::WalkInput next() {
         if (random_.index(20) == 0) angle_ = 6.28 * fraction(random_);
         angle_ += 0.02 * (fraction(random_) - 0.5);

@@ -1,4 +1,4 @@
-/// What a walk was, step by step, and whether anything was in its way: nothing may ever be inside the player.
+/// A walk step by step, and its distances from obstacles: nothing may ever be inside the player.
 #pragma once
 
 #include "rtcore/motion/walker.h"

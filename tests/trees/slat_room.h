@@ -36,7 +36,7 @@ class SlatRoom {
 
     static constexpr float kHeight = 0.35F, kDepth = 0.5F; ///< of the room, for a length of 1
 
-    /// Of fractions of the length.
+    /// The point at these fractions of the length.
     Vec3 at(float x, float y, float z) const { return options_.corner + Vec3{x, y, z} * options_.length; }
     float anywhere(float lo, float hi) { return random_.number(lo, hi); }
 
@@ -70,7 +70,7 @@ class SlatRoom {
         builder_.quad({lo.x, lo.y, hi.z}, {lo.x, hi.y, hi.z}, {hi.x, hi.y, hi.z}, {hi.x, lo.y, hi.z}, matte_);
     }
 
-    /// Of a raised floor: side by side in one plane.
+    /// Planks of a raised floor, side by side in one plane.
     void addPlanks() {
         const Vec3 start = at(0, 0.01F, 0.05F);
         for (int i = 0; i < 60; ++i) {

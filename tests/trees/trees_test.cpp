@@ -72,7 +72,7 @@ struct Traced {
     rtcore::KdRayTracer tracer;
 };
 
-/// Of all cameras of a scene.
+/// Sums over all cameras of a scene.
 struct Totals {
     int pictures = 0, differingPictures = 0; ///< by fast trees
     std::size_t pixels = 0, differingPixels = 0;

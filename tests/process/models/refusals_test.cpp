@@ -115,7 +115,7 @@ TEST_F(Refusals, NameWhatAGltfNeeds) {
                "export without it (gltfpack");
     expectSays(needs("\"EXT_meshopt_compression\",\"KHR_mesh_quantization\""),
                "it needs EXT_meshopt_compression and KHR_mesh_quantization, which are", "export without");
-    // What is read, or does not say how positions are stored, stops nothing, and is told.
+    // Extensions that leave positions as they are stop nothing; those that are not read are told.
     const auto opens = [&](const std::string& extensions) {
         file.more = ",\"extensionsRequired\":[" + extensions + "]";
         test::writeText(folder / "a.gltf", file.text());

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const char* const kBash = "/bin/bash";
 
-// What readline hands to a completion: the line in words, parted at blanks and at COMP_WORDBREAKS.
+// Calls a completion as readline does: with the line in words, parted at blanks and at COMP_WORDBREAKS.
 const char* const kDriver = R"(
 source "$1" || exit 3
 COMP_LINE=$2 COMP_POINT=${#2} COMP_WORDS=() rest=$2

@@ -90,7 +90,7 @@ TEST_F(Interrupted, LeavesNothingAndTheNextOneWorks) {
                 endings.size(), 1000 * endings[endings.size() / 2], 1000 * endings.back());
     EXPECT_LT(endings.back(), 30) << "it waits for something";
 
-    // What the killed ones left does not hold up the last.
+    // The remains of the killed ones do not hold up the last.
     start({"-w", "64", "-h", "48", "--run-id=" + std::to_string(kills() + 1)});
     if (!viewer) look();
     std::uint64_t tag = 0;

@@ -43,7 +43,7 @@ TEST_F(Clients, AnswersThatComeLateAreEachGivenOnce) {
         ASSERT_EQ(client.send("load scene " + path(scene), &second), ipc::SendStatus::Sent);
         ASSERT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
         const ipc::Reply refusal = client.wait(second, 20s);
-        // What is missing may be refused before the second is looked at: then it is refused for that, too.
+        // A missing scene may be refused before the second load is looked at, which then fails alike.
         if (status == ipc::ReplyStatus::Done || refusal.code != 66) {
             EXPECT_EQ(refusal.text, "another scene is being loaded");
             EXPECT_EQ(refusal.code, 1);

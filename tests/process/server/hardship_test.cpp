@@ -1,4 +1,4 @@
-/// What happens to RTServer from outside: it is stopped, its names are removed, shared memory is full.
+/// Hardships of RTServer from outside: it is stopped, its names are removed, shared memory is full.
 #include "process/server/besieged_server.h"
 
 #include <functional>

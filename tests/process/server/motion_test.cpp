@@ -1,5 +1,5 @@
-/// What makes the server's time its own: keys that are pressed for a time, bindings, fewer pixels in motion,
-/// a better tree later.
+/// Motion in the server's own time: keys that are pressed for a time, bindings, fewer pixels in motion, a
+/// better tree later.
 #include "process/server/live_server.h"
 
 #include "ipc/endpoint/viewer.h"

@@ -1,5 +1,5 @@
-/// What a pack of a scene of somebody else holds: nothing that was not decoded, nothing from elsewhere unless
-/// it was asked for; and what goes on while it is made.
+/// The contents of a pack of somebody else's scene: nothing that was not decoded, nothing from elsewhere
+/// unless it was asked for; and the server's other work while it is made.
 #include "process/server/live_server.h"
 
 #include "ipc/endpoint/client.h"

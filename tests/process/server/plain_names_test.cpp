@@ -108,7 +108,7 @@ TEST_F(PlainNames, NoListingAndNoMessageHoldsAControl) {
     EXPECT_EQ(controlsIn(end(SIGTERM).error), "");
 }
 
-// What a list tells is what a command takes.
+// Commands take a name as a list tells it.
 TEST_F(PlainNames, ABookmarkIsKnownByTheNameThatIsTold) {
     start({}, name_);
     const std::string told = "place\\xe2\\x80\\xaez9";

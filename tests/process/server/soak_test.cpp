@@ -124,7 +124,7 @@ class Soak : public Besieged {
         ASSERT_EQ(result.exitCode, 0) << testing::PrintToString(words) << result.error;
     }
 
-    // What these take shows up at once, and not as a loss when chance meets them later.
+    // Their memory shows up at once, and not as a loss when chance meets them later.
     void drawLargestFrames() {
         must({"resolution", "640", "480"});
         for (const char* scene : {"waves.obj", "room.obj", "grey.scn"}) {
@@ -235,7 +235,7 @@ TEST_F(Soak, LeavesTheServerAsItWas) {
 TEST_F(Soak, OfALargeSceneMostIsGivenBack) {
     if (kSanitized) GTEST_SKIP() << "their allocators keep what was freed";
     writeWaves(folder() / "large.obj", 600);
-    // Of its own light: a sky for a bare model is kept.
+    // A scene, not the bare model, whose sky would be kept in memory.
     writeText(folder() / "large.scn", "version = 1\nmodel = \"large.obj\"\n");
     ASSERT_TRUE(stands({"--threads=2"}));
     const std::size_t before = rest().privateBytes;

@@ -1,4 +1,4 @@
-/// What may lie around a server: somebody else's things at its names, other environments, hardly any
+/// The surroundings of a server: somebody else's things at its names, other environments, hardly any
 /// descriptors.
 #include "process/server/live_server.h"
 

@@ -21,7 +21,7 @@ constexpr std::size_t kTriangles = 200;
 
 class ValidateKdTree : public testing::Test {
   protected:
-    /// What validateKdTree says about the tree as it has been changed; "" when it is content.
+    /// The complaint of validateKdTree about the tree as it has been changed; "" when it is content.
     std::string verdict() const { return validateKdTree(tree.view(), kTriangles).value_or(""); }
     std::string coverage() const { return validateCoverage(tree.view(), model.mesh).value_or(""); }
 

@@ -1,4 +1,4 @@
-/// What the programs answer to Tab, and the tables that it is made of.
+/// The programs' answers to Tab, and the tables that they are made of.
 #include "common/cli/command_names.h"
 #include "common/cli/completion.h"
 #include "cui/cui_operands.h"

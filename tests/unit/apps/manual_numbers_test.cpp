@@ -49,7 +49,7 @@ void expectIn(const std::string& page, const std::string& sentence) {
     EXPECT_NE(page.find(sentence), std::string::npos) << sentence;
 }
 
-/// What help and manual say of an option.
+/// The text on an option in help and manual.
 std::string helpOf(const app::ProgramSpec& spec, const std::string& option) {
     const app::Option* found = spec.find(option);
     EXPECT_NE(found, nullptr) << option;

@@ -41,7 +41,7 @@ TEST(StateReportMutation, IsReadOrRefused) {
     for (long i = 0; i < test::damagedTexts(); ++i) {
         const std::string text = damaged.next();
         try {
-            // What is shown of names in its place is written as it is from then on.
+            // Escapes that replace bytes of damaged names are written as they are from then on.
             const std::size_t room = text.size() * 8 + kRoom;
             const std::string written = app::formatStateReport(app::parseStateReport(text), room);
             EXPECT_EQ(app::formatStateReport(app::parseStateReport(written), room), written) << text;

@@ -1,5 +1,5 @@
-// What a table says is told nowhere else: no source of a program repeats a list that another one reads from
-// its table. The programs' folder is searched, page and all.
+// The contents of tables are told nowhere else: no source of a program repeats a list that another one reads
+// from its table. The programs' folder is searched, page and all.
 #include "common/commands/command_table.h"
 
 #include "rtcore/look/lighting_preset_name.h"

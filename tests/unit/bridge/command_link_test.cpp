@@ -19,7 +19,7 @@ using bridge::ServerLink;
 class LinkToAServer : public testing::Test {
   protected:
     using Lines = std::vector<std::string>;
-    /// What its thread told so far.
+    /// The events that its thread has reported so far.
     struct News {
         std::vector<ServerLink> servers;
         std::string why;

@@ -1,4 +1,4 @@
-// What of a file of the page a request takes: packed or plain, or nothing since the browser has it.
+// The form in which a request gets a file of the page: packed or plain, or nothing since the browser has it.
 #include "bridge/net/page_choice.h"
 #include "bridge/net/page_files.h"
 

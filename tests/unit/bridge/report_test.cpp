@@ -1,4 +1,4 @@
-// What /metrics, /status and --watch tell of the same figures.
+// The same figures in /metrics, /status and --watch.
 #include "bridge/report/metrics.h"
 #include "bridge/report/status.h"
 #include "bridge/report/watch.h"

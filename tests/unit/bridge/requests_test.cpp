@@ -44,8 +44,8 @@ std::set<std::string_view> commandsFor(app::BrowserUse use) {
     return names;
 }
 
-/// What pages may bring about. A row of the table that says more than this list is a mistake there, or is put
-/// here on purpose.
+/// The commands that pages may give. A row of the table that permits more than this list is a mistake there,
+/// or is put here on purpose.
 TEST(BrowserUse, IsPermittedToTheseAlone) {
     using Names = std::set<std::string_view>;
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),

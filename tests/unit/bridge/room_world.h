@@ -90,7 +90,7 @@ class PageOutlet : public bridge::Outlet {
     bool dropped = false;
 };
 
-/// What a room told its server, and the ways on which that one answers.
+/// A server that records a room's requests, and answers when it is told to.
 struct PlayedServer {
     struct Request {
         std::string line;

@@ -49,7 +49,7 @@ class ServedInstance {
         return server_->publishFrame(info, pixels);
     }
 
-    /// Of each command that comes. Without it, or where it returns false, the command is answered "".
+    /// Called for each command that comes. Without it, or where it returns false, the command is answered "".
     std::function<bool(const ipc::Command&)> onCommand;
     std::vector<std::string> commands; ///< all but `state`, `bindings` and `messages`
     ipc::KeyState keys;

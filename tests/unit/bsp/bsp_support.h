@@ -1,4 +1,4 @@
-/// What the tests of .bsp files share: a file in memory, and the comparison of what is in it.
+/// Parts shared by the tests of .bsp files: a file in memory, and the comparison of contents.
 #pragma once
 
 #include "rtcore/io/bsp/bsp_checksum.h"
@@ -47,7 +47,7 @@ inline rtcore::BspContent readFrom(const Bytes& bytes) {
     return rtcore::readBsp({{memory.get(), bytes.size()}, memory}, "memory.bsp");
 }
 
-/// What readBsp() says about the bytes; nothing when it accepts them.
+/// The complaint of readBsp() about the bytes; nothing when it accepts them.
 inline std::optional<std::string> refusal(const Bytes& bytes) {
     try {
         readFrom(bytes);
@@ -58,7 +58,7 @@ inline std::optional<std::string> refusal(const Bytes& bytes) {
     return {};
 }
 
-/// What a file of the present version says about itself.
+/// The head and the section table of a file of the current version.
 struct FileTable {
     rtcore::BspHead head;
     std::vector<rtcore::BspSectionEntry> sections;

@@ -59,7 +59,7 @@ TEST(Programs, AreNeverStarted) {
         test::saveBytes(path, nonsense);
         readQuietly(path);
     }
-    // What looks like an image at first, and a name that means a program to ImageMagick.
+    // Files that look like images at first, and a name that means a program to ImageMagick.
     const auto start = [](const char* text) {
         return test::FileMaker().text(text).add(test::Bytes(60)).bytes;
     };

@@ -72,7 +72,7 @@ HdrImage layOut(int columns, int rows, const std::vector<Cell>& cells) {
     return image;
 }
 
-/// What is written on the side of the cube around the eye that lies there.
+/// The colour written in that direction on the cube around the eye.
 Colour writtenIn(Vec3 direction) {
     for (std::size_t i = 0; i < kSides.size(); ++i) {
         const auto [ahead, up] = kSides[i];

@@ -1,4 +1,4 @@
-/// What files say of their up axis, their unit and the program that wrote them comes through the importer.
+/// Notes of files on their up axis, their unit and the program that wrote them come through the importer.
 #include "import_support.h"
 
 #include "rtcore/scene/model_origin.h"

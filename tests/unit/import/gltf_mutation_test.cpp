@@ -1,4 +1,4 @@
-// What is read of a glTF file beside Assimp: any bytes give facts or none, and nothing else happens.
+// The reader of glTF facts beside Assimp: any bytes give facts or none, and nothing else happens.
 #include "rtcore/io/import/gltf/gltf_file.h"
 #include "support/damaged_text.h"
 #include "support/temporary_folder.h"

@@ -37,7 +37,7 @@ inline std::string plyBytes(const PlyNumber& number, bool bigEndian) {
     return bytes(static_cast<float>(number.value));
 }
 
-/// What a PLY file is written from.
+/// The contents from which a PLY file is written.
 struct PlyFile {
     struct Property {
         std::string type, name;
@@ -97,7 +97,7 @@ struct PlyFile {
     }
 };
 
-/// Of triangles, three corners each, little-endian.
+/// A binary STL file of triangles, three corners each, little-endian.
 inline std::string stlText(const std::vector<std::array<rtcore::Vec3, 3>>& triangles,
                            const std::string& title = "a test", std::uint16_t attribute = 0) {
     std::string file = title;

@@ -264,7 +264,7 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
     EXPECT_FALSE(isRead("a.stl", ""));
 }
 
-/// What importModel says about the file, as a user sees it.
+/// The message of importModel about the file, as a user sees it.
 std::string complaint(const std::string& text) {
     const TemporaryFolder folder;
     test::writeText(folder / "a.ply", text);

@@ -1,4 +1,4 @@
-// What a user is told about a model that could be read, but not as it was meant.
+// Warnings for users about models that could be read, but not as they were meant.
 #include "gltf_text.h"
 #include "import_support.h"
 
@@ -26,7 +26,7 @@ void expectWarning(const ImportReport& report, const std::string& words) {
     EXPECT_NE(all(report).find(words), std::string::npos) << "expected: " << words << "\n" << all(report);
 }
 
-/// What the import of this file says instead of giving a model.
+/// The message with which this file is refused; "accepted" when it gives a model.
 std::string refusalOf(const std::string& name, const std::string& text) {
     try {
         importText(name, text);

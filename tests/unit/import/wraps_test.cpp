@@ -1,4 +1,4 @@
-// What the fields say that came with .bsp 3: wraps, kinds of cameras, parts, strength of emission.
+// The fields that came with .bsp 3: wraps, kinds of cameras, parts, strength of emission.
 #include "gltf_text.h"
 #include "import_support.h"
 

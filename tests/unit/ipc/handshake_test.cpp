@@ -1,5 +1,5 @@
-/// What a client makes of segments that are not, not yet, or no longer a server of its version; and a server
-/// of what lies in its way. Nobody may wait longer than told.
+/// A client faces segments that are not, not yet, or no longer a server of its version; and a server faces
+/// obstacles at its names. Nobody may wait longer than told.
 #include "ipc/endpoint/client.h"
 #include "ipc/endpoint/link.h"
 #include "ipc/endpoint/server.h"

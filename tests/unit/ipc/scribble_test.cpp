@@ -137,7 +137,7 @@ TEST(Scribble, OverTheFrameSegment) {
     }
 }
 
-// What a server shows that draws nothing more is repaired, too.
+// The frame and the status of a server that draws nothing more are repaired, too.
 TEST(Scribble, OverTheFrameSegmentOfAnIdleServer) {
     test::IpcInstance instance;
     Server server({.instance = instance.name(), .width = 32, .height = 32});

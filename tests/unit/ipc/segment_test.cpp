@@ -18,7 +18,7 @@ using namespace ipc;
 
 class Segments : public testing::Test {
   protected:
-    // What another process sees of byte 5.
+    // Whether another process sees a lock on byte 5.
     bool lockedForAnother() const {
         const pid_t child = ::fork();
         if (child == 0) ::_exit(Segment::open(name, Access::Read, 0)->locked(5) ? 1 : 0);

@@ -548,7 +548,7 @@ TEST(AwkwardWaves, OntoManyEqualTriangles) {
     }
     for (const RayWave& wave : {stream, packet}) {
         EXPECT_GT(scene.expectSingleRays("equal triangles", wave), 5U);
-        // Of all as close the first one is hit.
+        // The first one of all that are equally close is hit.
         const test::WaveAnswer answer = test::bySingleRays(scene.tree(), scene.mesh(), wave);
         for (std::size_t i = 0; i < wave.size(); ++i) {
             if (!answer.hits.isHit(i)) continue;

@@ -1,5 +1,5 @@
-// What rays hit where triangles are hidden or have holes: what all triangles one by one give, by every kernel
-// on every instruction set.
+// Hits where triangles are hidden or have holes: those of a search through all triangles one by one, by every
+// kernel on every instruction set.
 #include "rtcore/kernels/candidate_filter.h"
 
 #include "kinds_of_waves.h"
@@ -138,7 +138,7 @@ class FilteredScene {
     Chessboards holes_;
 };
 
-/// Of every kind that is traced in a way of its own, the last group cut short.
+/// Waves of every kind that is traced in a way of its own, the last group cut short.
 std::vector<std::pair<std::string, RayWave>> kindsOfWaves(Random& random) {
     std::vector<std::pair<std::string, RayWave>> waves{
         {"bundles", test::image(20, random)},

@@ -166,7 +166,7 @@ TEST(InstructionSets, TraceMoreRaysThanOneStreamHolds) {
     scene.expectSingleRays("longer", wave);
 }
 
-// What a thread keeps from one wave to the next leaves no trace in what the next finds.
+// State that a thread keeps from one wave to the next leaves no trace in the next one's hits.
 TEST(InstructionSets, DoNotRememberOtherScenes) {
     const test::WaveScene one(test::soup(500, 0.3F, 10));
     const test::WaveScene other(test::icosphere(3));

@@ -41,7 +41,7 @@ inline rtcore::RayWave camera(std::size_t groups, Random& random) {
                         [](Random& r, rtcore::Vec3 eye) { return normalize(r.vector(0.5F) - eye); });
 }
 
-/// Of an image, a group for each 8 x 8 of its pixels: many follow each other that go as one bundle.
+/// Rays of an image, a group for each 8 x 8 of its pixels: many successive groups go as one bundle.
 inline rtcore::RayWave image(std::size_t groups, Random& random) {
     constexpr std::size_t kSide = 8, kAcross = 8;
     rtcore::RayWave wave;

@@ -10,7 +10,7 @@ namespace {
 
 using rtcore::Vec3;
 
-/// Of sizes from 1e-12 to 1e12 up to 1e4 sizes off the origin, from round to a million times as long as wide.
+/// A triangle of size 1e-12 to 1e12, up to 1e4 sizes off the origin, round to 1e6 times as long as wide.
 std::array<Vec3, 3> anyTriangle(test::Random& random) {
     const auto power = [&](float lo, float hi) { return std::pow(10.0F, random.number(lo, hi)); };
     const float size = power(-12, 12);
