@@ -51,7 +51,7 @@ class BridgedServer : public testing::Test {
 
     /// A command to the server that must succeed; its answer.
     std::string ask(const std::string& command);
-    /// What `CUI screenshot` writes of the frame that is shown, 3 bytes a pixel.
+    /// The pixels that `CUI screenshot` writes of the frame that is shown, 3 bytes each.
     std::string screenshotPixels();
     /// The pixels of a PNG file, 3 bytes each; "" while there is none.
     static std::string pngPixels(const std::filesystem::path& file);
@@ -59,7 +59,7 @@ class BridgedServer : public testing::Test {
     Chromium& browser() { return *browser_; }
     /// Each is good once: another one each time, as soon as the last one was used.
     std::string driverLink();
-    /// Of the page, without a token.
+    /// The address of the page, without a token.
     std::string address() const { return viewerLink_.substr(0, viewerLink_.find('#')); }
     const std::string& viewerLink() const { return viewerLink_; }
     /// "127.0.0.1:8931"

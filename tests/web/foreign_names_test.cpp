@@ -21,7 +21,7 @@ std::string quoted(const std::string& text) { return Json(text).dump(); }
 /// As a part of a model, whose name ends with the word.
 std::string inModel(const std::string& text) { return text.substr(0, text.find_first_of(" \n")); }
 
-// What stands beyond the page or beyond the image that it is over, of what cannot be scrolled to.
+// Elements that cannot be scrolled to and reach beyond the page, or beyond the image that they are over.
 constexpr const char* kOutside =
     R"([...document.querySelectorAll("body *")].filter((element) => element.checkVisibility() && !element.closest(".quiet"))
     .map((element) => [element, element.getBoundingClientRect()])
@@ -74,7 +74,7 @@ class ForeignNames : public test::BridgedServer {
         EXPECT_EQ(page.value(kTurned), "");
         EXPECT_EQ(page.value(kOutside), "");
     }
-    /// What notices say from now on is in `told`; what does not fit, in `wide`.
+    /// Gathers the texts of notices from now on in `told`, and elements that do not fit in `wide`.
     static void watchNotices(const WebPage& page) {
         page.value(
             "(() => { window.told = window.wide = ''; const place = document.getElementById('notices');"

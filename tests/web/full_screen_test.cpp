@@ -10,7 +10,7 @@ using test::WebPage;
 // Without a lock of the mouse, which takes a headless browser seconds to leave in full screen.
 constexpr const char* kNoMouse = "delete Element.prototype.requestPointerLock;";
 
-// What the page says is held, by the last input that it sent.
+// The keys that the page reports as held, by the last input that it sent.
 constexpr const char* kWatchKeys = R"(
 window.heldNow = "";
 const post = Worker.prototype.postMessage;

@@ -1,5 +1,5 @@
-// What can be computed of how the page looks: contrast, sizes of targets, names of controls, and that the
-// browser has nothing to complain about; in each theme, on a desk and on a phone.
+// Looks of the page that can be computed: contrast, sizes of targets, names of controls, and that the browser
+// has nothing to complain about; in each theme, on a desk and on a phone.
 #include "web/bridged_server.h"
 
 #include <ostream>

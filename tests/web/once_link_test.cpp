@@ -65,7 +65,7 @@ TEST_F(OnceLink, LetsOnePageInWhichMayBeLoadedAgain) {
         << "it stays what it was";
 }
 
-// What the page is told that it may come back by.
+// Keeps the token with which the page may come back, as it is told.
 constexpr const char* kKeepOwn = R"(
 window.Worker = class extends Worker {
     constructor(...words) {

@@ -82,7 +82,7 @@ TEST_F(SecondPage, THOROUGH_DrivesOnceTheFirstOneHandsOver) {
     EXPECT_TRUE(first.becomes("document.getElementById('pill-text').textContent.includes('drives')"));
 }
 
-// What one page changes, the other one shows.
+// The other page shows the changes of the first one.
 TEST_F(SecondPage, THOROUGH_ShowsWhatTheFirstOneSets) {
     const WebPage first = drive();
     const WebPage second(browser(), viewerLink());

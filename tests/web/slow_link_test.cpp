@@ -16,7 +16,7 @@ using test::WebPage;
 
 class SlowLink : public test::BridgedServer {
   protected:
-    /// What the links lead to is the narrow link.
+    /// The printed links lead to the narrow link.
     void startBridge() {
         BridgedServer::startBridge({"--listen=127.0.0.1:" + std::to_string(link_.target()),
                                     "--origin=http://127.0.0.1:" + std::to_string(link_.port())});
@@ -45,7 +45,7 @@ TEST_F(SlowLink, TheLastFrameIsShownAfterAWalk) {
     EXPECT_EQ(testing::PrintToString(page.complaints()), "{}");
 }
 
-/// What the page drew, and when, by the system's clock in ms.
+/// The frames that the page drew, and when, by the system's clock in ms.
 constexpr const char* kWatchDrawn = R"(
 window.drawn = [];
 window.Worker = class extends Worker {

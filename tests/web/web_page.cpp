@@ -9,7 +9,7 @@ namespace test {
 
 namespace {
 
-// What is read back is what the screen gets: no conversion, no alpha.
+// Reads back the pixels as the screen gets them: no conversion, no alpha.
 constexpr const char* kReadBack = R"((() => {
     const view = document.getElementById("view"), copy = document.createElement("canvas");
     copy.width = view.width;

@@ -155,7 +155,7 @@ TEST(OneSurface, ChainsAreNotFollowed) {
         scene.expectBruteForce("a chain", raysTo(stay, {0.2F, 0.1F, 2 * side}, 0.5F, 7));
 }
 
-/// What two surfaces apart by a little more than rounding show is as it was.
+/// Two surfaces that are apart by a little more than rounding are not taken for one.
 TEST(OneSurface, ADecalInFrontOfAWallStaysInFront) {
     for (const float gap : {1e-5F, 1e-4F}) {
         Stack stack;

@@ -27,7 +27,7 @@ RayWave randomWave(std::size_t count, std::uint64_t seed) {
     return wave;
 }
 
-/// What single calls say of each ray.
+/// Expects the answers of single calls for each ray.
 void expectSingleCalls(const TracedMesh& scene, const RayWave& wave, const HitWave& hits,
                        const std::vector<std::uint8_t>& occluded) {
     ASSERT_EQ(hits.size(), wave.size());

@@ -28,12 +28,12 @@ class InstructionSetGuard {
     ~InstructionSetGuard() { rtcore::useInstructionSet("auto"); }
 };
 
-/// What is found along each ray of a wave.
+/// The hits along each ray of a wave.
 struct WaveAnswer {
     rtcore::HitWave hits;
     std::vector<std::uint8_t> occluded;
 
-    /// Of `count` rays, all with values that no ray finds.
+    /// An answer for `count` rays, all initialised with values that no ray can find.
     explicit WaveAnswer(std::size_t count) : occluded(count, 0xAA) {
         constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
         hits.t.assign(count, kNan);

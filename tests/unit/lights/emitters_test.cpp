@@ -43,7 +43,7 @@ double distanceTo(const Mesh& mesh, std::uint32_t triangle, Vec3d d) {
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : 0;
 }
 
-/// What reaches the origin of the emitted light through one point, times the cosine of a floor there.
+/// The emitted light that one sampled point sends to the origin, times the cosine of a floor there.
 double received(const Scene& scene, const SampledPoint& p) {
     const double square = dot(inDouble(p.position), inDouble(p.position));
     const Vec3d d = inDouble(p.position) / std::sqrt(square);

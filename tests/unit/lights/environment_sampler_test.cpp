@@ -44,7 +44,7 @@ float densityOf(const EnvironmentSampler& sampler, Vec3 direction) {
 /// Solid angle of the rectangle between the middle of a cube's face, one unit away, and (x, y).
 double solidAngleToCorner(double x, double y) { return std::atan(x * y / std::sqrt(x * x + y * y + 1)); }
 
-/// Of texel (x, y) of a face of n x n texels.
+/// Solid angle of texel (x, y) of a face of n x n texels.
 double solidAngleOfTexel(int n, int x, int y) {
     const double x0 = 2.0 * x / n - 1, x1 = 2.0 * (x + 1) / n - 1;
     const double y0 = 2.0 * y / n - 1, y1 = 2.0 * (y + 1) / n - 1;
@@ -168,7 +168,7 @@ Environment motleyCube(int side) {
     return Environment::fromCube(faces, "");
 }
 
-/// Of a function of the direction over the sphere, by the middles of parts of the same solid angle.
+/// The integral of a function of the direction over the sphere, by the middles of parts of equal solid angle.
 template <typename Function>
 double overSphere(int rings, Function f) {
     double sum = 0;
@@ -208,7 +208,7 @@ TEST(EnvironmentSampler, HasADensityThatIntegratesToOne) {
     }
 }
 
-/// What directions from which light comes weigh, over the mean.
+/// The weights of sampled directions, over their mean; the largest in `max`.
 Estimate weightsOf(const Environment& environment, TexelFilter filter, float& max) {
     const BackgroundLight light{&environment, {}, filter};
     EnvironmentSampler sampler;
@@ -226,8 +226,8 @@ Estimate weightsOf(const Environment& environment, TexelFilter filter, float& ma
     return weights;
 }
 
-// A density that follows the image gives what is bright the same weight: there is nothing to average. What is
-// dimmer than the mean is sampled more rarely, but not without end.
+// A density that follows the image gives bright texels the same weight: there is nothing to average. Texels
+// dimmer than the mean are sampled more rarely, but not without end.
 TEST(EnvironmentSampler, BrightLightHasTheSameWeight) {
     float max = 0;
     for (const auto& [column, row] : std::vector<std::pair<int, int>>{{77, 40}, {0, 64}, {255, 90}}) {

@@ -47,7 +47,7 @@ inline rtcore::Vec3 cosineDirection(Random& random) {
     return {ring * std::cos(turn), std::sqrt(1 - square), ring * std::sin(turn)};
 }
 
-/// Of radiance 1, as far away as radius / sine, `tilt` degrees off the y axis, seen from the origin.
+/// A sphere light of radiance 1, radius / sine away from the origin, `tilt` degrees off the y axis.
 inline rtcore::Light sphereLight(double sine, double tilt) {
     const double angle = tilt * std::numbers::pi / 180;
     rtcore::Light light;
@@ -58,7 +58,7 @@ inline rtcore::Light sphereLight(double sine, double tilt) {
     light.intensity = rtcore::kWhite * std::numbers::pi_v<float>;
     return light;
 }
-/// Of radiance 1, shining down, its middle at `middle`.
+/// A rectangle light of radiance 1, shining down, its middle at `middle`.
 inline rtcore::Light rectangleLight(rtcore::Vec3 middle, float width = 1, float height = 1) {
     rtcore::Light light;
     light.kind = rtcore::LightKind::Rectangle;

@@ -1,4 +1,4 @@
-// What lights give off: light_power.h against the light that arrives on a sphere around each kind.
+// The power of lights: light_power.h against the light that arrives on a sphere around each kind.
 #include "rtcore/lights/ambient_light.h"
 #include "rtcore/lights/light_direction-inl.h"
 #include "rtcore/scene/light_power.h"
@@ -37,7 +37,7 @@ std::vector<Light> lightsOfEachKind() {
     return lights;
 }
 
-/// What reaches a surface that faces the light at `position`, in green.
+/// The irradiance of a surface at `position` that faces the light, in green.
 double irradianceAt(const Light& light, Vec3 position) {
     constexpr int kSide = 4;
     double sum = 0;

@@ -107,7 +107,7 @@ TEST_F(Ghosts, FourFramesAfterAStepPastAPillarThereAreNone) {
         last.forward.x += 0.001F;
         draw(last);
     }
-    // What the pillar hid before.
+    // Only points that the pillar hid before count.
     const CameraRays rays(at(0), kWidth, kHeight);
     const ImagePlane before(rays, kWidth, kHeight);
     const Frame truth = whole(last);

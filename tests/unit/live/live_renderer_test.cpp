@@ -172,7 +172,7 @@ TEST_F(LiveFrames, TheFirstOneShowsAllOfThePictureFromFewPoints) {
     EXPECT_LT(error(cameraAt(0)), 0.12);
 }
 
-/// Of few samples, which leave pixels without one, and with stale ones.
+/// Few samples leave pixels without one, and with stale ones.
 TEST_F(LiveFrames, AreExposedAsWholeOnesAre) {
     const ExposureSettings automatic;
     ASSERT_TRUE(draw(cameraAt(0), 1));

@@ -37,7 +37,7 @@ class Wall : public testing::Test {
             }
         }
     }
-    /// What an eye sees that has gone so many pixels of the wall to the right and down.
+    /// Reprojects to an eye that has moved so many pixels of the wall to the right and down.
     void reprojectTo(float right, float down) {
         const ImagePlane& plane = past.plane();
         now.resize(planeFrom((plane.right * right + plane.down * down) * kDepth));

@@ -1,4 +1,4 @@
-// What materials are taken for by their names.
+// Guesses of materials by their names.
 #include "rtcore/look/material_names.h"
 
 #include "rtcore/scene/material_edit.h"

@@ -1,4 +1,4 @@
-// What a camera sees of a model, and whether light reaches it.
+// The points of a model that a camera sees, and whether light reaches them.
 #include "rtcore/look/visible_points.h"
 
 #include "support/rooms.h"

@@ -1,4 +1,4 @@
-// What the manual says of walking is what the code does.
+// The manual's numbers on walking are those of the code.
 #include "rtcore/motion/walk_shape.h"
 
 #include <gtest/gtest.h>

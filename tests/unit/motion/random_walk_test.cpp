@@ -47,7 +47,7 @@ WalkWorld room(std::uint64_t seed) {
     return world;
 }
 
-/// What no modeller should leave: duplicates, slivers, points, slits, sheets that end in the air.
+/// Faults that no modeller should leave: duplicates, slivers, points, slits, sheets that end in the air.
 WalkWorld soup(std::uint64_t seed) {
     WalkWorld world;
     world.floor(0, 9);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Vec3 kEye{0, 0, 4}, kAhead{0, 0, -1};
 
-/// Of irradiance 1, seen under an angle in degrees.
+/// A directional light of irradiance 1, seen under an angle in degrees.
 Light discFrom(Vec3 to, double degrees) {
     Light light;
     light.kind = LightKind::Directional;
@@ -42,7 +42,7 @@ test::PathScene floorUnder(const Material& material, const Light& light, const F
     return test::PathScene(b.finish());
 }
 
-/// What lobes reflect of it; nothing else is around the floor.
+/// The light of such a disc that lobes reflect; nothing else is around the floor.
 double reflected(const Material& material, double degrees, const Fog& fog = {}) {
     return floorUnder(material, discFrom({0.5F, 1, 0}, degrees), fog)
         .see({-1, 2, 0}, normalize({1, -2, 0}), 100'000, test::bouncesAlone(0))
@@ -133,7 +133,7 @@ TEST(DiscPaths, ByAMirrorToAMatteFloorItIsACaustic) {
     test::expectLight(scene, {0.5F, 1, 0}, {0, -1, 0}, 100'000, limits, 2 * once, "with");
 }
 
-/// What passes a closed block of glass: straight on, or bent where caustics count, never both.
+/// Light passes a closed block of glass straight on, or bent where caustics count, never both.
 TEST(DiscPaths, ThroughGlassItCountsOnce) {
     test::SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 50, b.material(test::matte(1)));

@@ -52,7 +52,7 @@ TEST(Enclosure, ThatGlowsIsTheSameWithRouletteFromAnyBounce) {
 }
 
 TEST(Enclosure, WithAPointLightHasTheMeanOfItsPower) {
-    // Of any closed shape: rho phi / (pi A (1 - rho)), gi 5.3.
+    // For any closed shape: rho phi / (pi A (1 - rho)), gi 5.3.
     Scene lit = cube(test::matte(0.5F));
     lit.lights = {test::pointLight({0.3F, 0.6F, 0.45F}, 1)};
     const test::PathScene scene(std::move(lit));
@@ -242,7 +242,7 @@ TEST(CornellCube, HasTheLightOfEachBounceByARectangle) {
 }
 
 TEST(CornellCube, SamplesOfOnePixelConvergeFasterThanIndependentOnes) {
-    // Of the first bounce: root mean square of the means of 256 samples.
+    // Root mean square error of the first bounce by means of 256 samples.
     constexpr std::uint32_t kPixels = 512, kSamples = 256;
     const test::PathScene scene(cornell(true));
     const CornellPoint& point = kCornell[0];

@@ -53,7 +53,7 @@ void addSource(test::SceneBuilder& b, Source source) {
     b.scene.lights = {light};
 }
 
-/// What of the source the floor gives off, all of whose light it scatters.
+/// The radiance of a floor that scatters all light, with nothing before the source.
 double unhindered(Source source) {
     switch (source) {
     case Source::Emitter:
@@ -135,7 +135,7 @@ TEST(LightBehind, TintedSlabsArriveTintedOnce) {
     }
 }
 
-/// Of what a floor gets of even light whose transmission depends on the cosine.
+/// The fraction of even light that reaches a floor by a transmission that depends on the cosine.
 double passing(const std::function<double(float)>& transmission) {
     constexpr int kSteps = 4000;
     double sum = 0;

@@ -50,7 +50,7 @@ TEST(MirroredLightPaths, MirrorsAndGlassThatBendsShowIt) {
     }
 }
 
-/// What scatters finds it as before: next event and scattered rays share it.
+/// Lobes find the light as before: next event estimation and scattered rays share it.
 TEST(MirroredLightPaths, LobesSeeWhatTheySawBefore) {
     for (const float roughness : {0.1F, 0.3F, 0.6F}) {
         Material metal;
@@ -63,7 +63,7 @@ TEST(MirroredLightPaths, LobesSeeWhatTheySawBefore) {
     }
 }
 
-/// A floor beside a mirrored wall: what the wall throws down is a caustic.
+/// A floor beside a mirrored wall: the light that the wall throws down is a caustic.
 TEST(MirroredLightPaths, ByAMirrorToAMatteFloorItIsACaustic) {
     test::SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 50, b.material(test::matte(1)));
@@ -85,7 +85,7 @@ TEST(MirroredLightPaths, ByAMirrorToAMatteFloorItIsACaustic) {
                 5 * (both.error[0] + once.error[0] + thrown.error[0]));
 }
 
-/// What passes a closed block of glass: straight on, or bent where caustics count, never both.
+/// Light passes a closed block of glass straight on, or bent where caustics count, never both.
 TEST(MirroredLightPaths, ThroughGlassItCountsOnce) {
     test::SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 50, b.material(test::matte(1)));

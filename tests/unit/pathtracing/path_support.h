@@ -22,7 +22,7 @@ struct PathLimits : rtcore::PathSettings {
     rtcore::SamplingStrategy strategy = rtcore::SamplingStrategy::Both;
 };
 
-/// Of independent samples.
+/// The mean of independent samples.
 struct PathMean {
     std::array<double, 3> mean{}, error{}; ///< error: of the mean
 };

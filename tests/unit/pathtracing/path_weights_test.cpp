@@ -1,4 +1,4 @@
-// What next event and scattered rays both find counts once.
+// Light found by both next event estimation and a scattered ray counts once.
 #include "rtcore/pathtracing/path_weights-inl.h"
 
 #include <gtest/gtest.h>

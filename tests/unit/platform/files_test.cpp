@@ -66,7 +66,7 @@ int inChild(Action action) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-/// What a program that is asked to stop says.
+/// The answer of a program that has been asked to stop.
 bool yes() noexcept { return true; }
 
 /// In a child: whether `action` ends with such an error, soon after it has been asked to stop.

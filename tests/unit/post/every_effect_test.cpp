@@ -75,7 +75,7 @@ SettingValue otherValue(const Setting& setting, const SettingValue& value) {
     return std::string(setting.choices[setting.choices.front() == std::get<std::string>(value) ? 1 : 0]);
 }
 
-/// What is said to change only how an image is shown, or only the pace, leaves radiance as it is.
+/// Settings that are said to change only how an image is shown, or only the pace, leave radiance as it is.
 TEST(SettingChanges, KeepWhatTheySay) {
     const test::TracedScene traced(sceneOfEverything());
     RenderSettings before = everything();

@@ -52,7 +52,7 @@ TEST(LogAverage, IsTheGeometricMean) {
 }
 
 TEST(LogAverage, SplitsTheGroupAtTheLimit) {
-    // Of 10 pixels, one is dropped at each end: half of the two dark ones stays.
+    // One of 10 pixels is dropped at each end: half of the two dark ones stays.
     const double expected = std::exp((1 * std::log(0.01) + 7 * std::log(1.0)) / 8);
     EXPECT_NEAR(*Pixels().add(2, grey(0.01F)).add(8, grey(1)).average(), expected, expected * 2 * kBin);
 }
@@ -85,7 +85,7 @@ TEST(LogAverage, NothingWhenUnderOnePercentIsLit) {
 }
 
 TEST(LogAverage, IsCorrectedByPixelsThatStandForOthers) {
-    // Of three parts the middle one is kept three times too bright, the last one is background that is kept
+    // The middle one of three parts is kept three times too bright, the last one is background that is kept
     // as a surface. Each tenth pixel is checked.
     LuminanceHistogram kept, truth;
     std::vector<CheckedPixel> checked;

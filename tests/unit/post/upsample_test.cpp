@@ -31,7 +31,7 @@ LdrImage upsampled(const LdrImage& small, int width, int height, int threads = 1
     return image;
 }
 
-/// Of greys from 0 to 1 at points of the unit square, one in the middle of each pixel.
+/// An image of greys from 0 to 1 at points of the unit square, one in the middle of each pixel.
 LdrImage sampled(int width, int height, const std::function<double(double, double)>& grey) {
     LdrImage image(width, height);
     for (int y = 0; y < height; ++y) {
@@ -44,7 +44,7 @@ LdrImage sampled(int width, int height, const std::function<double(double, doubl
     return image;
 }
 
-/// Root of the mean square of what an image differs from greys that are averaged over each of its pixels.
+/// Root mean square of the differences between an image and greys that are averaged over each of its pixels.
 double errorOf(const LdrImage& image, const std::function<double(double, double)>& grey) {
     constexpr int kSide = 8, kBorder = 12;
     double sum = 0;
@@ -131,7 +131,7 @@ TEST(Upsample, GivesTheSameBitsForAnyThreadsAndInstructionSet) {
     useInstructionSet("auto");
 }
 
-// Of squares the borders would be all that is seen.
+// In squares all the contrast would be at their borders.
 TEST(Upsample, ShowsNoSquares) {
     constexpr int kBlock = 3;
     const LdrImage small = randomImage(100, 60);
@@ -217,8 +217,7 @@ double contrastOf(const LdrImage& image) {
     return std::sqrt(sum / (image.height * (image.width - 1)));
 }
 
-// Of nearly the size that it had, an image keeps its detail; of pixels that become large none is seen for
-// itself.
+// An image upsampled to nearly its own size keeps its detail; no pixel that becomes large is seen by itself.
 TEST(Upsample, MixesLargePixelsMore) {
     const LdrImage small = randomImage(275, 275);
     const auto kept = [&](int side) {

@@ -1,4 +1,4 @@
-// What images know of their surfaces, against what it is.
+// The AOVs of images against the true values of their surfaces.
 #include "rtcore/render/frame_renderer.h"
 
 #include "sample_view.h"

@@ -315,7 +315,7 @@ TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
     EXPECT_EQ(first, test::render(traced, settings).radiance.pixels);
     EXPECT_GT(traced1.rays[static_cast<std::size_t>(RayKind::Shadow)], pixels.size() / 2);
     EXPECT_EQ(traced2.rays[static_cast<std::size_t>(RayKind::Shadow)], 0U);
-    // What is known is taken for true.
+    // Known visibility is taken for true.
     std::vector<LightVisibility> dark(pixels.size(), {0, 0xFFFF});
     RayStatistics none;
     renderer.renderPixels(view, pixels, control, {second, dark}, none);
@@ -361,7 +361,7 @@ TEST(RenderFrame, PixelsWhoseLightsWithASizeAreKnownNeedOneRayToEach) {
     EXPECT_GE(few,
               all - 5 * static_cast<std::uint64_t>(lit + dark)); // at its horizon a light is seen in part
     EXPECT_LT(few, all / 2);
-    // What the first ray does not confirm does not count.
+    // Known visibility that the first ray does not confirm does not count.
     std::vector<LightVisibility> wrong(pixels.size());
     std::ranges::transform(found, wrong.begin(), [](LightVisibility v) {
         return LightVisibility{v.dark, v.clear};
@@ -415,7 +415,7 @@ TEST(RenderFrame, SaysWhatPixelsSee) {
     }
 }
 
-/// What the middle pixel sees, of a mirror 4 units from the eye and a wall 3 units before the mirror.
+/// The point seen by the middle pixel, of a mirror 4 units from the eye and a wall 5 units before the mirror.
 SeenPoint seenInMirror(float curvature) {
     test::SceneBuilder b;
     Material silvered = test::mirror(0.5F);
@@ -448,7 +448,7 @@ TEST(RenderFrame, SaysHowPanesTintWhatIsSeenThroughThem) {
     glass.opacity = 0;
     glass.transmission = {0.25F, 0.5F, 0.75F};
     const auto pane = b.material(glass);
-    // Behind a pane another one: of what is seen through both, the first tints what the second lets through.
+    // Behind a pane another one: the first tints the light that the second lets through.
     b.square({0, 0, -4}, {0, 0, 1}, 1, pane);
     b.square({0, 0, -6}, {0, 0, 1}, 1, pane);
     b.scene.background = {1, 1, 1};

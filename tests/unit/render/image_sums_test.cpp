@@ -24,7 +24,7 @@ struct PlacedSample {
     Colour colour;
 };
 
-/// Of sizes from 1e-6 to 1e12, some negative, some not finite.
+/// Samples of sizes from 1e-6 to 1e12, some negative, some not finite.
 std::vector<PlacedSample> mixedSamples(int number) {
     std::mt19937 random(5);
     const auto upTo = [&](unsigned n) { return static_cast<int>(random() % n); };

@@ -101,7 +101,7 @@ TEST(LightMeter, ATenthOfWhatIsSeenMayHaveMoreLight) {
     }
 }
 
-/// Of a scene whose light is sampled, and varies over what is seen.
+/// In a scene whose light is sampled, and varies over the image.
 TEST(LightMeter, RoughlyItMeasuresTheSame) {
     test::SceneBuilder b;
     b.square({0, -1, -4}, {0, 1, 0}, 6, b.material(test::matte(0.5F)));

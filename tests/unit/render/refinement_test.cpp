@@ -77,7 +77,7 @@ TEST_F(Refining, ShowsEachPassButTheLast) {
 }
 
 TEST_F(Refining, CoarsePassesSeeTheMiddlesOfTheirSquares) {
-    // Of an image in which each pixel stands for one square, if the squares fit.
+    // They are the pixels of an image in which each stands for one square, if the squares fit.
     const RenderSettings settings = sampleSettings(96, 64);
     ASSERT_TRUE(refine(settings, 1, [&](const RefinementPass& pass, const Frame& picture) {
         if (pass.block == 1) return;

@@ -1,4 +1,4 @@
-// What patterns, lenses and the choice of samples have in common: the same image in any order of work.
+// With all patterns, with lenses and by adaptive sampling, the image is the same in any order of work.
 #include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/refinement.h"
 #include "rtcore/simd/instruction_set.h"

@@ -22,7 +22,7 @@ TEST(Adaptation, HasASpeedForMoreLightAndOneForLess) {
     Adaptation up, down;
     up.advance(1, 0, kSpeed);
     down.advance(10, 0, kSpeed);
-    // What is left of ln 10 after 0.1 s: e^-1 of it on the way up, e^-0.25 on the way down.
+    // The rest of ln 10 after 0.1 s: e^-1 of it on the way up, e^-0.25 on the way down.
     EXPECT_NEAR(up.advance(10, 0.1, kSpeed), std::pow(10, 1 - std::exp(-1)), 1e-4);
     EXPECT_NEAR(down.advance(1, 0.1, kSpeed), std::pow(10, std::exp(-0.25)), 1e-4);
     EXPECT_FALSE(up.settled());

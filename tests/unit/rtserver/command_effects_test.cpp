@@ -1,4 +1,4 @@
-/// What commands do to the state and ask of the host, one after the other.
+/// The effects of commands on the state, and their requests to the host, one after the other.
 #include "command_room.h"
 
 #include "rtcore/io/text/scn.h"

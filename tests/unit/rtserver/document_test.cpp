@@ -1,4 +1,4 @@
-/// What is shown, and how its edits are noted. What moves by itself: walk_test.cpp.
+/// The document that is shown, and notes of its edits. Motion by itself: walk_test.cpp.
 #include "shown_room.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ rtcore::RenderSettings with(const rtcore::RenderSettings& settings, int width, i
 
 class DocumentTest : public test::ShownRoom {
   protected:
-    /// What the edit throws; "" when it does not.
+    /// The message of the error that the edit throws; "" when it does not.
     template <typename Error, typename Edit>
     static std::string refusal(Edit&& edit) {
         try {

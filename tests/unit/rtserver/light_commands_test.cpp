@@ -54,7 +54,7 @@ TEST_F(LightCommands, AddEachKind) {
         if (traits.position) {
             EXPECT_EQ(added.light.position, (Vec3{1, 2, 3}));
         }
-        // What a file could not say is never made.
+        // Lights that a file could not describe are never made.
         rtcore::SceneFile file = sceneFileOf(document);
         EXPECT_NO_THROW(rtcore::parseSceneFile(rtcore::formatSceneFile(file, "x.scn"), "x.scn"));
     }

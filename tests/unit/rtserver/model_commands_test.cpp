@@ -207,7 +207,7 @@ TEST_F(ModelCommands, AWrittenSceneNamesThem) {
     EXPECT_EQ(file.materials[1].number, 3) << "it has no name";
 }
 
-/// What a file says and what commands do is the same, bit for bit.
+/// Edits in a file and edits by commands give the same, bit for bit.
 TEST_F(ModelCommands, AWrittenSceneShowsTheSame) {
     std::ofstream(folder / "m.mtl") << "newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0.1 0.1 0.8\nKs 0.5 0.5 "
                                        "0.5\nNs 20\nillum 2\n";

@@ -1,5 +1,5 @@
-/// What is seen while a scene is edited, and while one walks on: after few frames it is the truth, whatever
-/// was edited. RT_EDITS sets how many edits (check-long.sh: 10,000, under sanitizers).
+/// Frames of a scene that is edited while one walks on: after a few of them they are right, whatever was
+/// edited. RT_EDITS sets how many edits (check-long.sh: 10,000, under sanitizers).
 #include "rtserver/frames/frame_maker.h"
 
 #include "shown_room.h"
@@ -99,7 +99,7 @@ TEST_F(RandomEdits, AreSeenWithinAFewFrames) {
     const char* const wanted = std::getenv("RT_EDITS");
     const int edits = wanted != nullptr ? std::atoi(wanted) : 60;
     constexpr int kFrames = 8;
-    // Of 10,000 one is above 0.12: a row of bright sky at the edge of the image that is not found at once.
+    // One of 10,000 is above 0.12: a row of bright sky at the edge of the image that is not found at once.
     constexpr double kMax = 0.2, kMaxMean = 0.01;
     state.frameSeconds = 0.03;
     document.assign({{"width", 100}, {"height", 70}});

@@ -1,5 +1,5 @@
-/// What is shown after edits and what the scene shows that is exported then: the same bits, and a state that
-/// goes on alike. RT_EDIT_STATES sets after how many random edits (check-long.sh: 200).
+/// A scene after edits and the scene that is exported then show the same bits, and have a state that goes on
+/// alike. RT_EDIT_STATES sets after how many random edits (check-long.sh: 200).
 #include "command_room.h"
 
 #include "common/commands/state_report.h"

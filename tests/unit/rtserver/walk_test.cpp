@@ -1,4 +1,4 @@
-/// What moves by itself: the walker, keys, paths that are recorded and played.
+/// Motion by itself: the walker, keys, paths that are recorded and played.
 #include "shown_room.h"
 
 #include "rtcore/io/recording/camera_list.h"

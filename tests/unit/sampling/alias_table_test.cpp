@@ -61,7 +61,7 @@ TEST(AliasTable, SamplesByItsProbabilities) {
         const double p = weights[i] / 10;
         EXPECT_NEAR(found[i], p * kSamples, 5 * std::sqrt(p * (1 - p) * kSamples) + 0.5) << i;
     }
-    // Of evenly spread bits each index gets its part to a few.
+    // Each index gets its part of evenly spread bits to a few.
     std::fill(found.begin(), found.end(), 0);
     for (std::uint32_t i = 0; i < 1024; ++i) ++found[sampleFrom(table, i << 22U)];
     for (std::size_t i = 0; i < weights.size(); ++i) EXPECT_NEAR(found[i], weights[i] * 102.4, 8) << i;

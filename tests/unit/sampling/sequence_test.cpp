@@ -89,7 +89,7 @@ TEST(Sequence, TwoPairsOfOnePathConverge) {
     }
 }
 
-/// Of u and v of one sequence with those of another, over all points of many pixels.
+/// The correlation of u or v of one sequence with u or v of another, over all points of many pixels.
 template <typename A, typename B>
 double greatestCorrelation(std::uint32_t count, A first, B second) {
     double uu = 0, uv = 0, vu = 0, vv = 0;

@@ -66,7 +66,7 @@ double overHemisphere(int side, Function f) {
     return sum;
 }
 
-/// What chi-square exceeds its mean by, in standard deviations.
+/// The excess of chi-square over its mean, in standard deviations.
 inline double chiSquareExcess(const std::vector<double>& found, const std::vector<double>& expected) {
     double sum = 0;
     int degrees = -1;

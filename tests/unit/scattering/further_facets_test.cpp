@@ -22,7 +22,7 @@ constexpr std::array kReflectances{1.0, 0.34, 0.5};
 constexpr std::size_t kColours = kReflectances.size(), kDiscs = 4;
 constexpr double kDiscRadius = 15; ///< degrees
 
-/// What a metal sends to the viewer, by kReflectances.
+/// The light that a metal sends to the viewer, by kReflectances.
 struct Sent {
     std::array<std::array<double, kColours>, kDiscs> ofDisc{}; ///< pi f cos, its mean over the disc
     std::array<double, kColours> ofEven{};                     ///< of even light of radiance 1
@@ -317,7 +317,7 @@ TEST(FurtherFacets, WalksFindTheValuesThatAreHeldHere) {
     }
 }
 
-// Of what is sent from a disc, and of the brightest disc, by which faint ones are measured.
+// To within parts of a disc's own light, and of the brightest disc's, by which faint ones are measured.
 TEST(FurtherFacets, DiscsAreAsBrightAsByWalks) {
     for (const Case& c : cases()) {
         const Sent sent = modelled(c.roughness, c.cosine);
@@ -341,7 +341,7 @@ TEST(FurtherFacets, AlbedosAreThoseOfWalks) {
     }
 }
 
-// Of any colour, for any roughness and viewer: and all that white metal lacks is put back.
+// For any colour, roughness and viewer: and all that white metal lacks is put back.
 TEST(FurtherFacets, NothingIsNegativeOrLost) {
     const auto expectAll = [](Vec3 v, float min, auto where) {
         EXPECT_GE(std::min({v.x, v.y, v.z}), min) << where[0] << ", " << where[1];

@@ -1,4 +1,4 @@
-// What environments throw on surfaces, against closed forms.
+// The light of environments on surfaces, against closed forms.
 #include "rtcore/math/octahedron-inl.h"
 #include "rtcore/scene/environment.h"
 #include "rtcore/scene/environment_light.h"

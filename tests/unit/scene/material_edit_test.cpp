@@ -147,7 +147,7 @@ TEST_F(MaterialEdits, LobesThatWouldExceedOneGiveWay) {
     EXPECT_LE(maxComponent(m.diffuse + m.specular), 1.000001F);
 }
 
-/// Of leaves with holes, nothing is one that is not; of glass with holes, what differs by rounding.
+/// Corners of leaves with holes are one only where they are equal; of glass with holes, up to rounding.
 TEST_F(MaterialEdits, WhatBecomesGlassWithHolesIsLookedAtAnew) {
     test::SceneBuilder b;
     Material leaf = test::matte(1);

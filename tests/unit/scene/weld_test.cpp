@@ -36,7 +36,7 @@ DisjointSets joinedByPairs(const std::vector<Vec3>& points, const Indices& which
     return sets;
 }
 
-/// What is one in `finer` is one in `coarser`.
+/// Whether points that are one in `finer` are one in `coarser`.
 bool isWithin(DisjointSets finer, DisjointSets coarser, std::size_t points) {
     for (std::uint32_t i = 0; i < points; ++i) {
         if (coarser.find(i) != coarser.find(finer.find(i))) return false;

@@ -1,4 +1,4 @@
-/// What is taken out of text of others before it is shown.
+/// Characters that are taken out of text of others before it is shown.
 #include "rtcore/settings/plain_text.h"
 
 #include <gtest/gtest.h>

@@ -210,7 +210,7 @@ TEST(Fog, TransmittanceIsTheIntegral) {
     }
 }
 
-/// Of a local light: the integral of density e^-tau / r^2, tau both ways.
+/// The light of a local light: the integral of density e^-tau / r^2, tau both ways.
 double lightByIntegration(const Case& c) {
     const auto point = [&](double t, int axis) {
         const float o[] = {c.origin.x, c.origin.y, c.origin.z};

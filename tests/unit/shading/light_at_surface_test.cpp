@@ -1,4 +1,4 @@
-// What one surface sends to the viewer: the lobes, normals, vertex colours, both sides, ambient light.
+// The light that one surface sends to the viewer: lobes, normals, vertex colours, both sides, ambient light.
 #include "support/small_scene.h"
 #include "support/steps.h"
 

@@ -17,7 +17,7 @@ using test::kPi;
 using test::SceneBuilder;
 using test::TracedScene;
 
-/// Of irradiance 1, from `to`, seen under an angle in degrees.
+/// A directional light of irradiance 1, from `to`, seen under an angle in degrees.
 Light sunFrom(Vec3 to, double degrees) {
     Light light;
     light.kind = LightKind::Directional;

@@ -33,7 +33,7 @@ struct Measured {
     double mean = 0, standardError = 0;
 };
 
-/// What a white surface at `target` shows, seen as many pixels from `eye`.
+/// The radiance of a white surface at `target`, seen from `eye` by kPixels pixels.
 Measured look(const TracedScene& s, Vec3 eye, Vec3 target, const RenderSettings& settings) {
     constexpr std::size_t kPixels = 1024;
     RayWave wave;

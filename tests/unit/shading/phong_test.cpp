@@ -83,7 +83,7 @@ TEST(RoughLobe, IsGgxOfRoughnessOne) {
     EXPECT_NEAR(roughLobe(1, 1), 1 / (4 * kPi), 1e-8);
 }
 
-/// What both lobes of an exponent of at most 1 give off.
+/// The albedo of both lobes of an exponent of at most 1.
 double roughAlbedo(float shininess, double degrees) {
     const double cosine = std::cos(degrees * kPi / 180);
     constexpr int kSteps = 100000;

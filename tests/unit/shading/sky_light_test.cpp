@@ -195,7 +195,7 @@ TEST(SkyLight, FollowsTheIntensity) {
     expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}), kWhite * 3, 1e-3F);
 }
 
-/// What a white floor shows below a pane that is as large as all that it sees, under a sky of radiance 2.
+/// The radiance of a white floor below a pane that covers all that it sees, under a sky of radiance 2.
 Colour underPane(const std::function<void(SceneBuilder&, Material&)>& make) {
     SceneBuilder b = openFloor(1);
     Material pane = test::glass(1); // no reflection

@@ -39,7 +39,7 @@
 #define RT_TESTS_FORMULAS_
 namespace rtcore {
 
-/// What the formulas of one kind take and give, at most.
+/// The largest numbers of inputs and outputs of the formulas of one kind.
 inline constexpr std::size_t kInputs = 16, kOutputs = 8 * kLightKinds;
 /// Numbers that are worked on at once.
 inline constexpr std::size_t kBlock = 64;
@@ -82,7 +82,7 @@ inline HdrImage someTexels(int width, int height) {
         image.pixels[i] = {static_cast<float>(i * i % 7), 1, static_cast<float>(i % 3)};
     return image;
 }
-/// Of an image of the sphere, or of a cube's faces.
+/// A sampler of an image of the sphere, or of a cube's faces.
 inline EnvironmentSampler samplerOf(Environment environment) {
     environment.turn(33, {0, 0.6F, 0.8F});
     EnvironmentSampler sampler;
@@ -161,7 +161,7 @@ HWY_INLINE void addLightDirection(Vec3Of<F> position, Vec3Of<F> d, F u, F v, Res
     out.add(lightDirectionDensity<kind, F>(light, position, d, distance));
 }
 
-/// What each kind of light sends to `position`; of area lights, the stratum with these u, v.
+/// Adds the light that each kind of light sends to `position`; of area lights, the stratum with these u, v.
 template <std::size_t i = 0, typename F>
 HWY_INLINE void addLights(bool areaLights, Vec3Of<F> position, F u, F v, Results<F>& out) {
     if constexpr (i < kLightKinds) {

@@ -31,7 +31,7 @@ Colour zenithOf(double elevation, float turbidity) {
     return sky.luminance(sky.height(1), sine(elevation));
 }
 
-/// Of the sky without the sun on level ground, lux.
+/// The illuminance of level ground by the sky without the sun, lux.
 double illuminanceOf(double elevation, float turbidity) {
     const ClearSky sky(sine(elevation), turbidity);
     constexpr int kRows = 90, kColumns = 180;

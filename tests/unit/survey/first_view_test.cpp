@@ -1,4 +1,4 @@
-// What a model is looked at as, and from where.
+// Whether a model is looked at as a room or an object, and from where.
 #include "rtcore/survey/default_view.h"
 #include "rtcore/survey/framing.h"
 #include "support/rooms.h"

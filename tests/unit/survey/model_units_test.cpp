@@ -1,4 +1,4 @@
-/// What is up and how long a unit is, guessed of made shapes. Of real models: tests/known_models.
+/// The up axis and the length of a unit, guessed of made shapes. Real models: tests/known_models.
 #include "rtcore/survey/model_units.h"
 
 #include "rtcore/accel/builder.h"

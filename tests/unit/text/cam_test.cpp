@@ -85,7 +85,7 @@ TEST(Cam, NamesLightsByTheirIdsInVersionTwo) {
               "x.cam:5:13: lights and lightsOff are both given");
 }
 
-/// What older programs can read is written for them.
+/// Files that older programs can read are written for them.
 TEST(Cam, IsOfVersionOneWithoutIds) {
     CameraFile file;
     EXPECT_TRUE(rtcore::formatCameraFile(file).starts_with("version = 1\n"));

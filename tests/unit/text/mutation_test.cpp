@@ -42,7 +42,7 @@ void expectSome(int readable) {
 TEST(Mutation, ScenesAreReadOrRefused) {
     expectSome(survivors("toml scn", 51, [](const std::string& text) {
         const rtcore::SceneFile scene = rtcore::parseSceneFile(text, "/s/x.scn");
-        // What was read can be written and read again.
+        // A scene that was read can be written and read again.
         rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "/s/x.scn"), "/s/x.scn");
     }));
 }

@@ -1,4 +1,4 @@
-/// What the tests of the text formats share.
+/// Parts shared by the tests of the text formats.
 #pragma once
 
 #include "rtcore/platform/error.h"

@@ -1,4 +1,4 @@
-// What a hostile file may ask of the parser: depth, size, time.
+// Bounds to what a hostile file may ask of the parser: depth, size, time.
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/io/text/toml_guard.h"

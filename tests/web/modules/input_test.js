@@ -1,11 +1,11 @@
-// What the keyboard holds and the wheel turns, and how it is told.
+// Keys that are held and turns of the wheel, and how they are told.
 import { equal } from "./expect.js";
 import { Held } from "./held.js";
 import { Input } from "./input.js";
 
 const after = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
-// What hands do is told at once, also while a key that is held waits to be told again.
+// Actions of the hands are told at once, also while a key that is held waits to be told again.
 export async function aHeldKeyDelaysNothing() {
     let last = null;
     const held = new Held((message) => {

@@ -1,7 +1,7 @@
 import { equal } from "./expect.js";
 import { Orbit } from "./orbit.js";
 
-// What hands do while an answer is on its way is told together, and in the order in which it makes sense.
+// Motions of the hand while an answer is on its way are told together, and in an order that makes sense.
 export async function aModelInTheHandNeverFallsBehind() {
     const asked = [], waiting = [];
     const picture = {

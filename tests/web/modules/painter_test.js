@@ -1,4 +1,4 @@
-// What is drawn of what comes, and what is acknowledged: the painter of the page, by itself.
+// Frames that are drawn, and frames that are acknowledged, by the painter of the page by itself.
 import { atMost, equal } from "./expect.js";
 import { Painter } from "./painter.js";
 
