@@ -1,4 +1,4 @@
-# Every package that the project uses, once. What is optional leaves one line in the feature summary when absent.
+# Every package that the project uses, once. Optional ones leave one line in the feature summary when absent.
 include(FeatureSummary)
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)

@@ -21,7 +21,7 @@ done
 mkdir -p "$pictures"
 work=$(mktemp -d)
 name=nave-$$
-mine=/tmp/pictures # what the dialogs show
+mine=/tmp/pictures # the folder that the dialogs show
 mkdir "$mine" 2>/dev/null || mine=$work
 export XDG_RUNTIME_DIR="$work" XDG_DATA_HOME="$work/data" XDG_CONFIG_HOME="$work/config" XDG_CACHE_HOME="$work/cache" QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
 Xvfb -displayfd 3 -screen 0 2400x1700x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &

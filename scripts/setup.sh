@@ -1,9 +1,9 @@
 #!/bin/sh
-# Installs the packages of packages.txt that are missing. Never removes one. Of cimg-dev the header alone is taken, with its
-# licence, into build/cimg: of what that package depends on (OpenCV and VTK, 1.3 GB) nothing is used.
+# Installs the packages of packages.txt that are missing. Never removes one. Of cimg-dev only the header is taken, with
+# its licence, into build/cimg: none of its dependencies (OpenCV and VTK, 1.3 GB) is used.
 #   scripts/setup.sh [--no-apt] [--tests] [--peers] [--services]
 # --no-apt: only say what is missing, and fail if anything is. --tests, --peers, --services: those of packages-tests.txt and
-# so on, too. What is installed is not started.
+# so on, too. Installed services are not started.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cimg=$here/../build/cimg

@@ -67,8 +67,8 @@ await_sanitized() {
     }
     trap - EXIT
 }
-# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. Of the longest ones
-# another quarter with each commit; check-long.sh runs all of them.
+# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. Each commit runs
+# another quarter of the longest ones; check-long.sh runs all of them.
 check_sanitized() {
     export RT_QUARTER="test_accel test_import test_kernels test_live test_render test_rtserver"
     commits=$(git rev-list --count HEAD 2>/dev/null || echo 0)

@@ -54,7 +54,7 @@ class Measured:
         return images.read_pfm(path), samples
 
     def errors(self, seconds, reference):
-        """relMSE without the worst 0.1 % of the pixels, and with them. What the reference lacks itself is taken off."""
+        """relMSE without the worst 0.1 % of the pixels, and with them. The reference's own error is taken off."""
         truth, behind = reference
         image, samples = self.image("%g" % seconds, seconds)
         own = 1 + samples / behind

@@ -31,7 +31,7 @@ def sibenik(folder, _work):
 
 
 def sponza(folder, _work):
-    """With its textures, in metres, under a sky, and a light in the court. What has holes in its texture is of one colour."""
+    """With its textures, in metres, under a sky, and a light in the court. Materials with holes are of one colour."""
     folder = os.path.join(folder, "sponza_crytek")
     scene = Scene((-11.0, 3.5, -0.4), (8.0, 3.5, 0.0), SQUARE, bounces=12, sky=evening_sky())
     corners, coordinates, numbers, names = geometry.read_obj(os.path.join(folder, "sponza.obj"))

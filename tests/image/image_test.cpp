@@ -86,7 +86,7 @@ std::string nameOf(const testing::TestParamInfo<fs::path>& info) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Picture, testing::ValuesIn(scenes()), nameOf);
 
 // One mesh in nine files. All carry positions and triangles; STL has neither shared normals nor texture, so
-// what is compared is the shape: plain grey, and smooth normals computed with one crease angle.
+// only the shape is compared: plain grey, and smooth normals computed with one crease angle.
 TEST(NineFiles, GiveTheSamePicture) {
     const char* const folder = std::getenv("RT_TEST_SCENES");
     if (folder == nullptr) GTEST_SKIP() << "skipped: RT_TEST_SCENES names no folder of models";

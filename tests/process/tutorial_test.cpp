@@ -1,5 +1,5 @@
 /// docs/tutorial.md, played: its commands as they stand there, in a new folder of a new user. Images are
-/// small unless RT_TUTORIAL_FULL is set. What the window is told to do, others try.
+/// small unless RT_TUTORIAL_FULL is set. The steps in the window are tried by tests/gui/tutorial_test.cpp.
 #include "process/sample_scene.h"
 #include "support/ipc_instance.h"
 

@@ -214,8 +214,8 @@ Shown shown(const rtcore::LoadedScene& loaded) {
     return {sum.mean / all, sum.black / all, sum.white / all, sum.albedo / all};
 }
 
-/// In the light of the first minute. What is white itself is shown lighter: plaster, and parts without a
-/// material. Black is what is black itself, too.
+/// In the light of the first minute. Surfaces that are white themselves are shown lighter: plaster, and parts
+/// without a material. Those that are black themselves are shown black, too.
 void expectGoodLight(const Shown& seen, bool inside) {
     EXPECT_GE(seen.mean, seen.albedo < 0.1 ? 20 : 70) << "albedo " << seen.albedo;
     EXPECT_LE(seen.mean, seen.albedo > 0.4 ? 236 : 190) << "albedo " << seen.albedo;

@@ -42,7 +42,7 @@ inline bool eventually(const std::function<bool()>& holds, Clock::duration withi
 struct ChildSettings {
     std::vector<std::pair<std::string, std::string>> environment = {}; ///< added to the test's
     std::size_t addressBytes = 0; ///< of address space that it gets; 0 = no limit
-    std::string outputFile = {};  ///< what it prints is added there; empty: it goes where the test's goes
+    std::string outputFile = {};  ///< its output is added there; empty: it goes where the test's goes
 };
 
 /// One process; killed by the destructor.

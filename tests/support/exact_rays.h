@@ -73,7 +73,7 @@ struct ExactContact {
     Contact contact = Contact::None;
     bool inside = false;        ///< by exact signs, edges included
     double tLow = 0, tHigh = 0; ///< equal but for triangles seen edge-on
-    double tError = 0;          ///< what rounding may add to or take from it
+    double tError = 0;          ///< the most that rounding may add to or take from it
 };
 
 class ExactRay {

@@ -23,7 +23,7 @@ struct ProgramResult {
     int exitCode = -1; ///< -1 when a signal ended it
     int signal = 0;    ///< the signal that ended it, 0 when it exited
     bool timedOut = false;
-    std::string output, error; ///< what it wrote to stdout and stderr
+    std::string output, error; ///< its stdout and stderr
 };
 
 struct ProgramSettings {

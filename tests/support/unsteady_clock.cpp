@@ -1,6 +1,6 @@
-/// The wall clock of a program is set by an hour, to and fro, right after each time that it was read: a
-/// library to be loaded before all others (LD_PRELOAD). What waits until a wall time that it computed waits
-/// an hour, or not at all. The kernel, which the steady clock and all sleeping belong to, does not notice.
+/// Sets the wall clock of a program by an hour, to and fro, right after each time that it was read: a library
+/// to be loaded before all others (LD_PRELOAD). A wait until a computed wall time takes an hour, or no time
+/// at all. The kernel, which the steady clock and all sleeping belong to, does not notice.
 #include <atomic>
 
 #include <dlfcn.h>

@@ -75,7 +75,7 @@ class BridgedServer : public testing::Test {
     Chromium* browser_ = nullptr;
     std::unique_ptr<ipc::Client> client_;
     std::string driverLink_, viewerLink_;
-    std::filesystem::path links_; ///< what the bridge printed
+    std::filesystem::path links_; ///< the file of the links that the bridge printed
     int bridges_ = 0, screenshots_ = 0;
 };
 

@@ -17,8 +17,8 @@ std::array<int, 2> makePipe() {
     return ends;
 }
 
-/// In the new process: the browser reads commands from 3 and writes answers to 4. What it leaves for the time
-/// of its run lies in its own folder.
+/// In the new process: the browser reads commands from 3 and writes answers to 4. Files for the time of its
+/// run lie in its own folder.
 void becomeBrowser(int commands, int answers, const std::filesystem::path& folder,
                    std::vector<std::string> words) {
     ::setpgid(0, 0);

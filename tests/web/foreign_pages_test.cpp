@@ -1,5 +1,5 @@
-// Pages of other origins cannot reach the bridge, wherever they come from. What the bridge's own policy would
-// forbid its page is allowed here: another site has no such policy.
+// Pages of other origins cannot reach the bridge, wherever they come from. Requests that the bridge's own
+// policy would forbid its page are allowed here: another site has no such policy.
 #include "web/bridged_server.h"
 
 namespace {

@@ -41,7 +41,7 @@ void press(WebClient& client, const InstantServer& server, bool rests, Reactions
 void measureRest(WebClient& client, const Bridge& bridge) {
     takeStill(client);
     sleepFor(2);
-    while (client.next(100ms)) { // what tells of the last frames
+    while (client.next(100ms)) { // messages on the last frames
     }
     constexpr double kRest = 5;
     const double cpu = bridge.cpu();

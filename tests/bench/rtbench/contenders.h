@@ -25,7 +25,7 @@ bool hasEmbree();
 std::string embreeName();
 
 /// Ours first. With `embree`: each of Embree's trees - default and high quality, robust - by single rays and
-/// by packets, flagged as coherent and as incoherent; held to rtcore::instructionSet(). What is passed must
+/// by packets, flagged as coherent and as incoherent; held to rtcore::instructionSet(). Tree and mesh must
 /// outlive them.
 std::vector<Contender> makeContenders(const rtcore::KdTree& tree, const rtcore::Mesh& mesh, bool embree);
 

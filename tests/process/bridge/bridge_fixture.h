@@ -86,7 +86,7 @@ class FakeServer {
         state_ = state;
         ++revision_;
     }
-    /// Another client's edit. Of pages, it counts `set`, and what `undo` takes back.
+    /// Another client's edit. The pages' `set` counts as one, too, and their `undo` takes one back.
     void edit(const std::string& label) {
         const std::lock_guard lock(mutex_);
         count(label, 0);

@@ -13,8 +13,8 @@ class Flooded : public Besieged {
     static constexpr double kRate = 50; ///< frames per second
     const std::vector<std::string> kLimited = {"--fps-limit=50"};
 
-    // Draws all the time, and answers everybody else at once. What processes take by running at all is no
-    // matter of the server.
+    // Draws all the time, and answers everybody else at once. The time that processes take by running at all
+    // is no matter of the server.
     void begin(int spinners = 0) {
         ASSERT_TRUE(stands(kLimited));
         client.emplace(troupe.instance.name());

@@ -115,7 +115,7 @@ class Packing : public LiveServer {
 
 struct Attack {
     const char* name;
-    const char* scene; ///< what is opened
+    const char* scene; ///< the file that is opened
     std::function<void(const fs::path& got)> prepare;
     std::string named = "/home/secret.key'"; ///< in the refusal
 };

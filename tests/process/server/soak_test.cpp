@@ -214,8 +214,8 @@ TEST_F(Soak, LeavesTheServerAsItWas) {
         EXPECT_EQ(sample.children, 0U);
         EXPECT_EQ(sample.names, 2U);
     }
-    // The allocator keeps some of what its threads once had, now more, now less; that settles in the first
-    // rounds. What is lost is missing even where it keeps least.
+    // The allocator keeps some of the memory that its threads once had, now more, now less; that settles in
+    // the first rounds. Lost memory is missing even where it keeps least.
     const auto quarter = static_cast<std::ptrdiff_t>(samples.size() / 4);
     constexpr std::size_t kSlack = 8'000'000;
     for (const auto part : {&Holdings::privateBytes, &Holdings::sharedBytes}) {

@@ -206,7 +206,7 @@ TEST_F(RoomOfPages, TellsTheDriverThatAnotherClientMovesTheCamera) {
         server().events.status(status);
     };
     server().events.status(status);
-    for (int i = 0; i < 6; ++i) { // what came before the page is not its own for ever
+    for (int i = 0; i < 6; ++i) { // changes from before the page are not its own for ever
         status.frameSeconds += 1e-6;
         server().events.status(status);
     }

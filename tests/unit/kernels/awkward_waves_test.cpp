@@ -410,7 +410,7 @@ TEST(AwkwardWaves, ThatEndOrBeginAtLargeWalls) {
 
 // Two large walls in one plane, the second of which begins at a plane of the tree: rays that hit both there
 // find the first in the nearer cell, but the leaf test's distance of the second may be the smaller one, by
-// more than planes are widened. What was hit must not hide it.
+// more than planes are widened. The hit of the first must not hide it.
 TEST(AwkwardWaves, WhereTwoLargeWallsCoincide) {
     Random random(33);
     for (int turn = 0; turn < 3; ++turn) { // which axis is which

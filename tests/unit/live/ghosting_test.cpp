@@ -27,7 +27,7 @@ Scene hall() {
     b.square({0, 2, -6}, {0, 0, 1}, 8, stone(0.5F));
     b.square({0, 2, 6}, {0, 0, -1}, 8, stone(0.6F));
     b.box({-0.4F, 0, -0.4F}, {0.4F, 4, 0.4F}, stone(0.6F));
-    for (int i = 0; i < 5; ++i) { // what throws shadows behind it
+    for (int i = 0; i < 5; ++i) { // blocks that throw shadows behind it
         const float x = -3 + 1.5F * static_cast<float>(i);
         b.box({x, 0, -4}, {x + 0.5F, 1 + 0.4F * static_cast<float>(i), -3.5F}, stone(0.5F));
     }

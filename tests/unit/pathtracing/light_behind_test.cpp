@@ -135,7 +135,7 @@ TEST(LightBehind, TintedSlabsArriveTintedOnce) {
     }
 }
 
-/// The fraction of even light that reaches a floor by a transmission that depends on the cosine.
+/// The fraction of even light that reaches a floor through a transmission that depends on the cosine.
 double passing(const std::function<double(float)>& transmission) {
     constexpr int kSteps = 4000;
     double sum = 0;

@@ -198,7 +198,7 @@ TEST(Bloom, AiryOfAFewPixelsHasNoNegativeLight) {
     for (const int sigma : {1, 2}) {
         const HdrImage bloom =
             withBloom(pointOfLight(81, 81, middle, middle, {1000, 1000, 1000}), sigma, BloomKernel::Airy);
-        const Sums sum = sumOf(bloom); // what was cut off below zero would be missing
+        const Sums sum = sumOf(bloom); // light cut off below zero would be missing
         EXPECT_NEAR(sum.g, 1000, 0.2) << sigma;
         EXPECT_NEAR(sum.b, 1000, 0.2) << sigma;
     }

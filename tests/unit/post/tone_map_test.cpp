@@ -74,7 +74,7 @@ TEST(ToneMapLuminance, KeepsTheRatiosOfDimColours) {
 }
 
 TEST(ToneMapLuminance, BlendsTowardsGreyWhereAChannelExceedsOne) {
-    const Colour before{1.548197F, 0.387049F, 0.096762F}; // what scaling alone gives
+    const Colour before{1.548197F, 0.387049F, 0.096762F}; // the result of scaling alone
     const float l = sigmoid(luminance({4, 1, 0.25F}), 1);
     EXPECT_NEAR(luminance(before), l, 1e-6);
     const Colour c = toneMapLuminance({4, 1, 0.25F}, 1);

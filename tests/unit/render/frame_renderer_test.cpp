@@ -415,7 +415,7 @@ TEST(RenderFrame, SaysWhatPixelsSee) {
     }
 }
 
-/// The point seen by the middle pixel, of a mirror 4 units from the eye and a wall 5 units before the mirror.
+/// The point that the middle pixel sees: a mirror 4 units from the eye, and a wall 5 units before the mirror.
 SeenPoint seenInMirror(float curvature) {
     test::SceneBuilder b;
     Material silvered = test::mirror(0.5F);

@@ -1,5 +1,5 @@
 // Scenes and settings of random numbers, and of numbers that are too large or none: nothing crashes, and
-// what is not finite is counted and spoils nothing else.
+// values that are not finite are counted and spoil nothing else.
 #include "random_scenes.h"
 
 #include "rtcore/render/path_renderer.h"

@@ -1,5 +1,5 @@
-/// Every command of the table by itself: its answer and what it changes, or how it is refused. What several
-/// do together: command_effects_test.cpp.
+/// Every command of the table by itself: its answer and its changes, or its refusal. Several commands
+/// together: command_effects_test.cpp.
 #include "command_room.h"
 
 #include "common/commands/command_lookup.h"

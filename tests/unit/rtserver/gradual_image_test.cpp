@@ -41,7 +41,7 @@ class Gradual : public testing::Test {
     rtcore::RenderSettings settings;
     rtcore::Frame before = frameOf(kSide / 2, 0.1F);
     HdrImage after{kSide, kSide, {2, 2, 2}};
-    float exposure = 1, brightening = 0; ///< what is given, and what is told
+    float exposure = 1, brightening = 0; ///< the one it is given, the one it tells
     rtserver::GradualImage::Clock::time_point now;
     rtserver::GradualImage image;
 };

@@ -77,8 +77,8 @@ double errorOfTwoPairs(std::uint32_t samples, std::uint32_t images) {
 }
 
 TEST(Sequence, TwoPairsOfOnePathConverge) {
-    // Independent samples: sqrt((1 / p - 1) / n), p = pi / 8. What is left is the interaction of the pairs,
-    // with the variance (pi / 4 - pi^2 / 16) / 4: .42 of the independent deviation. 1000 images tell it to
+    // Independent samples: sqrt((1 / p - 1) / n), p = pi / 8. The interaction of the pairs is left, with the
+    // variance (pi / 4 - pi^2 / 16) / 4: .42 of the independent deviation. 1000 images tell it to
     // 1 / sqrt(2000), 5 sigma are 11 %; errors of the pairs by themselves add 12 % at most from 256 points
     // on.
     for (const std::uint32_t samples : {256U, 1024U}) {

@@ -18,9 +18,9 @@ class Microsurface {
   public:
     explicit Microsurface(double roughness) : alpha_(roughness * roughness) {}
 
-    /// Follows a path from the viewer into the surface until it leaves. Of each facet that it meets,
-    /// `meet(back, below, cosine)` is told the direction back, the height as free() takes it, and the cosine
-    /// at which it is mirrored there.
+    /// Follows a path from the viewer into the surface until it leaves. Calls `meet(back, below, cosine)` for
+    /// each facet that it meets: the direction back, the height as free() takes it, and the cosine at which
+    /// it is mirrored there.
     template <typename Meet>
     void walk(rtcore::Vec3d toViewer, Random& random, Meet meet) const {
         constexpr int kMax = 200;

@@ -90,7 +90,7 @@ TEST(FogScene, ThereIsNoneInsideOfSolids) {
     };
     EXPECT_NEAR(seen(10, false), through(2, 10 * 0.05), 1e-4);
     EXPECT_NEAR(seen(1, false), through(2, 19 * 0.05), 1e-4);
-    EXPECT_NEAR(seen(10, true), through(2, 5 * 0.05), 1e-4); // what is cast into it
+    EXPECT_NEAR(seen(10, true), through(2, 5 * 0.05), 1e-4); // an object cast into the glass
 }
 
 /// A floor under a light 4 above it, seen from 3 above it: where it reflects all.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// The code that renders, for one point.
+/// The renderer's sample of the light, for one point.
 HWY_NAMESPACE::LightSample<float> illuminate(const Light& light, Vec3 position) {
     switch (light.kind) {
     case LightKind::Directional:

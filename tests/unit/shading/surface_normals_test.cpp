@@ -65,7 +65,7 @@ TEST(SurfaceNormals, AFaceWithItsCornersInTheWrongOrderIsLitFromOutside) {
 
 TEST(SurfaceNormals, NoOcclusionRayEntersTheWall) {
     SceneBuilder b = floorWith({1, -0.02F, 0}, test::matte(1));
-    b.box({-60, -60, -60}, {60, -0.01F, 60}, b.material(test::matte(1))); // what is in the wall
+    b.box({-60, -60, -60}, {60, -0.01F, 60}, b.material(test::matte(1))); // the inside of the wall
     const TracedScene s(b.finish());
     RenderSettings settings = test::exactSettings();
     settings.ambientOcclusion.on = true;

@@ -96,7 +96,7 @@ TEST(TextureWraps, Mirror) {
                 EXPECT_NEAR(at(same), at(u), 1e-4F) << same;
             }
         }
-        EXPECT_EQ(at(0), 0); // what lies beyond the edge is the edge
+        EXPECT_EQ(at(0), 0); // the texel beyond the edge is that of the edge
         EXPECT_FLOAT_EQ(at(1), 3);
         EXPECT_TRUE(std::isfinite(at(-std::numeric_limits<float>::infinity())));
     }

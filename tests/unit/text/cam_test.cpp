@@ -85,7 +85,7 @@ TEST(Cam, NamesLightsByTheirIdsInVersionTwo) {
               "x.cam:5:13: lights and lightsOff are both given");
 }
 
-/// Files that older programs can read are written for them.
+/// Files are written for older programs where these can read them.
 TEST(Cam, IsOfVersionOneWithoutIds) {
     CameraFile file;
     EXPECT_TRUE(rtcore::formatCameraFile(file).starts_with("version = 1\n"));

@@ -1,4 +1,4 @@
-// Frames that are drawn, and frames that are acknowledged, by the painter of the page by itself.
+// The painter of the page by itself: the frames that it draws, and those that it acknowledges.
 import { atMost, equal } from "./expect.js";
 import { Painter } from "./painter.js";
 
