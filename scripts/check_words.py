@@ -12,6 +12,7 @@ CODE = r"\.(cpp|h)$"
 DOCS = r"\.(md|ts)$"
 ALL = r"\.(cpp|h|md|ts|txt|cmake|in|desktop|xml)$"
 SOURCES = r"\.(cpp|h|js)$"
+COMMENTED = r"(\.(cpp|h|js|py|sh|cmake)|CMakeLists\.txt)$"
 # Sources in which no word has another sense; the window and the bridge share and draw what is not sampled.
 MEASURED = r"^(libs|apps/(common|renderer|rtserver)|tests/(unit|support|bench|trees|walks|oracle|image))/.*\.(cpp|h)$"
 SAMPLED = r"^(libs/rtcore|tests/unit)/(lights|pathtracing|sampling|scattering|shading)/.*\.(cpp|h)$"
@@ -48,6 +49,8 @@ BANNED = (
     (r"\b(stoodFor|guessUpAndUnit|[Ss]eenPlaces?)\b|\brtcore::UpAndUnit\b",
      "hasProxyLight, ModelUnits, VisiblePoint", ALL),
     (r"\b(Light|Request|rtcore::|rtserver::)Surroundings\b", "LightingOptions, RequestContext, SceneExtent, services", ALL),
+    # Questions may.
+    (r"^\s*(///?|#|/\*\*|\*) (What|Of) (?!.*\?\s*(\*/)?$)", "in a comment what the thing is, by its noun", COMMENTED),
     (r"\b(LookLights|lookNamed|kLookNames)\b|\brtcore::Look\b", "LightingPreset, PresetLighting", ALL),
 )
 
