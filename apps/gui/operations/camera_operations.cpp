@@ -5,6 +5,7 @@
 #include "gui/models/output_file.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/session/server_sentence.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
@@ -80,7 +81,8 @@ void CameraOperations::importCamera() {
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         context_.preferences.set(pref::cameraFolder, QFileInfo(path).absolutePath());
         context_.editor.edit(command::loadCamera(path.toStdString()), [this](const Answer& answer) {
-            if (!answer.done) context_.notice.explain(answer.text, {});
+            const QString trouble = answer.done ? serverText(answer.text, answer.detail) : answer.text;
+            if (!trouble.isEmpty()) context_.notice.explain(trouble, {});
         });
     });
     dialog->open();
@@ -141,6 +143,8 @@ void CameraOperations::paste() {
     const std::string text = QGuiApplication::clipboard()->text().toStdString();
     context_.editor.edit(command::cameraPaste(text), [this](const Answer& answer) {
         context_.view.tell(answer.done ? tr("The camera was pasted.") : tr("The clipboard holds no camera."));
+        if (answer.done && !answer.text.isEmpty())
+            context_.notice.explain(serverText(answer.text, answer.detail), {});
     });
 }
 

@@ -79,9 +79,7 @@ void LookOperations::focusAt(const QPointF& position) {
     const auto fraction = [](double value) { return std::clamp((1 + value) / 2, 0.0, 1.0); };
     const std::string line = command::focus(fraction(point->x()), fraction(-point->y()));
     context_.editor.edit(line, [this](const Answer& answer) {
-        if (answer.done) return;
-        const bool nothing = answer.text.contains(QLatin1String("nothing"));
-        context_.view.tell(nothing ? tr("There is nothing there to focus on.") : answer.text);
+        if (!answer.done) context_.view.tell(answer.text);
     });
 }
 

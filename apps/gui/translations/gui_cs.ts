@@ -2226,10 +2226,6 @@ Alt+%2</translation>
 <context>
     <name>gui::LookOperations</name>
     <message>
-        <source>There is nothing there to focus on.</source>
-        <translation>Není tam nic, na co by se dalo zaostřit.</translation>
-    </message>
-    <message>
         <source>Field of view %1</source>
         <translation>Úhel záběru %1</translation>
     </message>

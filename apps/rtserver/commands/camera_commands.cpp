@@ -194,9 +194,9 @@ Result reset(const Call& call) {
 
 Result paste(const Call& call) {
     const std::filesystem::path pasted = "the pasted text"; // in messages
-    const std::string warning =
-        call.document().applyCameraFile(rtcore::parseCameraFile(call[0], pasted), pasted);
-    return {.answer = warning.empty() ? warning : "warning: " + warning};
+    const Answer answer =
+        warningAnswer(call.document().applyCameraFile(rtcore::parseCameraFile(call[0], pasted), pasted));
+    return {.answer = answer.text, .detail = answer.detail};
 }
 
 // The angle of the image that is shown, whatever aspect its author framed.

@@ -2,6 +2,7 @@
 
 #include "common/cli/command_line.h"
 
+#include "rtcore/io/text/sentence_json.h"
 #include "rtcore/motion/key_codes.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
@@ -31,6 +32,12 @@ std::filesystem::path pathOf(const std::string& text) {
     if (!path.is_absolute())
         throw app::UsageError(rtcore::say("the path {0} is not absolute", rtcore::inQuotes(text)));
     return path;
+}
+
+Answer warningAnswer(const rtcore::Sentence& warning) {
+    if (warning.empty()) return {};
+    const rtcore::Sentence told = rtcore::say("warning: {0}", warning);
+    return {told.english(), rtcore::sentenceJson(told)};
 }
 
 void refuseInput(const app::InputFiles& inputs, const std::filesystem::path& path,

@@ -6,6 +6,8 @@
 
 #include "common/cli/input_files.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -51,6 +53,9 @@ bool flag(const std::string& text); ///< on, off
 int keyOf(const std::string& name);
 /// The server's own folder says nothing to a client: absolute paths only.
 std::filesystem::path pathOf(const std::string& text);
+
+/// The answer that tells a warning; none where it is empty.
+Answer warningAnswer(const rtcore::Sentence& warning);
 
 /// Refuses to write over one of `inputs`, from which the shown scene was read; but a description may replace
 /// another of its kind, which has the extension `replaces`. Throws app::UsageError.

@@ -66,8 +66,7 @@ Served CommandService::serveOne(const ipc::Command& command) {
 }
 
 // The answer, if it is there. `served` stays Done where it comes later without the command.
-std::optional<CommandService::Answer> CommandService::begin(const ipc::Command& command, Result result,
-                                                            Served& served) {
+std::optional<Answer> CommandService::begin(const ipc::Command& command, Result result, Served& served) {
     switch (result.when) {
     case ReplyWhen::Done:
         return Answer{std::move(result.answer), std::move(result.detail)};
@@ -96,7 +95,7 @@ std::optional<CommandService::Answer> CommandService::begin(const ipc::Command& 
 
 void CommandService::finishSideWork() {
     for (const SideWork::Done& done : sideWork_.takeDone()) {
-        answerBy(done.command, [&] { return std::optional(Answer{done.finish()}); });
+        answerBy(done.command, [&] { return std::optional(done.finish()); });
         commands_.resume(done.command.client);
     }
     // A client that has left, by Ctrl-C for example, takes no answer any more.
@@ -104,7 +103,7 @@ void CommandService::finishSideWork() {
         return command.wantsAnswer && !services_.replies.isConnected(command);
     });
     for (const SideWork::Done& done : longWork_.takeDone())
-        answerBy(done.command, [&] { return std::optional(Answer{done.finish()}); });
+        answerBy(done.command, [&] { return std::optional(done.finish()); });
 }
 
 // --- Answering ---

@@ -70,9 +70,6 @@ class CommandService {
     Arrivals addDuringFrame(std::vector<ipc::Command> commands);
 
   private:
-    struct Answer {
-        std::string text, detail = {};
-    };
     using Act = std::function<std::optional<Answer>()>;
 
     Served serveOne(const ipc::Command& command);

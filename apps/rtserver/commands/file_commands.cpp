@@ -37,8 +37,7 @@ Result loadCamera(const Call& call) {
     return {.when = ReplyWhen::Beside,
             .work = [path = pathOf(call[0]), &document = call.document()]() -> Finish {
                 return [path, &document, file = rtcore::readCameraFile(path)] {
-                    const std::string warning = document.applyCameraFile(file, path);
-                    return warning.empty() ? warning : "warning: " + warning;
+                    return warningAnswer(document.applyCameraFile(file, path));
                 };
             }};
 }

@@ -16,8 +16,15 @@
 
 namespace rtserver {
 
+/// An answer to a client, and the same for programs (ipc::Reply), "" where they need nothing but the text.
+struct Answer {
+    Answer(std::string told = {}, std::string forPrograms = {})
+        : text(std::move(told)), detail(std::move(forPrograms)) {}
+    std::string text, detail;
+};
+
 /// In the server's thread, when the work is over; gives the answer. Both may throw what a command may throw.
-using Finish = std::function<std::string()>;
+using Finish = std::function<Answer()>;
 /// In a thread of its own: owns what it uses.
 using Work = std::function<Finish()>;
 /// Set by the server's thread: the work is wanted no more, and ends soon. May be null.

@@ -152,10 +152,11 @@ void Document::moveCamera(const rtcore::Camera& camera) {
     camera_ = camera;
 }
 
-std::string Document::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
+rtcore::Sentence Document::applyCameraFile(const rtcore::CameraFile& file,
+                                           const std::filesystem::path& path) {
     const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
     rtcore::Scene edited = *scene_;
-    std::string warning = app::applyCameraToScene(file, path, edited).english();
+    rtcore::Sentence warning = app::applyCameraToScene(file, path, edited);
     setSettings(app::mergeSettings({.scene = now, .camera = &file}));
     publish(std::move(edited));
     placeCamera(file.camera);

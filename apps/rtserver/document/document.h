@@ -86,8 +86,8 @@ class Document {
     /// No edit: where the walk has come to.
     void moveCamera(const rtcore::Camera& camera);
     /// Looks through a .cam and takes over what else it says; `path` is for messages. Returns a warning of
-    /// what does not suit the scene, or "". Throws FileError, with nothing changed.
-    std::string applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path);
+    /// what does not suit the scene, or an empty one. Throws FileError, with nothing changed.
+    rtcore::Sentence applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path);
     /// The scene's own, as its file is to have them.
     const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }
     void setBookmarks(rtcore::SceneBookmarks bookmarks);

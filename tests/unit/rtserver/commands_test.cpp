@@ -196,7 +196,7 @@ TEST_P(ACommand, AnswersAndChangesWhatItSays) {
         EXPECT_EQ(changes(), Changes{}) << "only when the files are read";
         const Finish finish = result.work();
         EXPECT_EQ(changes(), Changes{}) << "not in a thread of its own";
-        result.answer = finish();
+        result.answer = finish().text;
     }
     EXPECT_EQ(result.answer.empty(), expected.answer.empty()) << result.answer;
     EXPECT_NE(result.answer.find(expected.answer), std::string::npos) << result.answer;

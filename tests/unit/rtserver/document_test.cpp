@@ -204,7 +204,7 @@ TEST_F(DocumentTest, ACamFileSaysMoreThanTheView) {
     file.width = 40;
     file.lights = {false, true};
     file.environment = 1;
-    EXPECT_EQ(document.applyCameraFile(file, "a.cam"), "");
+    EXPECT_EQ(document.applyCameraFile(file, "a.cam").english(), "");
     EXPECT_EQ(changes(), (Changes{Change::View, Change::Light, Change::Sky, Change::Setting}));
     EXPECT_EQ(document.camera().eye.x, 1);
     EXPECT_EQ(document.settings().width, 40);
@@ -213,7 +213,7 @@ TEST_F(DocumentTest, ACamFileSaysMoreThanTheView) {
     EXPECT_EQ(environment(), 1);
     file.lights = {false, true, true};
     file.camera.eye.x = 2;
-    EXPECT_EQ(document.applyCameraFile(file, "a.cam"),
+    EXPECT_EQ(document.applyCameraFile(file, "a.cam").english(),
               "a.cam switches 3 lights, but the scene has 2; these stay as they are");
     EXPECT_EQ(changes(), Changes{Change::View});
 }
@@ -225,7 +225,7 @@ TEST_F(DocumentTest, ACamFileWithoutRoomForItsFramesChangesNothing) {
     file.width = 40;
     file.lights = {false, true};
     full = true;
-    EXPECT_THROW(document.applyCameraFile(file, "a.cam"), rtcore::FileError);
+    EXPECT_THROW(document.applyCameraFile(file, "a.cam").english(), rtcore::FileError);
     EXPECT_EQ(document.scene(), scene);
     EXPECT_EQ(document.settings().width, 32);
     EXPECT_EQ(document.camera().eye.x, 0);

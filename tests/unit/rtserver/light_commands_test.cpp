@@ -125,7 +125,7 @@ TEST_F(LightCommands, CamerasNameLightsByTheirIds) {
     EXPECT_EQ(file.lightsOff, (std::vector<int>{2}));
     answer("light remove 3");
     answer("light 2 on");
-    EXPECT_EQ(document.applyCameraFile(file, "a.cam"),
+    EXPECT_EQ(document.applyCameraFile(file, "a.cam").english(),
               "a.cam names lights that the scene lacks (3); these stay as they are");
     EXPECT_EQ(answer("lights"), "2 off");
 }

@@ -34,7 +34,7 @@ TEST(SideWork, GivesWhatTheWorkGaveOrThrew) {
     std::vector<SideWork::Done> done = work.takeDone();
     ASSERT_EQ(done.size(), 2U);
     EXPECT_EQ(done[0].command.sequence, 1U);
-    EXPECT_EQ(done[0].finish(), "12 frames");
+    EXPECT_EQ(done[0].finish().text, "12 frames");
     EXPECT_THROW(done[1].finish(), std::runtime_error);
     EXPECT_FALSE(work.underWay());
     while (rtserver::tasksAtWork() > 0) std::this_thread::yield();
