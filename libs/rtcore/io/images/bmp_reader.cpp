@@ -1,8 +1,6 @@
 #include "rtcore/io/images/byte_reader.h"
 #include "rtcore/io/images/codecs.h"
 
-#include <fmt/core.h>
-
 #include <bit>
 
 namespace rtcore {
@@ -101,8 +99,7 @@ void checkKind(const BmpHeader& h, const std::string& name) {
         break;
     }
     if (!fits) {
-        badImage(name,
-                 fmt::format("BMP of an unknown kind ({} bits, compression {})", h.bits, h.compression));
+        badImage(name, say("BMP of an unknown kind ({0} bits, compression {1})", h.bits, h.compression));
     }
 }
 

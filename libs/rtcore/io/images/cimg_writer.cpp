@@ -44,7 +44,7 @@ Planes toPlanes(const LdrImage& image, bool alpha) {
 
 Bytes contentOf(std::FILE* file, const std::string& name) {
     const long size = std::fflush(file) == 0 && std::ferror(file) == 0 ? std::ftell(file) : -1;
-    if (size < 0) cannotEncode(name, std::string("the folder for temporary files: ") + std::strerror(errno));
+    if (size < 0) cannotEncode(name, say("the folder for temporary files: {0}", systemReason(errno)));
     Bytes bytes(static_cast<std::size_t>(size));
     std::rewind(file);
     if (std::fread(bytes.data(), 1, bytes.size(), file) != bytes.size()) {
@@ -57,11 +57,11 @@ Bytes contentOf(std::FILE* file, const std::string& name) {
 template <typename Save>
 Bytes throughCImg(const LdrImage& image, bool alpha, const std::string& name, Save save) {
     const File file(std::tmpfile());
-    if (!file) cannotEncode(name, std::string("no temporary file: ") + std::strerror(errno));
+    if (!file) cannotEncode(name, say("no temporary file: {0}", systemReason(errno)));
     try {
         save(toPlanes(image, alpha), file.get());
     } catch (const cimg_library::CImgException& error) {
-        cannotEncode(name, error.what());
+        cannotEncode(name, std::string(error.what()));
     }
     return contentOf(file.get(), name);
 }

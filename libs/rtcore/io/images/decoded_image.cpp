@@ -2,8 +2,6 @@
 
 #include "rtcore/platform/sentence.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -104,19 +102,19 @@ void cannotEncode(const std::string& name, const Sentence& message) {
 }
 
 void checkImageSize(const std::string& name, std::int64_t width, std::int64_t height) {
-    const std::string size = fmt::format("{} x {} pixels", width, height);
-    if (width < 1 || height < 1) badImage(name, fmt::format("the image is empty ({})", size));
+    if (width < 1 || height < 1) badImage(name, say("the image is empty ({0} x {1} pixels)", width, height));
     if (width > kMaxImageSide || height > kMaxImageSide ||
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
-        badImage(name, fmt::format("the image is too large ({}); the most is {} a side and {} megapixels",
-                                   size, kMaxImageSide, kMaxImagePixels >> 20U));
+        badImage(name,
+                 say("the image is too large ({0} x {1} pixels); the most is {2} a side and {3} megapixels",
+                     width, height, kMaxImageSide, kMaxImagePixels >> 20U));
     }
 }
 
 void checkPlausible(const std::string& name, std::size_t pixels, std::size_t bytes,
                     std::size_t maxPixelsPerByte) {
     if (pixels / maxPixelsPerByte > bytes) {
-        badImage(name, fmt::format("the file is too short for the {} pixels that its header names", pixels));
+        badImage(name, say("the file is too short for the {0} pixels that its header names", pixels));
     }
 }
 

@@ -3,8 +3,6 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -30,9 +28,9 @@ HdrImage readRadiances(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void wrongShape(const std::filesystem::path& path, const HdrImage& image,
-                             const std::string& expected) {
+                             const Sentence& expected) {
     throw FileError(FailureKind::BadData, path.string(),
-                    fmt::format("the image has {} x {} pixels; {}", image.width, image.height, expected));
+                    say("the image has {0} x {1} pixels; {2}", image.width, image.height, expected));
 }
 
 bool hasShape(const HdrImage& image, int columns, int rows) {
@@ -98,7 +96,7 @@ Environment loadCubeFaces(const std::array<std::filesystem::path, 6>& paths) {
         const int n = faces[0].width;
         if (faces[i].width != n || faces[i].height != n) {
             wrongShape(paths[i], faces[i],
-                       fmt::format("the faces of a cube are squares of one size, here {} a side", n));
+                       say("the faces of a cube are squares of one size, here {0} a side", n));
         }
     }
     return Environment::fromCube(std::move(faces), paths[0].stem().string());

@@ -80,8 +80,8 @@ bool isGrey(const Imf::ChannelList& channels, const std::string& name) {
         for (auto c = channels.begin(); c != channels.end() && list.size() < 200; ++c) {
             list += list.empty() ? c.name() : std::string(", ") + c.name();
         }
-        badImage(name,
-                 "EXR needs the channels R, G and B, or Y alone; it has " + (list.empty() ? "none" : list));
+        if (list.empty()) badImage(name, "EXR needs the channels R, G and B, or Y alone; it has none");
+        badImage(name, say("EXR needs the channels R, G and B, or Y alone; it has {0}", list));
     }
     for (auto c = channels.begin(); c != channels.end(); ++c) {
         const bool used = colour ? std::strlen(c.name()) == 1 && std::strchr("RGB", c.name()[0]) != nullptr
@@ -145,7 +145,7 @@ DecodedImage decodeExr(ByteSpan bytes, const std::string& name) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        badImage(name, std::string("damaged EXR: ") + error.what());
+        badImage(name, say("damaged EXR: {0}", std::string(error.what())));
     }
 }
 
@@ -179,7 +179,7 @@ Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels,
         }
         return std::move(output.bytes);
     } catch (const std::exception& error) {
-        cannotEncode(name, std::string("EXR: ") + error.what());
+        cannotEncode(name, say("{0}: {1}", std::string("EXR"), std::string(error.what())));
     }
 }
 

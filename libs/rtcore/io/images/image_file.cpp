@@ -4,8 +4,6 @@
 #include "rtcore/io/images/image_format.h"
 #include "rtcore/platform/files.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <new>
 #include <string_view>
@@ -30,8 +28,7 @@ void checkEncodable(const Image<Pixel>& image, const std::string& name) {
                        image.height <= kMaxImageSide && image.pixels.size() <= kMaxImagePixels;
     if (!sized || image.pixels.size() !=
                       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
-        cannotEncode(name,
-                     fmt::format("an image of {} x {} pixels cannot be written", image.width, image.height));
+        cannotEncode(name, say("an image of {0} x {1} pixels cannot be written", image.width, image.height));
     }
 }
 
@@ -45,7 +42,7 @@ Bytes encodeHdr(const HdrImage& image, const FormatName* target, Texts texts, co
 }
 
 Bytes encodeLdr(const LdrImage& image, const FormatName* target, Texts texts, const std::string& name) {
-    if (target == nullptr) cannotEncode(name, "unknown image format; known are " + writableFormats());
+    if (target == nullptr) cannotEncode(name, say("unknown image format; known are {0}", writableFormats()));
     checkEncodable(image, name);
     const ImageCodec& codec = target->codec;
     if (codec.encode != nullptr) return codec.encode(image, texts, *target, name);

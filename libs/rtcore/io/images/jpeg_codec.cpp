@@ -136,7 +136,7 @@ class JpegReader {
         return true;
     }
     [[noreturn]] void fail() const {
-        badImage(name_, std::string("damaged JPEG: ") + errors_.message.data());
+        badImage(name_, say("damaged JPEG: {0}", std::string(errors_.message.data())));
     }
 
     ByteSpan bytes_;
@@ -200,7 +200,9 @@ class JpegWriter {
         jpeg_finish_compress(&info_);
         return true;
     }
-    [[noreturn]] void fail() const { cannotEncode(name_, std::string("JPEG: ") + errors_.message.data()); }
+    [[noreturn]] void fail() const {
+        cannotEncode(name_, say("{0}: {1}", std::string("JPEG"), std::string(errors_.message.data())));
+    }
 
     const std::string& name_;
     jpeg_compress_struct info_{};

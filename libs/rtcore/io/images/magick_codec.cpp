@@ -40,7 +40,7 @@ bool rareWritable(const std::string& magickName) {
 DecodedImage decodeRare(ByteSpan bytes, const std::string& name) {
     const std::string coder = sniffRareFormat(bytes);
     if (!rareReadable(coder))
-        badImage(name, "ImageMagick cannot read " + coder + " here; convert the file to PNG");
+        badImage(name, say("ImageMagick cannot read {0} here; convert the file to PNG", coder));
     try {
         const Magick::Blob blob(bytes.data(), bytes.size());
         Magick::Image picture;
@@ -59,13 +59,13 @@ DecodedImage decodeRare(ByteSpan bytes, const std::string& name) {
                       image.pixels.data());
         return image;
     } catch (const Magick::Exception& error) {
-        badImage(name, "damaged " + coder + ": " + error.what());
+        badImage(name, say("damaged {0}: {1}", coder, std::string(error.what())));
     }
 }
 
 Bytes encodeRare(const LdrImage& image, const std::string& name, const std::string& magickName) {
     if (!rareWritable(magickName))
-        cannotEncode(name, "ImageMagick cannot write " + magickName + " here; use .png");
+        cannotEncode(name, say("ImageMagick cannot write {0} here; use .png", magickName));
     try {
         Magick::Image picture(static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height),
                               "RGBA", Magick::CharPixel, image.pixels.data());
@@ -78,7 +78,7 @@ Bytes encodeRare(const LdrImage& image, const std::string& name, const std::stri
         if (data == nullptr || blob.length() == 0) cannotEncode(name, "ImageMagick wrote nothing");
         return {data, data + blob.length()};
     } catch (const Magick::Exception& error) {
-        cannotEncode(name, error.what());
+        cannotEncode(name, std::string(error.what()));
     }
 }
 
@@ -93,11 +93,11 @@ bool rareReadable(const std::string& /*magickName*/) { return false; }
 bool rareWritable(const std::string& /*magickName*/) { return false; }
 
 DecodedImage decodeRare(ByteSpan bytes, const std::string& name) {
-    badImage(name, "this build cannot read " + sniffRareFormat(bytes) + "; convert the file to PNG");
+    badImage(name, say("this build cannot read {0}; convert the file to PNG", sniffRareFormat(bytes)));
 }
 
 Bytes encodeRare(const LdrImage& /*image*/, const std::string& name, const std::string& magickName) {
-    cannotEncode(name, "this build cannot write " + magickName + "; use .png");
+    cannotEncode(name, say("this build cannot write {0}; use .png", magickName));
 }
 
 } // namespace rtcore

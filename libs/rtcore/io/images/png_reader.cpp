@@ -18,14 +18,14 @@ class PngReader {
         : bytes_(bytes), name_(name),
           png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, onError, onWarning)),
           info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
-        if (info_ == nullptr) fail("libpng cannot be started");
+        if (info_ == nullptr) fail(form("libpng cannot be started"));
     }
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
 
     DecodedImage read() {
-        if (!readHeader()) fail(message_.data());
+        if (!readHeader()) fail(std::string(message_.data()));
         checkImageSize(name_, width_, height_);
         // Deflate never packs more than 1032 bytes into one.
         checkPlausible(name_, static_cast<std::size_t>(height_) * storedRowBytes_, bytes_.size(), 1040);
@@ -37,11 +37,11 @@ class PngReader {
     template <typename Pixel>
     DecodedImage readInto(Image<Pixel> image) {
         const std::size_t rowBytes = static_cast<std::size_t>(width_) * sizeof(Pixel);
-        if (rowBytes_ != rowBytes) fail("unexpected row size");
+        if (rowBytes_ != rowBytes) fail(form("unexpected row size"));
         rows_.resize(height_);
         auto* data = reinterpret_cast<png_bytep>(image.pixels.data());
         for (std::size_t y = 0; y < rows_.size(); ++y) rows_[y] = data + y * rowBytes;
-        if (!readPixels()) fail(message_.data());
+        if (!readPixels()) fail(std::string(message_.data()));
         return image;
     }
 
@@ -76,7 +76,9 @@ class PngReader {
         return true;
     }
 
-    [[noreturn]] void fail(const std::string& message) const { badImage(name_, "damaged PNG: " + message); }
+    [[noreturn]] void fail(const Sentence& problem) const {
+        badImage(name_, say("damaged PNG: {0}", problem));
+    }
 
     static void onRead(png_structp png, png_bytep target, std::size_t count) {
         auto& self = *static_cast<PngReader*>(png_get_io_ptr(png));

@@ -50,7 +50,7 @@ struct RadianceHeader {
 
 void readSetting(const std::string& line, RadianceHeader& h, const std::string& name) {
     if (line.rfind("FORMAT=", 0) == 0 && line.find("32-bit_rle_rgbe") == std::string::npos) {
-        badImage(name, "Radiance image of an unknown kind (" + line + "); only 32-bit_rle_rgbe is read");
+        badImage(name, say("Radiance image of an unknown kind ({0}); only 32-bit_rle_rgbe is read", line));
     }
     if (line.rfind("EXPOSURE=", 0) == 0) {
         float exposure = 0;

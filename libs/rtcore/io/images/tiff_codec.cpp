@@ -1,6 +1,5 @@
 #include "rtcore/io/images/codecs.h"
 
-#include <fmt/core.h>
 #include <tiffio.h>
 
 #include <algorithm>
@@ -146,7 +145,7 @@ Image<Pixel> readRows(TIFF* tiff, int samples, int width, int height, const std:
     Image<Pixel> image(width, height);
     for (int y = 0; y < height; ++y) {
         if (TIFFReadScanline(tiff, row.data(), static_cast<std::uint32_t>(y), 0) < 0) {
-            badImage(name, fmt::format("damaged TIFF: row {} cannot be decoded", y));
+            badImage(name, say("damaged TIFF: row {0} cannot be decoded", y));
         }
         for (int x = 0; x < width; ++x) {
             setPixel(image.at(x, y),
@@ -165,7 +164,7 @@ std::uint8_t unpremultiply(unsigned colour, unsigned alpha) {
 LdrImage readAnyKind(TIFF* tiff, int width, int height, const std::string& name) {
     char reason[1024] = "";
     if (TIFFRGBAImageOK(tiff, reason) == 0)
-        badImage(name, std::string("TIFF of a kind that cannot be read: ") + reason);
+        badImage(name, say("TIFF of a kind that cannot be read: {0}", std::string(reason)));
     LdrImage image(width, height);
     std::vector<std::uint32_t> raster(image.pixels.size());
     if (TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
@@ -235,7 +234,7 @@ Bytes encodeTiff(const LdrImage& image, const std::string& name) {
     for (int y = 0; y < image.height; ++y) {
         appendRow(row, image, y, alpha);
         if (TIFFWriteScanline(tiff.get(), row.data(), static_cast<std::uint32_t>(y), 0) < 0) {
-            cannotEncode(name, fmt::format("libtiff cannot write row {}", y));
+            cannotEncode(name, say("libtiff cannot write row {0}", y));
         }
     }
     if (TIFFFlush(tiff.get()) == 0) cannotEncode(name, "libtiff cannot write the directory");
