@@ -55,9 +55,14 @@ class TableReader {
     }
 
   private:
+    /// For details of the format, which are English.
     [[noreturn]] void fail(const std::string& problem) const { failBsp(name_, problem); }
     void require(bool condition, const char* problem) const {
         if (!condition) fail(problem);
+    }
+    /// For what people can tell of a file.
+    void expect(bool condition, const Sentence& otherwise) const {
+        if (!condition) failBsp(name_, otherwise);
     }
     [[noreturn]] void failSection(const BspSectionEntry& entry, const char* problem) const {
         fail("section " + shownNameOf(entry) + " " + problem);
@@ -65,12 +70,13 @@ class TableReader {
 
     /// The fields that every version begins with.
     void readCommon() {
-        require(isBsp(bytes_), "is no .bsp file of this suite (other programs use the same ending)");
-        require(bytes_.size() >= sizeof(BspHead), "header: the file is cut off");
+        expect(isBsp(bytes_), form("is no .bsp file of this suite (other programs use the same ending)"));
+        expect(bytes_.size() >= sizeof(BspHead), form("header: the file is cut off"));
         std::memcpy(&head_, bytes_.data(), sizeof head_);
-        require(head_.byteOrder == kBspByteOrder, "header: written by a machine of the other byte order");
-        require(head_.version >= 2 && head_.version <= kBspVersion,
-                "header: written by another version of BSPBuilder");
+        expect(head_.byteOrder == kBspByteOrder,
+               form("header: written by a machine of the other byte order"));
+        expect(head_.version >= 2 && head_.version <= kBspVersion,
+               form("header: written by another version of BSPBuilder"));
     }
 
     /// The end of the head and of the table.
@@ -80,7 +86,7 @@ class TableReader {
         checkHead(head_.headCrc);
         require(head_.reserved == decltype(head_.reserved){}, "header: its reserved fields are not zero");
         const std::uint64_t end = sizeof(BspHead) + head_.sectionCount * sizeof(BspSectionEntry);
-        require(end <= bytes_.size(), "the table of sections is cut off");
+        expect(end <= bytes_.size(), form("the table of sections is cut off"));
         table_.sections.resize(head_.sectionCount);
         if (!table_.sections.empty())
             std::memcpy(table_.sections.data(), bytes_.data() + sizeof(BspHead), end - sizeof(BspHead));
@@ -89,7 +95,7 @@ class TableReader {
 
     std::uint64_t readVersion2() {
         BspHead2 head{};
-        require(bytes_.size() >= sizeof head, "header: the file is cut off");
+        expect(bytes_.size() >= sizeof head, form("header: the file is cut off"));
         std::memcpy(&head, bytes_.data(), sizeof head);
         require(head.headSize == sizeof head && head.sectionCount == head.sections.size(),
                 "header: of the wrong size");
@@ -106,8 +112,8 @@ class TableReader {
     void checkHead(std::uint32_t crc) const {
         require(crc == crc32Of(bytes_.first(head_.headSize - sizeof crc)),
                 "header: damaged (its checksum differs)");
-        require(head_.fileSize >= bytes_.size(), "the file is longer than it should be");
-        require(head_.fileSize <= bytes_.size(), "the file is cut off");
+        expect(head_.fileSize >= bytes_.size(), form("the file is longer than it should be"));
+        expect(head_.fileSize <= bytes_.size(), form("the file is cut off"));
         require(head_.hasTree <= 1, "header: its flags make no sense");
     }
 
@@ -182,8 +188,8 @@ BspTable readBspTable(std::span<const std::byte> bytes, const std::string& name)
     return TableReader(bytes, name).read();
 }
 
-void failBsp(const std::string& name, const std::string& problem) {
-    throw FileError(FailureKind::BadData, name, problem + "; build it again with BSPBuilder");
+void failBsp(const std::string& name, const Sentence& problem) {
+    throw FileError(FailureKind::BadData, name, say("{0}; build it again with BSPBuilder", problem));
 }
 
 bool isBsp(std::span<const std::byte> head) {

@@ -4,6 +4,7 @@
 #include "rtcore/io/bsp/bsp_file.h"
 #include "rtcore/io/bsp/bsp_layout.h"
 #include "rtcore/math/box.h"
+#include "rtcore/platform/sentence.h"
 
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct BspTable {
 /// file.
 BspTable readBspTable(std::span<const std::byte> bytes, const std::string& name);
 
-[[noreturn]] void failBsp(const std::string& name, const std::string& problem);
+/// Throws FileError BadData, with a remedy behind `problem`.
+[[noreturn]] void failBsp(const std::string& name, const Sentence& problem);
 
 } // namespace rtcore

@@ -55,7 +55,7 @@ void refuseBadContent(const std::filesystem::path& path, const Model& model, con
     }
     if (!problem) return;
     throw FileError(FailureKind::BadData, path.string(),
-                    "not written: the model cannot be used (" + *problem + "); repair the model's file");
+                    say("not written: the model cannot be used ({0}); repair the model's file", *problem));
 }
 
 Box3 boundsOf(const Mesh& mesh) {
