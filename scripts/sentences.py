@@ -18,7 +18,7 @@ FILE = "apps/gui/translations/sentences_cs.ts"
 SERVERS = ("apps/rtserver/commands", "apps/rtserver/document", "apps/rtserver/frames", "apps/rtserver/loop", "apps/rtserver/walk",
            "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/settings/settings_merge.cpp", "apps/bridge/control", "apps/bridge/room")
 LIBRARIES = ("libs/rtcore", "libs/ipc")
-SAYS = r"(?:say|form|Refusal|BadValue|Refused|UsageError|FileError|badImage|cannotEncode|Error)"
+SAYS = r"(?:say|form|Refusal|BadValue|Refused|UsageError|FileError|badImage|cannotEncode|wrongShape|refuse|refuseMesh|refuseToExport|Error)"
 CALL = re.compile(r"(?<!class )(?<!explicit )\b%s\(" % SAYS)
 LITERALS = re.compile(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+')
 ONE = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
@@ -69,7 +69,7 @@ def sources(folders):
         for name in [folder] if os.path.isfile(folder) else sorted(glob.glob(folder + "/**/*", recursive=True)):
             if name.endswith((".cpp", ".h")):
                 with open(name, encoding="utf-8") as source:
-                    yield name, re.sub(r"(?m)//.*$", "", source.read())
+                    yield name, re.sub(r"(?m)(?<!:)//.*$", "", source.read())
 
 
 def forms():

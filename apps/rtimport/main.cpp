@@ -100,8 +100,11 @@ void importFile(const Arguments& arguments) {
     std::_Exit(static_cast<int>(ImporterExit::Done));
 }
 
-ImporterExit complain(const char* message, ImporterExit code) {
-    std::fprintf(stderr, "%s\n", message);
+/// For people, and for the parent, whose own may read another language.
+ImporterExit complain(const std::exception& error, ImporterExit code) {
+    std::fprintf(stderr, "%s\n", error.what());
+    std::fputs(rtcore::refusalLine(rtcore::sentenceOf(error)).c_str(), stdout);
+    std::fflush(stdout);
     return code;
 }
 
@@ -113,11 +116,12 @@ ImporterExit run(const Arguments& arguments) {
         return ImporterExit::Done;
     } catch (const rtcore::FileError& error) {
         const bool write = error.kind == rtcore::FailureKind::CannotWrite;
-        return complain(error.what(), write ? ImporterExit::CannotWrite : ImporterExit::BadData);
+        return complain(error, write ? ImporterExit::CannotWrite : ImporterExit::BadData);
     } catch (const std::bad_alloc&) {
-        return complain("there is not enough memory", ImporterExit::NoMemory);
+        std::fputs("there is not enough memory\n", stderr);
+        return ImporterExit::NoMemory;
     } catch (const std::exception& error) {
-        return complain(error.what(), ImporterExit::BadData);
+        return complain(error, ImporterExit::BadData);
     }
 }
 

@@ -1,8 +1,7 @@
 #include "rtcore/io/import/import_report.h"
 
 #include "rtcore/io/import/import_forms.h"
-
-#include <fmt/format.h>
+#include "rtcore/io/text/sentence_json.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,6 +12,7 @@ namespace rtcore {
 namespace {
 
 constexpr std::size_t kMaxWarnings = 50;
+constexpr std::string_view kRefusal = "refusal ";
 
 /// One line whatever the text holds: it may come from a damaged file.
 std::string printable(std::string text) {
@@ -51,14 +51,14 @@ void writePaths(std::ostream& out, const char* name, const std::vector<std::stri
 
 } // namespace
 
-std::string firstOf(std::span<const std::string> names) {
+Sentence firstOf(std::span<const std::string> names) {
     constexpr std::size_t kShown = 3;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) {
-        text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
-    }
-    if (names.size() > kShown) text += fmt::format(" and {} more", names.size() - kShown);
-    return text;
+    const std::size_t listed = names.size() > kShown ? kShown : names.size() - 1; // without the last one
+    std::string text = "'" + names[0];
+    for (std::size_t i = 1; i < listed; ++i) text += "', '" + names[i];
+    if (names.size() > kShown) return say(import_forms::kAndMore, text, names.size() - kShown);
+    if (names.size() > 1) return say(import_forms::kAnd, text, names.back() + "'");
+    return text + "'";
 }
 
 void addWarning(ImportReport& report, const std::string& text) {
@@ -108,6 +108,18 @@ ImportReport readReport(const std::string& text) {
         if (name == "image") addImage(report, pathOf(value));
     }
     return report;
+}
+
+std::string refusalLine(const Sentence& why) { return std::string(kRefusal) + sentenceJson(why) + '\n'; }
+
+std::optional<Sentence> readRefusal(std::string_view text) {
+    std::optional<Sentence> refusal;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        if (line.starts_with(kRefusal)) refusal = readSentenceJson(line.substr(kRefusal.size()));
+    }
+    return refusal;
 }
 
 } // namespace rtcore

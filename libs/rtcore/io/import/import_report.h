@@ -2,11 +2,14 @@
 /// caller.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/model_origin.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rtcore {
@@ -25,8 +28,8 @@ struct ImportReport {
     friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
 
-/// How many there are and the first of them, for a sentence: "'a', 'b', 'c' and 19 more".
-std::string firstOf(std::span<const std::string> names);
+/// How many there are and the first of them, for a sentence: "'a', 'b', 'c' and 19 more"; at least one.
+Sentence firstOf(std::span<const std::string> names);
 
 /// A warning; beyond the 50th they are counted only. A warning that is there already is not repeated.
 void addWarning(ImportReport& report, const std::string& text);
@@ -39,5 +42,10 @@ void addImage(ImportReport& report, const std::string& path); ///< to both lists
 std::string writeReport(const ImportReport& report);
 /// Takes any text: lines that it does not know are skipped.
 ImportReport readReport(const std::string& text);
+
+/// The line by which the importer says why it refuses a model.
+std::string refusalLine(const Sentence& why);
+/// What the last such line of `text`, which may be any, says.
+std::optional<Sentence> readRefusal(std::string_view text);
 
 } // namespace rtcore

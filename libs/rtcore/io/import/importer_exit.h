@@ -6,7 +6,7 @@ namespace rtcore {
 enum class ImporterExit {
     Done = 0,
     Usage = 2,
-    BadData = 65,     ///< the reason is on its standard error, without the name of the file
+    BadData = 65,     ///< why is on its standard error and in a refusalLine(), without the name of the file
     CannotWrite = 73, ///< likewise, with the name
     NoMemory = 71,
 };

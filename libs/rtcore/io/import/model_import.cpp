@@ -20,9 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kGigabyte = 1'000'000'000;
-const std::string kRemedy =
-    "; open it in the program that wrote it and export it again, as glTF or OBJ for example";
-
 /// Says at once what no importer needs to be asked about.
 void refuseNoModel(const fs::path& path) {
     std::error_code error;
@@ -45,30 +42,40 @@ fs::path importerProgram() {
 }
 
 /// The importer's last message: libraries may have complained before.
-std::string lastLine(std::string text) {
+Sentence lastLine(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     const std::size_t end = text.rfind('\n');
     if (end != std::string::npos) text.erase(0, end + 1);
-    return text.empty() ? "no reason given" : text;
+    return text.empty() ? form("no reason given") : Sentence(text);
 }
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& message,
+Sentence reasonOf(const ProcessResult& result) {
+    return readRefusal(result.output).value_or(lastLine(result.errors));
+}
+
+[[noreturn]] void refuse(const fs::path& path, const Sentence& message,
                          FailureKind kind = FailureKind::BadData) {
     throw FileError(kind, path.string(), message);
 }
 
-const std::string kRaise = " limit when the model is that large, else simplify it or export it again";
+[[noreturn]] void refuseToExport(const fs::path& path, const Sentence& problem) {
+    refuse(path,
+           say("{0}; open it in the program that wrote it and export it again, as glTF or OBJ for example",
+               problem));
+}
 
 [[noreturn]] void refuseForMemory(const fs::path& path, const ProcessLimits& limits) {
-    refuse(path,
-           fmt::format("reading it takes more than the {} MB of memory that the importer may use; raise "
-                       "the memory{}",
-                       limits.memory / 1'000'000, kRaise));
+    refuse(path, say("reading it takes more than the {0} MB of memory that the importer may use; raise the "
+                     "memory limit "
+                     "when the model is that large, else simplify it or export it again",
+                     limits.memory / 1'000'000));
 }
 
 [[noreturn]] void refuseForTime(const fs::path& path, const ProcessLimits& limits) {
-    refuse(path, fmt::format("the importer got no further for {:g} seconds and was ended; raise the time{}",
-                             limits.silence, kRaise));
+    refuse(path,
+           say("the importer got no further for {0} seconds and was ended; raise the time limit when the "
+               "model is that large, else simplify it or export it again",
+               fmt::format("{:g}", limits.silence)));
 }
 
 void throwExit(const fs::path& path, const ProcessResult& result, const ProcessLimits& limits) {
@@ -76,16 +83,16 @@ void throwExit(const fs::path& path, const ProcessResult& result, const ProcessL
     case ImporterExit::Done:
         return;
     case ImporterExit::BadData:
-        refuse(path, lastLine(result.errors));
+        refuse(path, reasonOf(result));
     case ImporterExit::NoMemory:
         refuseForMemory(path, limits);
     case ImporterExit::CannotWrite:
-        refuse(path, lastLine(result.errors), FailureKind::CannotWrite);
+        refuse(path, reasonOf(result), FailureKind::CannotWrite);
     case ImporterExit::Usage:
         break;
     }
-    refuse(path, fmt::format("the importer failed (exit code {}: {}){}", result.code, lastLine(result.errors),
-                             kRemedy));
+    refuseToExport(path,
+                   say("the importer failed (exit code {0}: {1})", result.code, lastLine(result.errors)));
 }
 
 void throwFailure(const fs::path& path, const ProcessResult& result, const ProcessLimits& limits) {
@@ -94,8 +101,8 @@ void throwFailure(const fs::path& path, const ProcessResult& result, const Proce
         throwExit(path, result, limits);
         return;
     case ProcessEnd::Signalled:
-        refuse(path, fmt::format("the importer crashed (signal {}, {}) while reading it{}", result.code,
-                                 signalName(result.code), kRemedy));
+        refuseToExport(path, say("the importer crashed (signal {0}, {1}) while reading it", result.code,
+                                 signalName(result.code)));
     case ProcessEnd::MemoryLimit:
         refuseForMemory(path, limits);
     case ProcessEnd::SilenceLimit:
@@ -161,8 +168,8 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     try {
         imported.model = readBsp(exchanged).model;
     } catch (const FileError& damage) {
-        refuse(path, fmt::format("the importer handed over a model that cannot be used ({}){}", damage.what(),
-                                 kRemedy));
+        refuseToExport(path,
+                       say("the importer handed over a model that cannot be used ({0})", damage.sentence()));
     }
     if (imported.model.mesh.triangles.empty())
         refuse(path, "it holds no triangles; give a model with surfaces");

@@ -37,7 +37,7 @@ namespace {
 
 static_assert(sizeof(ai_real) == sizeof(float), "this file takes Assimp's numbers for floats");
 
-[[noreturn]] void refuse(const std::string& message) { throw FileError(FailureKind::BadData, "", message); }
+[[noreturn]] void refuse(const Sentence& message) { throw FileError(FailureKind::BadData, "", message); }
 
 Affine affineOf(const aiMatrix4x4& m) {
     Affine a;
@@ -281,7 +281,7 @@ class Materials {
 };
 
 [[noreturn]] void refuseName(const std::string& ending) {
-    refuse("its name does not fit its content; rename it so that it ends in " + ending);
+    refuse(say("its name does not fit its content; rename it so that it ends in {0}", ending));
 }
 
 /// An importer that is chosen by the name would take it for what it is not.
@@ -291,14 +291,15 @@ void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& i
     if (const auto ending = endingByContent(path)) refuseName(*ending);
 }
 
-/// The extensions that it requires and that are not read, and a remedy; "" where there are none.
-std::string needsOf(const GltfFile& gltf) {
-    if (gltf.unreadRequirements.empty()) return "";
-    const std::string& first = gltf.unreadRequirements.front();
-    std::string others;
-    for (const std::string& name : gltf.unreadRequirements | std::views::drop(1)) others += " and " + name;
-    return "it needs " + first + others + ", which " + (others.empty() ? "is" : "are") + " not read; " +
-           remedyFor(first);
+/// The extensions that it requires and that are not read, and a remedy; nothing where there are none.
+std::optional<Sentence> needsOf(const GltfFile& gltf) {
+    const std::vector<std::string>& names = gltf.unreadRequirements;
+    if (names.empty()) return std::nullopt;
+    const Sentence remedy = remedyFor(names[0]);
+    if (names.size() == 1) return say("it needs {0}, which is not read; {1}", names[0], remedy);
+    std::string others = names[1];
+    for (const std::string& name : names | std::views::drop(2)) others += " and " + name;
+    return say("it needs {0} and {1}, which are not read; {2}", names[0], others, remedy);
 }
 
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
@@ -316,7 +317,7 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     if (scene != nullptr) return *scene;
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty()) refuse(needs);
+    if (const auto needs = gltf ? needsOf(*gltf) : std::nullopt) refuse(*needs);
     if (const auto ending = endingByContent(path)) refuseName(*ending);
     if (const auto sentence = cutOff(path)) refuse(*sentence);
     if (const auto sentence = gltfDamage(path)) refuse(*sentence);
@@ -325,11 +326,14 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     }
     if (gltf && !gltf->missingBuffers.empty()) {
         const bool one = gltf->missingBuffers.size() == 1;
-        refuse("its geometry is in " + firstOf(gltf->missingBuffers) + (one ? ", which is" : ", which are") +
-               " missing; put " + (one ? "it" : "them") + " beside the model's file");
+        refuse(say(one ? "its geometry is in {0}, which is missing; put it beside the model's file"
+                       : "its geometry is in {0}, which are missing; put them beside the model's file",
+                   firstOf(gltf->missingBuffers)));
     }
-    refuse("Assimp cannot read it: " + reason +
-           "; open it in the program that wrote it and export it again, as glTF or OBJ for example");
+    refuse(say(
+        "Assimp cannot read it: {0}; open it in the program that wrote it and export it again, as glTF or "
+        "OBJ for example",
+        reason));
 }
 
 std::string formatOf(const Assimp::Importer& importer) {
@@ -408,8 +412,8 @@ void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile
                                .english());
     }
     for (const std::string& sentence : unreadInCollada(path)) addWarning(report, sentence);
-    if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty())
-        addWarning(report, say(import_forms::kNeeds, needs).english());
+    if (const auto needs = gltf ? needsOf(*gltf) : std::nullopt)
+        addWarning(report, say(import_forms::kNeeds, *needs).english());
     if (gltf && !gltf->ignoredExtensions.empty())
         addWarning(report, say(import_forms::kIgnored, firstOf(gltf->ignoredExtensions)).english());
 }
@@ -446,7 +450,7 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
     const std::optional<GltfFile> gltf = readGltfFile(path);
-    if (gltf && gltf->geometryUnread) refuse(needsOf(*gltf));
+    if (gltf && gltf->geometryUnread) refuse(needsOf(*gltf).value());
     FileImport result;
     const aiScene& scene = readScene(*importer, path, gltf, result.report);
     options.alive();
@@ -476,11 +480,11 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     }
     finishGeometry(assembler, options.creaseAngle, result);
     if (gltf) countDroppedTriangles(*gltf, scene, walk, result.report);
-    const std::optional<std::string> cut = cutOff(path);
+    const std::optional<Sentence> cut = cutOff(path);
     if (cut && result.model.triangles.empty()) refuse(*cut);
     refuseUseless(assembler, scene.mNumMeshes, result);
 
-    if (cut) addWarning(result.report, *cut);
+    if (cut) addWarning(result.report, cut->english());
     warnOfLostTriangles(result.model, result.report);
     warnOfFiles(path, gltf, result.report);
     warnOfMissingTextures(textures.missing(), result.report);

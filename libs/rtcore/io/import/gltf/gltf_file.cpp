@@ -2,7 +2,6 @@
 
 #include "rtcore/platform/files.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -170,41 +169,38 @@ std::string versionOf(const Json& root) {
     return version.is_string() ? version.get<std::string>() : "";
 }
 
-std::string unreadVersion(const std::string& version) {
-    return "it is glTF " + version + ", which is not read; export it as glTF 2.0";
-}
-
 /// Damage to the head of a .glb. Files that are cut off are another matter (cut_off.h).
-std::optional<std::string> damageOfBinary(std::string_view text) {
+std::optional<Sentence> damageOfBinary(std::string_view text) {
     std::uint32_t version = 0;
     if (text.size() < kGlbHead) return {};
     std::memcpy(&version, text.data() + 4, sizeof version);
-    if (version != 2) return unreadVersion(fmt::format("{} in a binary file", version));
+    if (version != 2)
+        return say("it is glTF {0} in a binary file, which is not read; export it as glTF 2.0", version);
     if (text.substr(16, 4) != "JSON")
-        return "its first chunk holds no JSON; it is damaged: copy or export it again";
+        return say("its first chunk holds no JSON; it is damaged: copy or export it again");
     std::uint32_t length = 0;
     std::memcpy(&length, text.data() + 12, sizeof length);
     if (length > text.size() - kGlbHead)
-        return "its first chunk is longer than the file; it is damaged: copy or export it again";
+        return say("its first chunk is longer than the file; it is damaged: copy or export it again");
     return {};
 }
 
 } // namespace
 
-std::string remedyFor(const std::string& extension) {
-    using Row = std::pair<std::string_view, std::string_view>;
+Sentence remedyFor(const std::string& extension) {
+    using Row = std::pair<std::string_view, const char*>;
     static constexpr std::array kRemedies{
-        Row{"KHR_mesh_quantization", "export without it (gltfpack -noq, without -c and -cc)"},
-        Row{"EXT_meshopt_compression", "export without it (gltfpack without -c and -cc)"},
-        Row{"KHR_meshopt_compression", "export without it (gltfpack without -c and -cc)"},
-        Row{"KHR_texture_basisu", "export with images of PNG or JPEG (gltfpack without -tc and -tu)"},
-        Row{"EXT_texture_webp", "export with images of PNG or JPEG (gltfpack without -tw)"},
-        Row{"EXT_texture_avif", "export with images of PNG or JPEG"},
-        Row{"MSFT_texture_dds", "export with images of PNG or JPEG"},
-        Row{"EXT_mesh_gpu_instancing", "export with a node for each instance (gltfpack without -mi)"}};
+        Row{"KHR_mesh_quantization", form("export without it (gltfpack -noq, without -c and -cc)")},
+        Row{"EXT_meshopt_compression", form("export without it (gltfpack without -c and -cc)")},
+        Row{"KHR_meshopt_compression", form("export without it (gltfpack without -c and -cc)")},
+        Row{"KHR_texture_basisu", form("export with images of PNG or JPEG (gltfpack without -tc and -tu)")},
+        Row{"EXT_texture_webp", form("export with images of PNG or JPEG (gltfpack without -tw)")},
+        Row{"EXT_texture_avif", form("export with images of PNG or JPEG")},
+        Row{"MSFT_texture_dds", form("export with images of PNG or JPEG")},
+        Row{"EXT_mesh_gpu_instancing", form("export with a node for each instance (gltfpack without -mi)")}};
     for (const auto& [name, remedy] : kRemedies)
-        if (extension == name) return std::string(remedy);
-    return "export without it";
+        if (extension == name) return remedy;
+    return form("export without it");
 }
 
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
@@ -232,7 +228,7 @@ std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
     }
 }
 
-std::optional<std::string> gltfDamage(const std::filesystem::path& path) {
+std::optional<Sentence> gltfDamage(const std::filesystem::path& path) {
     const FileBytes file = openFileBytes(path);
     const std::string_view whole = gltfText(file);
     if (whole.starts_with("glTF"))
@@ -241,14 +237,14 @@ std::optional<std::string> gltfDamage(const std::filesystem::path& path) {
     if (text.empty()) return {};
     try {
         const std::string version = versionOf(Json::parse(text));
-        if (version.empty()) return "its JSON does not say which version of glTF it is; export it again";
-        if (version[0] != '1' && version[0] != '2') return unreadVersion(version);
+        if (version.empty()) return say("its JSON does not say which version of glTF it is; export it again");
+        if (version[0] != '1' && version[0] != '2')
+            return say("it is glTF {0}, which is not read; export it as glTF 2.0", version);
     } catch (const Json::parse_error& error) {
         if (error.byte > text.size() && text.size() == whole.size())
-            return fmt::format("it is cut off: its JSON does not end within {} bytes; copy it again",
-                               text.size());
-        return fmt::format("its JSON is damaged at byte {}; copy or export it again",
-                           error.byte + static_cast<std::size_t>(text.data() - whole.data()));
+            return say("it is cut off: its JSON does not end within {0} bytes; copy it again", text.size());
+        return say("its JSON is damaged at byte {0}; copy or export it again",
+                   error.byte + static_cast<std::size_t>(text.data() - whole.data()));
     }
     return {};
 }

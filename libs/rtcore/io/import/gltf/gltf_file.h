@@ -1,6 +1,8 @@
 /// Facts about a glTF file that Assimp does not hand over.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -26,13 +28,13 @@ struct GltfFile {
 };
 
 /// A remedy for an extension that is not read, as the end of a sentence.
-std::string remedyFor(const std::string& extension);
+Sentence remedyFor(const std::string& extension);
 
 /// Nothing when it is no glTF 2 (.gltf or .glb, by content), or its JSON is damaged.
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path);
 
 /// Why no reader takes a file that is glTF by its content or its name: its version, or where it is damaged;
 /// what to do, as one sentence without a name. Nothing when it is no glTF, or no reason is found.
-std::optional<std::string> gltfDamage(const std::filesystem::path& path);
+std::optional<Sentence> gltfDamage(const std::filesystem::path& path);
 
 } // namespace rtcore

@@ -2,8 +2,6 @@
 
 #include "rtcore/platform/files.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -126,19 +124,18 @@ struct EndMark {
     bool (*is)(const Ends& file);
     View mark;        ///< in small letters
     std::size_t room; ///< bytes at the end among which it stands
-    const char* name; ///< for people
+    View name;        ///< for people; "" for the list of what an archive holds
 };
 
 constexpr std::array kEndMarks{
     EndMark{[](const Ends& f) { return f.head.starts_with("ISO-10303-21"); }, "end-iso-10303-21"sv, 1024,
-            "'END-ISO-10303-21'"},
-    EndMark{[](const Ends& f) { return f.head.starts_with("PK\x03\x04"); }, "pk\x05\x06"sv, 65557,
-            "the list of what it holds"},
-    EndMark{[](const Ends& f) { return f.head.starts_with("BLENDER"); }, "endb"sv, 64, "'ENDB'"},
-    EndMark{isTextStl, "endsolid"sv, 1024, "'endsolid'"},
+            "'END-ISO-10303-21'"sv},
+    EndMark{[](const Ends& f) { return f.head.starts_with("PK\x03\x04"); }, "pk\x05\x06"sv, 65557, ""sv},
+    EndMark{[](const Ends& f) { return f.head.starts_with("BLENDER"); }, "endb"sv, 64, "'ENDB'"sv},
+    EndMark{isTextStl, "endsolid"sv, 1024, "'endsolid'"sv},
     EndMark{[](const Ends& f) { return f.ending == ".dxf" && !f.head.starts_with("AutoCAD Binary"); },
-            "eof"sv, 64, "'EOF'"},
-    EndMark{[](const Ends& f) { return f.ending == ".smd"; }, "end"sv, 64, "'end'"},
+            "eof"sv, 64, "'EOF'"sv},
+    EndMark{[](const Ends& f) { return f.ending == ".smd"; }, "end"sv, 64, "'end'"sv},
 };
 
 /// The name of the outermost element of an XML file; "" for others.
@@ -162,28 +159,30 @@ bool endsWithout(const Ends& file, View mark, std::size_t room) {
     return lower(tail).find(mark) == std::string::npos;
 }
 
-std::optional<std::string> missingMark(const Ends& file) {
+std::optional<Sentence> missingMark(const Ends& file) {
     constexpr std::size_t kXmlEnd = 4096; // comments may follow
-    const auto sentence = [](const std::string& name) {
-        return "it is cut off: " + name + " is missing at its end; copy it again";
+    const auto without = [](View name) {
+        if (name.empty())
+            return say("it is cut off: the list of what it holds is missing at its end; copy it again");
+        return say("it is cut off: {0} is missing at its end; copy it again", name);
     };
     for (const EndMark& m : kEndMarks)
-        if (m.is(file) && endsWithout(file, m.mark, m.room)) return sentence(m.name);
+        if (m.is(file) && endsWithout(file, m.mark, m.room)) return without(m.name);
     const std::string root(rootOf(file.head));
-    if (!root.empty() && endsWithout(file, lower("</" + root), kXmlEnd)) return sentence("'</" + root + ">'");
+    if (!root.empty() && endsWithout(file, lower("</" + root), kXmlEnd)) return without("'</" + root + ">'");
     return {};
 }
 
 } // namespace
 
-std::optional<std::string> cutOff(const std::filesystem::path& path) {
+std::optional<Sentence> cutOff(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) return {};
     const Ends file(path);
     for (const auto& lengthOf : kLengths) {
         const std::uint64_t length = lengthOf(file);
         if (length > file.size)
-            return fmt::format("it is cut off: {} of at least {} bytes are there; copy it again", file.size,
-                               length);
+            return say("it is cut off: {0} of at least {1} bytes are there; copy it again", file.size,
+                       length);
     }
     return missingMark(file);
 }

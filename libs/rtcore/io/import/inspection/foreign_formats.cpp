@@ -2,8 +2,6 @@
 
 #include "rtcore/platform/files.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -18,7 +16,6 @@ namespace rtcore {
 namespace {
 
 using View = std::string_view;
-using namespace std::string_literals;
 using namespace std::string_view_literals;
 
 /// As much as is looked through: the schema of a STEP file stands behind descriptions of any length.
@@ -61,16 +58,18 @@ int numberBehind(View text, View word) {
 
 // Remedies, each as the end of a sentence.
 
-constexpr auto kUnpack = "unpack it and give the model inside";
-constexpr auto kAsGltf = "export the model as glTF";
-constexpr auto kAsGltfOrObj = "export the model as glTF or OBJ";
-constexpr auto kFromCad = "export it as STL, 3MF or glTF from the CAD program";
-constexpr auto kMeshOfIt = "make a mesh of it (CloudCompare, MeshLab) and save that as PLY";
-constexpr auto kDownload = "download the file itself";
+constexpr auto kUnpack = form("unpack it and give the model inside");
+constexpr auto kAsGltf = form("export the model as glTF");
+constexpr auto kAsGltfOrObj = form("export the model as glTF or OBJ");
+constexpr auto kFromCad = form("export it as STL, 3MF or glTF from the CAD program");
+constexpr auto kMeshOfIt = form("make a mesh of it (CloudCompare, MeshLab) and save that as PLY");
+constexpr auto kDownload = form("download the file itself");
+
+Sentence itIs(const char* what, const char* remedy) { return say("it is {0}; {1}", what, remedy); }
 
 // Formats whose version or content decides whether they are read; nothing where they are.
 
-std::optional<std::string> step(View head, const std::string& ending) {
+std::optional<Sentence> step(View head, const std::string& ending) {
     const View text = textBeginning(head);
     if (!text.starts_with("ISO-10303-21")) return std::nullopt;
     const std::size_t at = text.find("FILE_SCHEMA");
@@ -81,26 +80,26 @@ std::optional<std::string> step(View head, const std::string& ending) {
     schema = schema.substr(0, schema.find('\''));
     if (schema.starts_with("IFC2X3")) return std::nullopt;
     if (schema.starts_with("IFC"))
-        return fmt::format("it is a building in {}, which is not read; export it as IFC2x3 or as glTF",
-                           schema.substr(0, 20));
+        return say("it is a building in {0}, which is not read; export it as IFC2x3 or as glTF",
+                   schema.substr(0, 20));
     if (schema.empty() && ending == ".ifc") return std::nullopt;
-    return "it is a STEP file of CAD surfaces, which are not read; "s + kFromCad;
+    return itIs(form("a STEP file of CAD surfaces, which are not read"), kFromCad);
 }
 
-std::optional<std::string> zip(View head, const std::string& ending) {
+std::optional<Sentence> zip(View head, const std::string& ending) {
     if (!head.starts_with("PK\x03\x04"sv)) return std::nullopt;
     static constexpr std::array kPacked{".3mf"sv, ".kmz"sv, ".zae"sv, ".ifczip"sv, ".pk3"sv};
     if (std::ranges::find(kPacked, View(ending)) != kPacked.end()) return std::nullopt;
     if (ending == ".usdz" || has(head, ".usdc") || has(head, ".usda"))
-        return "it is a USDZ file, which is not read; "s + kAsGltf;
+        return itIs(form("a USDZ file, which is not read"), kAsGltf);
     if (ending == ".fcstd" || has(head, "GuiDocument.xml"))
-        return "it is a document of FreeCAD, which is not read; export it as STL, 3MF or glTF";
+        return say("it is a document of FreeCAD, which is not read; export it as STL, 3MF or glTF");
     if (has(head, "3D/3dmodel.model"))
-        return "it is a 3MF file by its content; rename it so that it ends in .3mf";
-    return "it is a zip archive; "s + kUnpack;
+        return say("it is a 3MF file by its content; rename it so that it ends in .3mf");
+    return itIs(form("a zip archive"), kUnpack);
 }
 
-std::optional<std::string> oldFbx(View head, const std::string&) {
+std::optional<Sentence> oldFbx(View head, const std::string&) {
     int version = 0;
     if (head.starts_with("Kaydara FBX Binary  \0"sv) && head.size() >= 27) {
         std::memcpy(&version, head.data() + 23, sizeof version);
@@ -108,40 +107,40 @@ std::optional<std::string> oldFbx(View head, const std::string&) {
         version = numberBehind(head, "FBXVersion");
     }
     if (version <= 0 || version >= 7100) return std::nullopt;
-    return fmt::format(
-        "it is an FBX file of version {}.{}, from before 2011, which is not read; save it as FBX "
-        "2011 or later, or as glTF",
-        version / 1000, version % 1000 / 100);
+    return say("it is an FBX file of version {0}.{1}, from before 2011, which is not read; save it as FBX "
+               "2011 or later, or as glTF",
+               version / 1000, version % 1000 / 100);
 }
 
 /// Assimp knows their structure up to 3.3, packed by gzip, too; since 3.0 they are packed by zstd.
-std::optional<std::string> blend(View head, const std::string& ending) {
+std::optional<Sentence> blend(View head, const std::string& ending) {
     constexpr int kFirstUnread = 304;
     int version = 0;
     if (head.starts_with("BLENDER") && head.size() >= 12)
         std::from_chars(head.data() + 9, head.data() + 12, version);
     const bool packed = ending == ".blend" && head.starts_with("\x28\xB5\x2F\xFD");
     if (version < kFirstUnread && !packed) return std::nullopt;
-    const std::string which = packed ? "" : fmt::format(" {}.{}", version / 100, version % 100);
-    return fmt::format("it is a file of Blender{}, which is not read; export it as glTF from Blender", which);
+    if (packed) return say("it is a file of Blender, which is not read; export it as glTF from Blender");
+    return say("it is a file of Blender {0}.{1}, which is not read; export it as glTF from Blender",
+               version / 100, version % 100);
 }
 
-std::optional<std::string> compound(View head, const std::string& ending) {
+std::optional<Sentence> compound(View head, const std::string& ending) {
     if (!head.starts_with("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1")) return std::nullopt;
     if (ending == ".rvt" || ending == ".rfa")
-        return "it is a model of Revit, which is not read; export it as IFC2x3, FBX or glTF from Revit";
+        return say("it is a model of Revit, which is not read; export it as IFC2x3, FBX or glTF from Revit");
     if (ending == ".max")
-        return "it is a scene of 3ds Max, which is not read; export it as FBX or glTF from 3ds Max";
-    return "it is a file of a CAD program, which is not read; export it as STL, 3MF or glTF from that "
-           "program";
+        return say("it is a scene of 3ds Max, which is not read; export it as FBX or glTF from 3ds Max");
+    return say("it is a file of a CAD program, which is not read; export it as STL, 3MF or glTF from that "
+               "program");
 }
 
-std::optional<std::string> iges(View head, const std::string&) {
+std::optional<Sentence> iges(View head, const std::string&) {
     constexpr std::size_t kLine = 72; // then stand the section, S, and the number of the line
     if (head.size() < kLine + 8 || head[kLine] != 'S' || !has(head.substr(kLine + 1, 7), "1"))
         return std::nullopt;
     if (has(head.substr(0, kLine), "\n")) return std::nullopt;
-    return "it is an IGES file of CAD surfaces, which are not read; "s + kFromCad;
+    return itIs(form("an IGES file of CAD surfaces, which are not read"), kFromCad);
 }
 
 constexpr std::array kByContent{step, zip, oldFbx, blend, compound, iges};
@@ -155,48 +154,50 @@ struct Signature {
 };
 
 constexpr std::array kBinary{
-    Signature{"\x1F\x8B"sv, "a file packed by gzip", "unpack it (gunzip) and give the model inside"},
-    Signature{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive", kUnpack},
-    Signature{"Rar!\x1A\x07"sv, "a RAR archive", kUnpack},
-    Signature{"BZh"sv, "a file packed by bzip2", "unpack it (bunzip2) and give the model inside"},
+    Signature{"\x1F\x8B"sv, form("a file packed by gzip"),
+              form("unpack it (gunzip) and give the model inside")},
+    Signature{"7z\xBC\xAF\x27\x1C"sv, form("a 7z archive"), kUnpack},
+    Signature{"Rar!\x1A\x07"sv, form("a RAR archive"), kUnpack},
+    Signature{"BZh"sv, form("a file packed by bzip2"), form("unpack it (bunzip2) and give the model inside")},
     Signature{"\xFD"
               "7zXZ\0"sv,
-              "a file packed by xz", "unpack it (unxz) and give the model inside"},
-    Signature{"\x28\xB5\x2F\xFD"sv, "a file packed by zstd", "unpack it (unzstd) and give the model inside"},
-    Signature{"PXR-USDC"sv, "a USD file, which is not read", kAsGltf},
-    Signature{"3D Geometry File Format"sv, "a file of Rhino, which is not read",
-              "export it as glTF, OBJ or STL from Rhino"},
-    Signature{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0"sv, "a model of SketchUp, which is not read",
-              "export it as glTF or Collada from SketchUp"},
-    Signature{"AC10"sv, "a DWG drawing, which is not read",
-              "export it as FBX, STL or DXF from the CAD program"},
-    Signature{"LASF"sv, "a point cloud (LAS or LAZ), which has no surfaces", kMeshOfIt},
-    Signature{"ASTM-E57"sv, "a point cloud (E57), which has no surfaces", kMeshOfIt},
-    Signature{"\x89HDF\r\n"sv, "an HDF5 file, which is not read", kAsGltfOrObj},
-    Signature{"Ogawa"sv, "an Alembic file, which is not read", kAsGltfOrObj},
-    Signature{"\x89PNG\r\n"sv, "an image", "give a model"},
-    Signature{"\xFF\xD8\xFF"sv, "an image", "give a model"},
-    Signature{"%PDF-"sv, "a PDF document", kAsGltfOrObj},
+              form("a file packed by xz"), form("unpack it (unxz) and give the model inside")},
+    Signature{"\x28\xB5\x2F\xFD"sv, form("a file packed by zstd"),
+              form("unpack it (unzstd) and give the model inside")},
+    Signature{"PXR-USDC"sv, form("a USD file, which is not read"), kAsGltf},
+    Signature{"3D Geometry File Format"sv, form("a file of Rhino, which is not read"),
+              form("export it as glTF, OBJ or STL from Rhino")},
+    Signature{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0"sv, form("a model of SketchUp, which is not read"),
+              form("export it as glTF or Collada from SketchUp")},
+    Signature{"AC10"sv, form("a DWG drawing, which is not read"),
+              form("export it as FBX, STL or DXF from the CAD program")},
+    Signature{"LASF"sv, form("a point cloud (LAS or LAZ), which has no surfaces"), kMeshOfIt},
+    Signature{"ASTM-E57"sv, form("a point cloud (E57), which has no surfaces"), kMeshOfIt},
+    Signature{"\x89HDF\r\n"sv, form("an HDF5 file, which is not read"), kAsGltfOrObj},
+    Signature{"Ogawa"sv, form("an Alembic file, which is not read"), kAsGltfOrObj},
+    Signature{"\x89PNG\r\n"sv, form("an image"), form("give a model")},
+    Signature{"\xFF\xD8\xFF"sv, form("an image"), form("give a model")},
+    Signature{"%PDF-"sv, form("a PDF document"), kAsGltfOrObj},
 };
 
 constexpr std::array kText{
-    Signature{"#usda"sv, "a USD file, which is not read", kAsGltf},
-    Signature{"#VRML V"sv, "a VRML file, which is not read", "export the model as X3D or glTF"},
-    Signature{"# .PCD"sv, "a point cloud (PCD), which has no surfaces", kMeshOfIt},
-    Signature{"DBRep_DrawableShape"sv, "a BREP file of CAD surfaces, which are not read", kFromCad},
-    Signature{"CASCADE Topology"sv, "a BREP file of CAD surfaces, which are not read", kFromCad},
-    Signature{"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, "a Parasolid file of CAD surfaces, which are not read",
+    Signature{"#usda"sv, form("a USD file, which is not read"), kAsGltf},
+    Signature{"#VRML V"sv, form("a VRML file, which is not read"), form("export the model as X3D or glTF")},
+    Signature{"# .PCD"sv, form("a point cloud (PCD), which has no surfaces"), kMeshOfIt},
+    Signature{"DBRep_DrawableShape"sv, form("a BREP file of CAD surfaces, which are not read"), kFromCad},
+    Signature{"CASCADE Topology"sv, form("a BREP file of CAD surfaces, which are not read"), kFromCad},
+    Signature{"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, form("a Parasolid file of CAD surfaces, which are not read"),
               kFromCad},
-    Signature{"version https://git-lfs.github.com/"sv, "a pointer of Git LFS, not the model itself",
-              "fetch the model (git lfs pull)"},
-    Signature{"<!DOCTYPE html"sv, "a web page, not a model", kDownload},
-    Signature{"<!doctype html"sv, "a web page, not a model", kDownload},
-    Signature{"<html"sv, "a web page, not a model", kDownload},
+    Signature{"version https://git-lfs.github.com/"sv, form("a pointer of Git LFS, not the model itself"),
+              form("fetch the model (git lfs pull)")},
+    Signature{"<!DOCTYPE html"sv, form("a web page, not a model"), kDownload},
+    Signature{"<!doctype html"sv, form("a web page, not a model"), kDownload},
+    Signature{"<html"sv, form("a web page, not a model"), kDownload},
 };
 
-std::optional<std::string> matching(std::span<const Signature> table, View head) {
+std::optional<Sentence> matching(std::span<const Signature> table, View head) {
     for (const Signature& s : table)
-        if (head.starts_with(s.bytes)) return fmt::format("it is {}; {}", s.what, s.remedy);
+        if (head.starts_with(s.bytes)) return itIs(s.what, s.remedy);
     return std::nullopt;
 }
 
@@ -227,14 +228,15 @@ bool belongsTo(const Beginning& format, const std::string& ending) {
 
 } // namespace
 
-std::optional<std::string> unreadFormat(const std::filesystem::path& path) {
+std::optional<Sentence> unreadFormat(const std::filesystem::path& path) {
     const std::string head = headOfFile(path), ending = lowerCase(path.extension().string());
     for (const auto& format : kByContent)
         if (auto sentence = format(head, ending)) return sentence;
     const bool packedBlend = ending == ".blend" && head.starts_with("\x1F\x8B");
     if (packedBlend) return std::nullopt; // which Assimp unpacks
     if (auto sentence = matching(kBinary, head)) return sentence;
-    if (head.size() > 262 && View(head).substr(257, 5) == "ustar") return "it is a tar archive; "s + kUnpack;
+    if (head.size() > 262 && View(head).substr(257, 5) == "ustar")
+        return itIs(form("a tar archive"), kUnpack);
     return matching(kText, textBeginning(head));
 }
 

@@ -1,6 +1,8 @@
 /// Recognises files that no reader takes, by their first bytes, before one of them tries.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,7 +11,7 @@ namespace rtcore {
 
 /// Says what the file is, why it is not read, and what to do, as one sentence without a name; nothing where a
 /// reader may know it. Archives are read where a format is one by its ending (.3mf, .kmz, .zae, .ifczip).
-std::optional<std::string> unreadFormat(const std::filesystem::path& path);
+std::optional<Sentence> unreadFormat(const std::filesystem::path& path);
 
 /// The ending, with its dot, that fits the first bytes of a file that is called otherwise; nothing where the
 /// name fits, or the bytes are those of no format that is known.

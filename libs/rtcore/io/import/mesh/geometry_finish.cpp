@@ -11,17 +11,14 @@ namespace rtcore {
 
 namespace {
 
-[[noreturn]] void refuseMesh(const std::string& message) {
-    throw FileError(FailureKind::BadData, "", message);
-}
+[[noreturn]] void refuseMesh(const Sentence& message) { throw FileError(FailureKind::BadData, "", message); }
 
 void refuseEmpty(const ImportReport& report, std::size_t meshes, const ModelBuffers& model) {
     if (!model.triangles.empty()) return;
-    refuseMesh(
-        fmt::format("it holds no triangles ({} points and lines, {} triangles without area, {} with broken "
-                    "coordinates, {} with corners that do not exist, {} meshes); give a model with surfaces",
-                    report.ignoredPrimitives, report.degenerateTriangles, report.nonFiniteTriangles,
-                    report.unconnectedTriangles, meshes));
+    refuseMesh(say("it holds no triangles ({0} points and lines, {1} triangles without area, {2} with broken "
+                   "coordinates, {3} with corners that do not exist, {4} meshes); give a model with surfaces",
+                   report.ignoredPrimitives, report.degenerateTriangles, report.nonFiniteTriangles,
+                   report.unconnectedTriangles, meshes));
 }
 
 /// Smaller models would vanish in the rounding of products of their coordinates.
@@ -31,9 +28,9 @@ void refuseTooSmall(const Box3& bounds) {
     const Vec3 size = bounds.size();
     const float largest = std::max({size.x, size.y, size.z});
     if (largest == 0 || largest >= kMinSize) return;
-    refuseMesh(
-        fmt::format("it is only {:g} units large, too small to be traced; scale it up by a factor of {:.0e}",
-                    largest, 1 / std::max(double{largest}, 1e-45)));
+    refuseMesh(say("it is only {0} units large, too small to be traced; scale it up by a factor of {1}",
+                   fmt::format("{:g}", largest),
+                   fmt::format("{:.0e}", 1 / std::max(double{largest}, 1e-45))));
 }
 
 } // namespace
@@ -43,10 +40,10 @@ void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_
     constexpr std::uint64_t kBytesPerTriangle = 100;
     const std::uint64_t max = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
     if (triangles > max || vertices / 4 > max) {
-        refuseMesh(fmt::format(
-            "with all instances it has {} faces, more than fit into the memory that it may use; raise "
-            "the limit or simplify the model",
-            triangles));
+        refuseMesh(
+            say("with all instances it has {0} faces, more than fit into the memory that it may use; raise "
+                "the limit or simplify the model",
+                triangles));
     }
     assembler.reserve(vertices, triangles);
 }

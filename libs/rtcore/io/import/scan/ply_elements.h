@@ -4,8 +4,7 @@
 #include "rtcore/io/import/scan/piece_reader.h"
 #include "rtcore/io/import/scan/ply_header.h"
 #include "rtcore/io/import/scan/scan_mesh.h"
-
-#include <string>
+#include "rtcore/platform/sentence.h"
 
 namespace rtcore {
 
@@ -32,6 +31,6 @@ void skipPlyElements(PlySource& source, const PlyElement& element);
 /// Throws when so many elements of at least `size` bytes cannot be in the file: before memory is taken.
 void refuseMoreThanFile(const PlySource& source, const PlyElement& element, std::size_t size);
 [[noreturn]] void refuseCutOff(const PlyElement& element, std::uint64_t read);
-[[noreturn]] void refuseDamaged(const std::string& message);
+[[noreturn]] void refuseDamaged(const Sentence& problem);
 
 } // namespace rtcore

@@ -3,8 +3,6 @@
 #include "rtcore/io/import/scan/ply_numbers.h"
 #include "rtcore/platform/large_vector.h"
 
-#include <fmt/core.h>
-
 #include <optional>
 #include <vector>
 
@@ -105,7 +103,7 @@ class FaceReader {
             return static_cast<std::int64_t>(plyNumber<decltype(type)>(at, source_.swapped));
         });
         if (length < 0 || static_cast<std::uint64_t>(length) > source_.in.left() / sizeof(Index))
-            refuseDamaged(fmt::format("its face {} claims to have {} corners", face_, length));
+            refuseDamaged(say("its face {0} claims to have {1} corners", face_, length));
         return static_cast<std::uint64_t>(length);
     }
 
@@ -121,8 +119,8 @@ class FaceReader {
     std::uint32_t vertexAt(const std::byte* at) const {
         const auto vertex = vertexIn(at);
         if (!vertex) {
-            refuseDamaged(fmt::format("its face {} names the vertex {} of {}", face_, indexAt(at),
-                                      mesh_.positions.size()));
+            refuseDamaged(
+                say("its face {0} names the vertex {1} of {2}", face_, indexAt(at), mesh_.positions.size()));
         }
         return *vertex;
     }

@@ -3,27 +3,25 @@
 #include "rtcore/io/import/scan/ply_elements.h"
 #include "rtcore/platform/error.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <bit>
 
 namespace rtcore {
 
-void refuseDamaged(const std::string& message) {
-    throw FileError(FailureKind::BadData, "", message + "; it is damaged: copy or export it again");
+void refuseDamaged(const Sentence& problem) {
+    throw FileError(FailureKind::BadData, "", say("{0}; it is damaged: copy or export it again", problem));
 }
 
 void refuseCutOff(const PlyElement& element, std::uint64_t read) {
-    refuseDamaged(fmt::format("it ends after {} of the {} elements '{}' that its head promises", read,
-                              element.count, element.name));
+    refuseDamaged(say("it ends after {0} of the {1} elements '{2}' that its head promises", read,
+                      element.count, element.name));
 }
 
 void refuseMoreThanFile(const PlySource& source, const PlyElement& element, std::size_t size) {
     const std::uint64_t max = size > 0 ? source.in.left() / size : element.count;
     if (element.count > max) {
-        refuseDamaged(fmt::format("its head promises {} elements '{}', for which it has no room",
-                                  element.count, element.name));
+        refuseDamaged(say("its head promises {0} elements '{1}', for which it has no room", element.count,
+                          element.name));
     }
 }
 

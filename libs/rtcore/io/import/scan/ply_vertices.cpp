@@ -3,8 +3,6 @@
 #include "rtcore/io/import/scan/ply_numbers.h"
 #include "rtcore/platform/large_vector.h"
 
-#include <fmt/core.h>
-
 #include <limits>
 #include <optional>
 #include <span>
@@ -124,7 +122,7 @@ void readPlyVertices(PlySource& source, const PlyElement& element, ScanMesh& mes
     const std::size_t size = element.fixedSize();
     refuseMoreThanFile(source, element, size);
     if (element.count >= std::numeric_limits<std::uint32_t>::max())
-        refuseDamaged(fmt::format("it has {} vertices, more than can be numbered", element.count));
+        refuseDamaged(say("it has {0} vertices, more than can be numbered", element.count));
     const VertexLayout layout(element);
     std::vector<Column> columns;
     addColumns(layout, Attribute::Position, element.count, mesh.positions, columns);
@@ -136,8 +134,8 @@ void readPlyVertices(PlySource& source, const PlyElement& element, ScanMesh& mes
         return true;
     };
     if (!source.in.readRecords(element.count, size, use)) {
-        refuseDamaged(fmt::format("it ends before the last of the {} elements '{}' that its head promises",
-                                  element.count, element.name));
+        refuseDamaged(say("it ends before the last of the {0} elements '{1}' that its head promises",
+                          element.count, element.name));
     }
     const ColourDecoder decode(false);
     for (Colour& colour : mesh.colours) colour = decode(colour);

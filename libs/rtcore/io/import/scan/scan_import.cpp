@@ -11,8 +11,6 @@
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/paths.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -55,8 +53,7 @@ std::optional<Scan> readScan(const std::filesystem::path& path, const std::funct
     if (header && header->isText) refuseCutOffText(file, *header, alive);
     // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
     // ever.
-    if (endsInPlyHeader(text))
-        refuseDamaged(fmt::format("its head does not end within {} bytes", head.size()));
+    if (endsInPlyHeader(text)) refuseDamaged(say("its head does not end within {0} bytes", head.size()));
     if (!isNamedStl(path)) return {};
     auto mesh = readStl(file, alive);
     if (!mesh) return {};

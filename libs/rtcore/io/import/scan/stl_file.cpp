@@ -4,8 +4,6 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/large_vector.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <atomic>
 #include <bit>
@@ -78,9 +76,9 @@ std::optional<ScanMesh> readStl(const InputFile& file, const std::function<void(
     if (in.readRecords(*count, kFacet, use)) return mesh;
     if (coloured) return {};
     throw FileError(FailureKind::BadData, "",
-                    fmt::format("it ends before the last of the {} triangles that its head promises; it is "
-                                "damaged: copy or export it again",
-                                *count));
+                    say("it ends before the last of the {0} triangles that its head promises; it is "
+                        "damaged: copy or export it again",
+                        *count));
 }
 
 } // namespace rtcore
