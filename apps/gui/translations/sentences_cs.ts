@@ -20,12 +20,24 @@
         <translation>'name' je text</translation>
     </message>
     <message>
+        <source>'{0}' cannot name an instance: use 1 to 32 letters, digits, '_' or '-'</source>
+        <translation>'{0}' nemůže být jméno instance: použijte 1 až 32 písmen, číslic, '_' nebo '-'</translation>
+    </message>
+    <message>
         <source>'{0}' is no day from 1800 to 2200 such as {1}</source>
         <translation>'{0}' není den od roku 1800 do 2200, například {1}</translation>
     </message>
     <message>
         <source>A viewer asks to drive</source>
         <translation>Divák žádá o řízení</translation>
+    </message>
+    <message>
+        <source>Assimp cannot read it: {0}; open it in the program that wrote it and export it again, as glTF or OBJ for example</source>
+        <translation>Assimp ho nedokáže načíst: {0}; otevřete ho v programu, který ho zapsal, a exportujte znovu, například jako glTF nebo OBJ</translation>
+    </message>
+    <message>
+        <source>BMP of an unknown kind ({0} bits, compression {1})</source>
+        <translation>BMP neznámého druhu (bitů: {0}, komprese: {1})</translation>
     </message>
     <message>
         <source>BMP with an unknown header</source>
@@ -48,6 +60,14 @@
         <translation>disková kvóta je vyčerpaná</translation>
     </message>
     <message>
+        <source>EXR needs the channels R, G and B, or Y alone; it has none</source>
+        <translation>EXR potřebuje kanály R, G a B, nebo samotný Y; nemá žádné</translation>
+    </message>
+    <message>
+        <source>EXR needs the channels R, G and B, or Y alone; it has {0}</source>
+        <translation>EXR potřebuje kanály R, G a B, nebo samotný Y; má {0}</translation>
+    </message>
+    <message>
         <source>EXR with channels of a lower resolution cannot be read</source>
         <translation>EXR s kanály v nižším rozlišení nelze přečíst</translation>
     </message>
@@ -62,6 +82,14 @@
     <message>
         <source>File too large</source>
         <translation>soubor je příliš velký</translation>
+    </message>
+    <message>
+        <source>ImageMagick cannot read {0} here; convert the file to PNG</source>
+        <translation>ImageMagick tu neumí číst {0}; převeďte soubor na PNG</translation>
+    </message>
+    <message>
+        <source>ImageMagick cannot write {0} here; use .png</source>
+        <translation>ImageMagick tu neumí zapisovat {0}; použijte .png</translation>
     </message>
     <message>
         <source>ImageMagick wrote nothing</source>
@@ -96,6 +124,10 @@
         <translation>přístup odepřen</translation>
     </message>
     <message>
+        <source>Radiance image of an unknown kind ({0}); only 32-bit_rle_rgbe is read</source>
+        <translation>obraz Radiance neznámého druhu ({0}); čte se jen 32-bit_rle_rgbe</translation>
+    </message>
+    <message>
         <source>Radiance image with an exposure out of all range</source>
         <translation>obraz Radiance s nesmyslnou expozicí</translation>
     </message>
@@ -112,6 +144,10 @@
         <translation>TGA s neznámým druhem palety</translation>
     </message>
     <message>
+        <source>TIFF of a kind that cannot be read: {0}</source>
+        <translation>TIFF druhu, který nelze přečíst: {0}</translation>
+    </message>
+    <message>
         <source>Too many levels of symbolic links</source>
         <translation>příliš mnoho odkazů za sebou</translation>
     </message>
@@ -124,8 +160,56 @@
         <translation>položek [[environment]]</translation>
     </message>
     <message>
+        <source>a 7z archive</source>
+        <translation>archiv 7z</translation>
+    </message>
+    <message>
+        <source>a BREP file of CAD surfaces, which are not read</source>
+        <translation>soubor BREP s plochami CAD, které nelze načíst</translation>
+    </message>
+    <message>
+        <source>a DWG drawing, which is not read</source>
+        <translation>výkres DWG, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>dokument PDF</translation>
+    </message>
+    <message>
+        <source>a Parasolid file of CAD surfaces, which are not read</source>
+        <translation>soubor Parasolid s plochami CAD, které nelze načíst</translation>
+    </message>
+    <message>
+        <source>a RAR archive</source>
+        <translation>archiv RAR</translation>
+    </message>
+    <message>
+        <source>a STEP file of CAD surfaces, which are not read</source>
+        <translation>soubor STEP s plochami CAD, které nelze načíst</translation>
+    </message>
+    <message>
+        <source>a USD file, which is not read</source>
+        <translation>soubor USD, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>a USDZ file, which is not read</source>
+        <translation>soubor USDZ, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>a VRML file, which is not read</source>
+        <translation>soubor VRML, který nelze načíst</translation>
+    </message>
+    <message>
         <source>a bookmark needs a name, in UTF-8</source>
         <translation>záložka potřebuje jméno v UTF-8</translation>
+    </message>
+    <message>
+        <source>a command has up to {0} bytes, none of them NUL; this one has {1}</source>
+        <translation>příkaz má nejvýše {0} bajtů a žádný z nich není NUL; tento má {1}</translation>
+    </message>
+    <message>
+        <source>a cross of cube faces has 4 x 3 or 3 x 4 squares</source>
+        <translation>kříž ze stěn krychle má 4 x 3 nebo 3 x 4 čtverce</translation>
     </message>
     <message>
         <source>a date or time</source>
@@ -148,6 +232,26 @@
         <translation>několik vrcholů leží víc než 100000krát dál než všechny ostatní, které vedle nich nejsou vidět; odstraňte je, nebo umístěte kameru sami</translation>
     </message>
     <message>
+        <source>a file of Rhino, which is not read</source>
+        <translation>soubor programu Rhino, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>a file packed by bzip2</source>
+        <translation>soubor zabalený programem bzip2</translation>
+    </message>
+    <message>
+        <source>a file packed by gzip</source>
+        <translation>soubor zabalený programem gzip</translation>
+    </message>
+    <message>
+        <source>a file packed by xz</source>
+        <translation>soubor zabalený programem xz</translation>
+    </message>
+    <message>
+        <source>a file packed by zstd</source>
+        <translation>soubor zabalený programem zstd</translation>
+    </message>
+    <message>
         <source>a finite number</source>
         <translation>konečné číslo</translation>
     </message>
@@ -158,6 +262,10 @@
     <message>
         <source>a finite number at least {0}</source>
         <translation>konečné číslo, nejméně {0}</translation>
+    </message>
+    <message>
+        <source>a frame has 1 to {0} pixels a side, not {1} x {2}</source>
+        <translation>strana snímku má 1 až {0} pixelů, ne {1} x {2}</translation>
     </message>
     <message>
         <source>a key has too many parts</source>
@@ -174,6 +282,10 @@
     <message>
         <source>a model is shown, not a scene; 'save as' makes a scene of it</source>
         <translation>ukazuje se model, ne scéna; scénu z něj udělá 'save as'</translation>
+    </message>
+    <message>
+        <source>a model of SketchUp, which is not read</source>
+        <translation>model programu SketchUp, který nelze načíst</translation>
     </message>
     <message>
         <source>a name in quotes</source>
@@ -216,6 +328,22 @@
         <translation>textová bitmapa obsahuje jen 0 a 1</translation>
     </message>
     <message>
+        <source>a point cloud (E57), which has no surfaces</source>
+        <translation>mračno bodů (E57), které nemá plochy</translation>
+    </message>
+    <message>
+        <source>a point cloud (LAS or LAZ), which has no surfaces</source>
+        <translation>mračno bodů (LAS nebo LAZ), které nemá plochy</translation>
+    </message>
+    <message>
+        <source>a point cloud (PCD), which has no surfaces</source>
+        <translation>mračno bodů (PCD), které nemá plochy</translation>
+    </message>
+    <message>
+        <source>a pointer of Git LFS, not the model itself</source>
+        <translation>odkaz Git LFS, ne sám model</translation>
+    </message>
+    <message>
         <source>a quotation mark is not closed</source>
         <translation>uvozovka není uzavřená</translation>
     </message>
@@ -236,6 +364,10 @@
         <translation>scéna se ukládá jako soubor .scn, ne jako {0}</translation>
     </message>
     <message>
+        <source>a strip of cube faces has 6 x 1 or 1 x 6 squares</source>
+        <translation>pás ze stěn krychle má 6 x 1 nebo 1 x 6 čtverců</translation>
+    </message>
+    <message>
         <source>a table</source>
         <translation>tabulka</translation>
     </message>
@@ -244,12 +376,20 @@
         <translation>tabulka, [{0}]</translation>
     </message>
     <message>
+        <source>a tar archive</source>
+        <translation>archiv tar</translation>
+    </message>
+    <message>
         <source>a texture is turned on its surface; that is not supported, so it is not turned</source>
         <translation>textura je na povrchu natočená; to se nepodporuje, takže natočená není</translation>
     </message>
     <message>
         <source>a value is a boolean, a number or a text</source>
         <translation>hodnota je true nebo false, číslo, nebo text</translation>
+    </message>
+    <message>
+        <source>a web page, not a model</source>
+        <translation>webová stránka, ne model</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -266,6 +406,10 @@
     <message>
         <source>a word is one of {0}</source>
         <translation>slovo je jedno z: {0}</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <translation>archiv zip</translation>
     </message>
     <message>
         <source>a {0} light has no cone</source>
@@ -296,12 +440,40 @@
         <translation>activeEnvironment je {0}, ale je tu {1} {2}, počítáno od 0</translation>
     </message>
     <message>
+        <source>an Alembic file, which is not read</source>
+        <translation>soubor Alembic, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, which is not read</source>
+        <translation>soubor HDF5, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>an IGES file of CAD surfaces, which are not read</source>
+        <translation>soubor IGES s plochami CAD, které nelze načíst</translation>
+    </message>
+    <message>
         <source>an array</source>
         <translation>pole</translation>
     </message>
     <message>
         <source>an environment has exactly one of the keys equirectangular, cross, strip, faces and parts</source>
         <translation>environment má právě jeden z klíčů equirectangular, cross, strip, faces a parts</translation>
+    </message>
+    <message>
+        <source>an environment is twice as wide as high, or a cross of 4 x 3 or 3 x 4 squares, or a strip of 6 x 1 or 1 x 6</source>
+        <translation>mapa okolí je dvakrát širší než vyšší, nebo kříž 4 x 3 či 3 x 4 čtverců, nebo pás 6 x 1 či 1 x 6</translation>
+    </message>
+    <message>
+        <source>an equirectangular map is twice as wide as high</source>
+        <translation>ekvirektangulární mapa má dvojnásobnou šířku oproti výšce</translation>
+    </message>
+    <message>
+        <source>an image</source>
+        <translation>obraz</translation>
+    </message>
+    <message>
+        <source>an image of {0} x {1} pixels cannot be written</source>
+        <translation>obraz o velikosti {0} x {1} pixelů nelze zapsat</translation>
     </message>
     <message>
         <source>another bookmark is called {0}</source>
@@ -408,8 +580,24 @@
         <translation>příkaz</translation>
     </message>
     <message>
+        <source>command queue {0}: {1}</source>
+        <translation>fronta příkazů {0}: {1}</translation>
+    </message>
+    <message>
+        <source>damaged EXR: {0}</source>
+        <translation>poškozený EXR: {0}</translation>
+    </message>
+    <message>
+        <source>damaged JPEG: {0}</source>
+        <translation>poškozený JPEG: {0}</translation>
+    </message>
+    <message>
         <source>damaged PFM: its header has lines for the kind, the size and the byte order</source>
         <translation>poškozený PFM: hlavička má řádky s druhem, velikostí a pořadím bajtů</translation>
+    </message>
+    <message>
+        <source>damaged PNG: {0}</source>
+        <translation>poškozený PNG: {0}</translation>
     </message>
     <message>
         <source>damaged PNM: a number was expected</source>
@@ -436,8 +624,16 @@
         <translation>poškozený TIFF: pixely nelze dekódovat</translation>
     </message>
     <message>
+        <source>damaged TIFF: row {0} cannot be decoded</source>
+        <translation>poškozený TIFF: řádek {0} nelze dekódovat</translation>
+    </message>
+    <message>
         <source>damaged TIFF: rows of an odd size</source>
         <translation>poškozený TIFF: řádky zvláštní délky</translation>
+    </message>
+    <message>
+        <source>damaged {0}: {1}</source>
+        <translation>poškozený {0}: {1}</translation>
     </message>
     <message>
         <source>diffuse and specular together exceed 1; a surface gives back no more light than it gets</source>
@@ -460,6 +656,10 @@
         <translation>směrové</translation>
     </message>
     <message>
+        <source>download the file itself</source>
+        <translation>stáhněte sám soubor</translation>
+    </message>
+    <message>
         <source>edit {0} is not the last one</source>
         <translation>úprava {0} není poslední</translation>
     </message>
@@ -480,8 +680,68 @@
         <translation>všechny materiály jsou úplně průhledné, takže není nic vidět; dejte jim krytí</translation>
     </message>
     <message>
+        <source>export it as FBX, STL or DXF from the CAD program</source>
+        <translation>exportujte ho z programu CAD jako FBX, STL nebo DXF</translation>
+    </message>
+    <message>
+        <source>export it as STL, 3MF or glTF from the CAD program</source>
+        <translation>exportujte ho z programu CAD jako STL, 3MF nebo glTF</translation>
+    </message>
+    <message>
+        <source>export it as glTF or Collada from SketchUp</source>
+        <translation>exportujte ho ze SketchUpu jako glTF nebo Collada</translation>
+    </message>
+    <message>
+        <source>export it as glTF, OBJ or STL from Rhino</source>
+        <translation>exportujte ho z Rhina jako glTF, OBJ nebo STL</translation>
+    </message>
+    <message>
+        <source>export the model as X3D or glTF</source>
+        <translation>exportujte model jako X3D nebo glTF</translation>
+    </message>
+    <message>
+        <source>export the model as glTF</source>
+        <translation>exportujte model jako glTF</translation>
+    </message>
+    <message>
+        <source>export the model as glTF or OBJ</source>
+        <translation>exportujte model jako glTF nebo OBJ</translation>
+    </message>
+    <message>
+        <source>export with a node for each instance (gltfpack without -mi)</source>
+        <translation>exportujte s vlastním uzlem pro každou instanci (gltfpack bez -mi)</translation>
+    </message>
+    <message>
+        <source>export with images of PNG or JPEG</source>
+        <translation>exportujte s obrazy PNG nebo JPEG</translation>
+    </message>
+    <message>
+        <source>export with images of PNG or JPEG (gltfpack without -tc and -tu)</source>
+        <translation>exportujte s obrazy PNG nebo JPEG (gltfpack bez -tc a -tu)</translation>
+    </message>
+    <message>
+        <source>export with images of PNG or JPEG (gltfpack without -tw)</source>
+        <translation>exportujte s obrazy PNG nebo JPEG (gltfpack bez -tw)</translation>
+    </message>
+    <message>
+        <source>export without it</source>
+        <translation>exportujte bez něj</translation>
+    </message>
+    <message>
+        <source>export without it (gltfpack -noq, without -c and -cc)</source>
+        <translation>exportujte bez něj (gltfpack -noq, bez -c a -cc)</translation>
+    </message>
+    <message>
+        <source>export without it (gltfpack without -c and -cc)</source>
+        <translation>exportujte bez něj (gltfpack bez -c a -cc)</translation>
+    </message>
+    <message>
         <source>faces has {0} files, but takes six: +x, -x, +y, -y, +z, -z</source>
         <translation>faces má {0} souborů, ale bere šest: +x, -x, +y, -y, +z, -z</translation>
+    </message>
+    <message>
+        <source>fetch the model (git lfs pull)</source>
+        <translation>stáhněte model (git lfs pull)</translation>
     </message>
     <message>
         <source>flying</source>
@@ -496,12 +756,28 @@
         <translation>uvolněte místo, nebo nastavte TMPDIR na jinou složku</translation>
     </message>
     <message>
+        <source>give a model</source>
+        <translation>zadejte model</translation>
+    </message>
+    <message>
         <source>given up: the frame that it needs takes too long for the commands behind it; send them later</source>
         <translation>vzdáno: snímek, který je k tomu potřeba, trvá příkazům za ním příliš dlouho; pošlete je později</translation>
     </message>
     <message>
         <source>glass</source>
         <translation>sklo</translation>
+    </message>
+    <message>
+        <source>header: the file is cut off</source>
+        <translation>hlavička: soubor je neúplný</translation>
+    </message>
+    <message>
+        <source>header: written by a machine of the other byte order</source>
+        <translation>hlavička: zapsána počítačem s opačným pořadím bajtů</translation>
+    </message>
+    <message>
+        <source>header: written by another version of BSPBuilder</source>
+        <translation>hlavička: zapsána jinou verzí programu BSPBuilder</translation>
     </message>
     <message>
         <source>height maps of {0}</source>
@@ -528,20 +804,116 @@
         <translation>innerAngle musí být znatelně menší než outerAngle</translation>
     </message>
     <message>
+        <source>is no .bsp file of this suite (other programs use the same ending)</source>
+        <translation>není soubor .bsp této sady programů (stejnou příponu používají i jiné)</translation>
+    </message>
+    <message>
+        <source>it ends after {0} of the {1} elements '{2}' that its head promises</source>
+        <translation>končí po {0} z {1} prvků '{2}', které slibuje hlavička</translation>
+    </message>
+    <message>
+        <source>it ends before the last of the {0} elements '{1}' that its head promises</source>
+        <translation>končí dřív než poslední z {0} prvků '{1}', které slibuje hlavička</translation>
+    </message>
+    <message>
+        <source>it ends before the last of the {0} triangles that its head promises; it is damaged: copy or export it again</source>
+        <translation>končí dřív než poslední z {0} trojúhelníků, které slibuje hlavička; je poškozený: zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
         <source>it has more than 2^30 triangles; split the model</source>
         <translation>má víc než 2^30 trojúhelníků; rozdělte model</translation>
+    </message>
+    <message>
+        <source>it has {0} vertices, more than can be numbered</source>
+        <translation>má {0} vrcholů, víc, než lze očíslovat</translation>
+    </message>
+    <message>
+        <source>it holds no triangles ({0} points and lines, {1} triangles without area, {2} with broken coordinates, {3} with corners that do not exist, {4} meshes); give a model with surfaces</source>
+        <translation>nemá žádné trojúhelníky (bodů a čar: {0}, trojúhelníků bez plochy: {1}, s vadnými souřadnicemi: {2}, s neexistujícími vrcholy: {3}, sítí: {4}); zadejte model s plochami</translation>
+    </message>
+    <message>
+        <source>it holds no triangles; give a model with surfaces</source>
+        <translation>nemá žádné trojúhelníky; zadejte model s plochami</translation>
+    </message>
+    <message>
+        <source>it is a 3MF file by its content; rename it so that it ends in .3mf</source>
+        <translation>podle obsahu je to soubor 3MF; přejmenujte ho, aby končil na .3mf</translation>
+    </message>
+    <message>
+        <source>it is a building in {0}, which is not read; export it as IFC2x3 or as glTF</source>
+        <translation>je to budova ve formátu {0}, který nelze načíst; exportujte ji jako IFC2x3 nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is a document of FreeCAD, which is not read; export it as STL, 3MF or glTF</source>
+        <translation>je to dokument programu FreeCAD, který nelze načíst; exportujte ho jako STL, 3MF nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is a file of Blender {0}.{1}, which is not read; export it as glTF from Blender</source>
+        <translation>je to soubor Blenderu {0}.{1}, který nelze načíst; exportujte ho z Blenderu jako glTF</translation>
+    </message>
+    <message>
+        <source>it is a file of Blender, which is not read; export it as glTF from Blender</source>
+        <translation>je to soubor Blenderu, který nelze načíst; exportujte ho z Blenderu jako glTF</translation>
+    </message>
+    <message>
+        <source>it is a file of a CAD program, which is not read; export it as STL, 3MF or glTF from that program</source>
+        <translation>je to soubor programu CAD, který nelze načíst; exportujte ho z toho programu jako STL, 3MF nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is a model of Revit, which is not read; export it as IFC2x3, FBX or glTF from Revit</source>
+        <translation>je to model programu Revit, který nelze načíst; exportujte ho z Revitu jako IFC2x3, FBX nebo glTF</translation>
     </message>
     <message>
         <source>it is a pipe without a writer; give a file</source>
         <translation>je to roura, do které nikdo nepíše; zadejte soubor</translation>
     </message>
     <message>
+        <source>it is a scene of 3ds Max, which is not read; export it as FBX or glTF from 3ds Max</source>
+        <translation>je to scéna programu 3ds Max, kterou nelze načíst; exportujte ji z 3ds Max jako FBX nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is an FBX file of version {0}.{1}, from before 2011, which is not read; save it as FBX 2011 or later, or as glTF</source>
+        <translation>je to soubor FBX verze {0}.{1} z doby před rokem 2011, kterou nelze načíst; uložte ho jako FBX 2011 nebo novější, nebo jako glTF</translation>
+    </message>
+    <message>
+        <source>it is cut off: its JSON does not end within {0} bytes; copy it again</source>
+        <translation>je neúplný: jeho JSON ani po {0} bajtech nekončí; zkopírujte ho znovu</translation>
+    </message>
+    <message>
+        <source>it is cut off: the list of what it holds is missing at its end; copy it again</source>
+        <translation>je neúplný: na konci chybí seznam jeho obsahu; zkopírujte ho znovu</translation>
+    </message>
+    <message>
+        <source>it is cut off: {0} is missing at its end; copy it again</source>
+        <translation>je neúplný: na konci chybí {0}; zkopírujte ho znovu</translation>
+    </message>
+    <message>
+        <source>it is cut off: {0} of at least {1} bytes are there; copy it again</source>
+        <translation>je neúplný: má {0} bajtů z nejméně {1}; zkopírujte ho znovu</translation>
+    </message>
+    <message>
         <source>it is empty; export the model again</source>
         <translation>je prázdný; exportujte model znovu</translation>
     </message>
     <message>
+        <source>it is glTF {0} in a binary file, which is not read; export it as glTF 2.0</source>
+        <translation>je to glTF {0} v binárním souboru, který nelze načíst; exportujte ho jako glTF 2.0</translation>
+    </message>
+    <message>
+        <source>it is glTF {0}, which is not read; export it as glTF 2.0</source>
+        <translation>je to glTF {0}, který nelze načíst; exportujte ho jako glTF 2.0</translation>
+    </message>
+    <message>
+        <source>it is no .bsp of this suite, or its beginning is damaged; build it again with BSPBuilder</source>
+        <translation>není to .bsp této sady programů, nebo má poškozený začátek; vytvořte ho znovu programem BSPBuilder</translation>
+    </message>
+    <message>
         <source>it is no image any more; choose another environment map</source>
         <translation>už to není obraz; zvolte jinou mapu okolí</translation>
+    </message>
+    <message>
+        <source>it is no model; give the model or .bsp itself</source>
+        <translation>není to model; zadejte sám model nebo .bsp</translation>
     </message>
     <message>
         <source>it is no regular file; give a file</source>
@@ -556,20 +928,60 @@
         <translation>není to soubor; zadejte cestu k modelu</translation>
     </message>
     <message>
+        <source>it is only {0} units large, too small to be traced; scale it up by a factor of {1}</source>
+        <translation>měří jen {0} jednotek, takže je na výpočet příliš malý; zvětšete ho {1}krát</translation>
+    </message>
+    <message>
         <source>it is there already, and not empty; name another folder</source>
         <translation>už tu je a není prázdná; zvolte jinou složku</translation>
+    </message>
+    <message>
+        <source>it is {0}; {1}</source>
+        <translation>je to {0}; {1}</translation>
     </message>
     <message>
         <source>it names {0}, which is not there</source>
         <translation>odkazuje na {0}, který tu není</translation>
     </message>
     <message>
+        <source>it needs {0} and {1}, which are not read; {2}</source>
+        <translation>potřebuje rozšíření {0} a {1}, která nelze načíst; {2}</translation>
+    </message>
+    <message>
+        <source>it needs {0}, which is not read; {1}</source>
+        <translation>potřebuje rozšíření {0}, které nelze načíst; {1}</translation>
+    </message>
+    <message>
         <source>it was written or changed by hand, and its comments and its layout would be lost; add 'replace', then it is kept as {0}</source>
         <translation>byl napsán nebo změněn ručně a ztratil by komentáře i úpravu; přidejte 'replace', pak zůstane jako {0}</translation>
     </message>
     <message>
+        <source>its JSON does not say which version of glTF it is; export it again</source>
+        <translation>jeho JSON neříká, která je to verze glTF; exportujte ho znovu</translation>
+    </message>
+    <message>
+        <source>its JSON is damaged at byte {0}; copy or export it again</source>
+        <translation>jeho JSON je poškozený u bajtu {0}; zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
         <source>its copy does not find {0}; make a .bsp of it by BSPBuilder and pack that</source>
         <translation>jeho kopie nenajde {0}; udělejte z něj programem BSPBuilder .bsp a zabalte ten</translation>
+    </message>
+    <message>
+        <source>its face {0} claims to have {1} corners</source>
+        <translation>stěna {0} má mít {1} vrcholů</translation>
+    </message>
+    <message>
+        <source>its face {0} names the vertex {1} of {2}</source>
+        <translation>stěna {0} odkazuje na vrchol {1} z {2}</translation>
+    </message>
+    <message>
+        <source>its first chunk holds no JSON; it is damaged: copy or export it again</source>
+        <translation>první blok neobsahuje JSON; soubor je poškozený: zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
+        <source>its first chunk is longer than the file; it is damaged: copy or export it again</source>
+        <translation>první blok je delší než soubor; je poškozený: zkopírujte nebo exportujte ho znovu</translation>
     </message>
     <message>
         <source>its folder {0} cannot be made: {1}</source>
@@ -580,8 +992,32 @@
         <translation>jeho složka {0} už existuje; zvolte jiné jméno</translation>
     </message>
     <message>
+        <source>its geometry is in {0}, which are missing; put them beside the model's file</source>
+        <translation>jeho geometrie je v souborech {0}, které chybějí; dejte je vedle souboru modelu</translation>
+    </message>
+    <message>
+        <source>its geometry is in {0}, which is missing; put it beside the model's file</source>
+        <translation>jeho geometrie je v souboru {0}, který chybí; dejte ho vedle souboru modelu</translation>
+    </message>
+    <message>
+        <source>its head does not end within {0} bytes</source>
+        <translation>jeho hlavička ani po {0} bajtech nekončí</translation>
+    </message>
+    <message>
+        <source>its head promises {0} elements '{1}', for which it has no room</source>
+        <translation>jeho hlavička slibuje {0} prvků '{1}', které se do něj nevejdou</translation>
+    </message>
+    <message>
         <source>its model is a scene file too; name a .bsp or a model: {0}</source>
         <translation>jeho model je také soubor scény; zadejte .bsp nebo model: {0}</translation>
+    </message>
+    <message>
+        <source>its name does not fit its content; rename it so that it ends in {0}</source>
+        <translation>jméno neodpovídá obsahu; přejmenujte ho, aby končil na {0}</translation>
+    </message>
+    <message>
+        <source>its node graph has no end; repair the file</source>
+        <translation>graf jeho uzlů nemá konec; opravte soubor</translation>
     </message>
     <message>
         <source>key</source>
@@ -600,8 +1036,16 @@
         <translation>vynecháno, protože se z toho nic nepoužívá: {0}</translation>
     </message>
     <message>
+        <source>libpng cannot be started</source>
+        <translation>knihovnu libpng nelze spustit</translation>
+    </message>
+    <message>
         <source>libtiff cannot be started</source>
         <translation>libtiff nelze spustit</translation>
+    </message>
+    <message>
+        <source>libtiff cannot write row {0}</source>
+        <translation>libtiff nemůže zapsat řádek {0}</translation>
     </message>
     <message>
         <source>libtiff cannot write the directory</source>
@@ -634,6 +1078,10 @@
     <message>
         <source>lx is for directional lights; others give off lm or W</source>
         <translation>lx je pro směrová světla; ostatní mají lm nebo W</translation>
+    </message>
+    <message>
+        <source>make a mesh of it (CloudCompare, MeshLab) and save that as PLY</source>
+        <translation>udělejte z něj síť (CloudCompare, MeshLab) a tu uložte jako PLY</translation>
     </message>
     <message>
         <source>material library {0} are missing; what it describes is plain grey</source>
@@ -676,6 +1124,10 @@
         <translation>nelze tu vytvořit složku: {0}; {1}</translation>
     </message>
     <message>
+        <source>no importer knows this format; convert it to glTF, OBJ, PLY or STL</source>
+        <translation>tento formát neumí přečíst žádný importér; převeďte ho na glTF, OBJ, PLY nebo STL</translation>
+    </message>
+    <message>
         <source>no material of the model has the number {0}</source>
         <translation>žádný materiál modelu nemá číslo {0}</translation>
     </message>
@@ -686,6 +1138,10 @@
     <message>
         <source>no material of the model is {0}; 'materials' lists them</source>
         <translation>model nemá materiál {0}; vypíše je 'materials'</translation>
+    </message>
+    <message>
+        <source>no page is open any more</source>
+        <translation>už není otevřená žádná stránka</translation>
     </message>
     <message>
         <source>no part of the model has the number {0}</source>
@@ -702,6 +1158,22 @@
     <message>
         <source>no parts of the model that show an image are named "{0}"; that environment is black</source>
         <translation>žádné části modelu, které ukazují obraz, se nejmenují "{0}"; tato mapa okolí je černá</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>důvod neuveden</translation>
+    </message>
+    <message>
+        <source>no server '{0}' is running; start one or name another instance</source>
+        <translation>žádný server '{0}' neběží; spusťte ho, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
+        <source>no server '{0}' runs</source>
+        <translation>žádný server '{0}' neběží</translation>
+    </message>
+    <message>
+        <source>no temporary file: {0}</source>
+        <translation>nelze vytvořit dočasný soubor: {0}</translation>
     </message>
     <message>
         <source>none</source>
@@ -730,6 +1202,10 @@
     <message>
         <source>not written, since it could not be read back: {0}</source>
         <translation>nezapsáno, protože by to nešlo znovu přečíst: {0}</translation>
+    </message>
+    <message>
+        <source>not written: the model cannot be used ({0}); repair the model's file</source>
+        <translation>nezapsáno: model nelze použít ({0}); opravte soubor modelu</translation>
     </message>
     <message>
         <source>nothing is being recorded</source>
@@ -808,6 +1284,10 @@
         <translation>leštěné</translation>
     </message>
     <message>
+        <source>reading it takes more than the {0} MB of memory that the importer may use; raise the memory limit when the model is that large, else simplify it or export it again</source>
+        <translation>ke čtení je potřeba víc než {0} MB paměti, které smí importér použít; je-li model opravdu tak velký, zvyšte limit paměti, jinak ho zjednodušte nebo exportujte znovu</translation>
+    </message>
+    <message>
         <source>recording ended: {0}</source>
         <translation>nahrávání skončilo: {0}</translation>
     </message>
@@ -824,8 +1304,60 @@
         <translation>seen bere čísla od 0 do 1, ne '{0}'</translation>
     </message>
     <message>
+        <source>server '{0}' (process {1}) is of another version ({2}) than this program ({3}); use programs of one version</source>
+        <translation>server '{0}' (proces {1}) má jinou verzi ({2}) než tento program ({3}); použijte programy stejné verze</translation>
+    </message>
+    <message>
+        <source>server '{0}' has {1} clients, and takes no more; end one</source>
+        <translation>server '{0}' má {1} klientů a víc jich nepřijme; některého ukončete</translation>
+    </message>
+    <message>
+        <source>server '{0}' is already running (process {1}); stop it or name another instance</source>
+        <translation>server '{0}' už běží (proces {1}); zastavte ho, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
+        <source>server '{0}' is already running; stop it or name another instance</source>
+        <translation>server '{0}' už běží; zastavte ho, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
         <source>setting</source>
         <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>shared memory cannot be locked: {0}</source>
+        <translation>sdílenou paměť nelze zamknout: {0}</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: belongs to another user or is open to others; remove it or name another instance</source>
+        <translation>sdílená paměť {0}: patří jinému uživateli nebo je přístupná ostatním; odstraňte ji, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: cannot be opened: {1}</source>
+        <translation>sdílená paměť {0}: nelze otevřít: {1}</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: cannot be opened: {1}; remove it or name another instance</source>
+        <translation>sdílená paměť {0}: nelze otevřít: {1}; odstraňte ji, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: cannot be renamed: {1}</source>
+        <translation>sdílená paměť {0}: nelze přejmenovat: {1}</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: is not a segment; remove it or name another instance</source>
+        <translation>sdílená paměť {0}: není to segment; odstraňte ji, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: the name is taken; remove it or name another instance</source>
+        <translation>sdílená paměť {0}: jméno je obsazené; odstraňte ji, nebo zadejte jinou instanci</translation>
+    </message>
+    <message>
+        <source>shared memory {0}: {1}</source>
+        <translation>sdílená paměť {0}: {1}</translation>
+    </message>
+    <message>
+        <source>shared memory: needs {0}, {1} has {2} left; free some (in a container: --shm-size) or ask for a lower resolution</source>
+        <translation>sdílená paměť: je potřeba {0}, v {1} zbývá {2}; nějakou uvolněte (v kontejneru: --shm-size), nebo zvolte nižší rozlišení</translation>
     </message>
     <message>
         <source>so much light cannot be counted</source>
@@ -888,6 +1420,10 @@
         <translation>textura {0}; její materiál je jednobarevný</translation>
     </message>
     <message>
+        <source>the bridge ends</source>
+        <translation>RTBridge končí</translation>
+    </message>
+    <message>
         <source>the camera needs a direction to look in</source>
         <translation>kamera potřebuje směr pohledu</translation>
     </message>
@@ -916,6 +1452,10 @@
         <translation>žádost dostal ten, kdo řídí</translation>
     </message>
     <message>
+        <source>the faces of a cube are squares of one size, here {0} a side</source>
+        <translation>stěny krychle jsou stejně velké čtverce, zde o straně {0}</translation>
+    </message>
+    <message>
         <source>the field of view is more than 0 and less than 180 degrees</source>
         <translation>zorný úhel je víc než 0 a méně než 180 stupňů</translation>
     </message>
@@ -924,8 +1464,28 @@
         <translation>soubor končí příliš brzy: je poškozený, nebo nebyl zkopírován celý</translation>
     </message>
     <message>
+        <source>the file is cut off</source>
+        <translation>soubor je neúplný</translation>
+    </message>
+    <message>
         <source>the file is empty</source>
         <translation>soubor je prázdný</translation>
+    </message>
+    <message>
+        <source>the file is longer than it should be</source>
+        <translation>soubor je delší, než má být</translation>
+    </message>
+    <message>
+        <source>the file is too short for the {0} pixels that its header names</source>
+        <translation>soubor je příliš krátký na {0} pixelů, které udává jeho hlavička</translation>
+    </message>
+    <message>
+        <source>the folder for temporary files: {0}</source>
+        <translation>složka pro dočasné soubory: {0}</translation>
+    </message>
+    <message>
+        <source>the image has {0} x {1} pixels; {2}</source>
+        <translation>obraz má {0} x {1} pixelů; {2}</translation>
     </message>
     <message>
         <source>the image inside the model is empty</source>
@@ -934,6 +1494,38 @@
     <message>
         <source>the image inside the model is too large</source>
         <translation>obraz uvnitř modelu je příliš velký</translation>
+    </message>
+    <message>
+        <source>the image is empty ({0} x {1} pixels)</source>
+        <translation>obraz je prázdný ({0} x {1} pixelů)</translation>
+    </message>
+    <message>
+        <source>the image is too large ({0} x {1} pixels); the most is {2} a side and {3} megapixels</source>
+        <translation>obraz je příliš velký ({0} x {1} pixelů); nejvíc může mít {2} na stranu a {3} megapixelů</translation>
+    </message>
+    <message>
+        <source>the import was stopped</source>
+        <translation>import byl zastaven</translation>
+    </message>
+    <message>
+        <source>the importer crashed (signal {0}, {1}) while reading it</source>
+        <translation>importér při jeho čtení havaroval (signál {0}, {1})</translation>
+    </message>
+    <message>
+        <source>the importer failed (exit code {0}: {1})</source>
+        <translation>importér selhal (návratový kód {0}: {1})</translation>
+    </message>
+    <message>
+        <source>the importer got no further for {0} seconds and was ended; raise the time limit when the model is that large, else simplify it or export it again</source>
+        <translation>importér se {0} s nedostal dál a byl ukončen; je-li model opravdu tak velký, zvyšte časový limit, jinak ho zjednodušte nebo exportujte znovu</translation>
+    </message>
+    <message>
+        <source>the importer handed over a model that cannot be used ({0})</source>
+        <translation>importér předal model, který nelze použít ({0})</translation>
+    </message>
+    <message>
+        <source>the importer program is missing; install it beside this program or name it in RT_IMPORTER</source>
+        <translation>chybí program importéru; nainstalujte ho vedle tohoto programu, nebo ho uveďte v RT_IMPORTER</translation>
     </message>
     <message>
         <source>the inner angle must be below the outer one, by enough to tell them apart</source>
@@ -1000,6 +1592,10 @@
         <translation>scéna odkazuje na soubory mimo svou složku: {0}; 'pack FOLDER outside' je přibalí</translation>
     </message>
     <message>
+        <source>the server did not answer in time</source>
+        <translation>server včas neodpověděl</translation>
+    </message>
+    <message>
         <source>the server is paused; resume it first</source>
         <translation>server je pozastavený; nejdřív ho nechte pokračovat</translation>
     </message>
@@ -1022,6 +1618,10 @@
     <message>
         <source>the state takes more bytes than an answer has</source>
         <translation>stav je delší, než smí být odpověď</translation>
+    </message>
+    <message>
+        <source>the table of sections is cut off</source>
+        <translation>tabulka oddílů je neúplná</translation>
     </message>
     <message>
         <source>the textures of material {0} lie on it in different ways; all are laid as the first one is</source>
@@ -1132,6 +1732,14 @@
         <translation>není co vrátit</translation>
     </message>
     <message>
+        <source>this build cannot read {0}; convert the file to PNG</source>
+        <translation>tento program neumí číst {0}; převeďte soubor na PNG</translation>
+    </message>
+    <message>
+        <source>this build cannot write {0}; use .png</source>
+        <translation>tento program neumí zapisovat {0}; použijte .png</translation>
+    </message>
+    <message>
         <source>this build reads no EXR; convert it to .hdr</source>
         <translation>tento program neumí číst EXR; převeďte ho na .hdr</translation>
     </message>
@@ -1196,6 +1804,14 @@
         <translation>vráceno, protože snímek trval déle než 5 s</translation>
     </message>
     <message>
+        <source>unexpected row size</source>
+        <translation>neočekávaná délka řádku</translation>
+    </message>
+    <message>
+        <source>unknown image format; known are {0}</source>
+        <translation>neznámý formát obrazu; známé jsou {0}</translation>
+    </message>
+    <message>
         <source>unknown key {0}; there are letters, digits, Space, Left, Right, Up, Down, Shift, Control, CapsLock and others</source>
         <translation>neznámá klávesa {0}; jsou tu písmena, číslice, Space, Left, Right, Up, Down, Shift, Control, CapsLock a další</translation>
     </message>
@@ -1206,6 +1822,26 @@
     <message>
         <source>unknown {0} {1}; known: {2}</source>
         <translation>neznámé jméno ({0}): {1}; známá jsou: {2}</translation>
+    </message>
+    <message>
+        <source>unpack it (bunzip2) and give the model inside</source>
+        <translation>rozbalte ho (bunzip2) a zadejte model, který je v něm</translation>
+    </message>
+    <message>
+        <source>unpack it (gunzip) and give the model inside</source>
+        <translation>rozbalte ho (gunzip) a zadejte model, který je v něm</translation>
+    </message>
+    <message>
+        <source>unpack it (unxz) and give the model inside</source>
+        <translation>rozbalte ho (unxz) a zadejte model, který je v něm</translation>
+    </message>
+    <message>
+        <source>unpack it (unzstd) and give the model inside</source>
+        <translation>rozbalte ho (unzstd) a zadejte model, který je v něm</translation>
+    </message>
+    <message>
+        <source>unpack it and give the model inside</source>
+        <translation>rozbalte ho a zadejte model, který je v něm</translation>
     </message>
     <message>
         <source>up is parallel to the view direction; give another up</source>
@@ -1238,6 +1874,10 @@
     <message>
         <source>whole numbers in brackets</source>
         <translation>celá čísla v hranatých závorkách</translation>
+    </message>
+    <message>
+        <source>with all instances it has {0} faces, more than fit into the memory that it may use; raise the limit or simplify the model</source>
+        <translation>se všemi instancemi má {0} stěn, víc, než se vejde do paměti, kterou smí použít; zvyšte limit, nebo model zjednodušte</translation>
     </message>
     <message>
         <source>with the [sky]</source>
@@ -1480,12 +2120,20 @@
         <translation>{0}, nebo {1}</translation>
     </message>
     <message>
+        <source>{0}: no memory for it: {1}</source>
+        <translation>{0}: není na to paměť: {1}</translation>
+    </message>
+    <message>
         <source>{0}: part of it is missing or wrong here</source>
         <translation>{0}: část chybí nebo je tu jinak</translation>
     </message>
     <message>
         <source>{0}; 'material reset *' takes them as they are</source>
         <translation>{0}; jak jsou v souboru, je ukáže 'material reset *'</translation>
+    </message>
+    <message>
+        <source>{0}; build it again with BSPBuilder</source>
+        <translation>{0}; vytvořte ho znovu programem BSPBuilder</translation>
     </message>
     <message>
         <source>{0}; check its permissions</source>
@@ -1512,6 +2160,10 @@
         <translation>{0}; uvolněte tam místo</translation>
     </message>
     <message>
+        <source>{0}; it is damaged: copy or export it again</source>
+        <translation>{0}; je poškozený: zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
         <source>{0}; make its folder first</source>
         <translation>{0}; nejdřív vytvořte jeho složku</translation>
     </message>
@@ -1522,6 +2174,10 @@
     <message>
         <source>{0}; no scene needs that</source>
         <translation>{0}; to žádná scéna nepotřebuje</translation>
+    </message>
+    <message>
+        <source>{0}; open it in the program that wrote it and export it again, as glTF or OBJ for example</source>
+        <translation>{0}; otevřete ho v programu, který ho zapsal, a exportujte znovu, například jako glTF nebo OBJ</translation>
     </message>
 </context>
 </TS>
