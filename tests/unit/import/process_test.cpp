@@ -81,6 +81,15 @@ TEST_F(FakeImporter, ExitCodesAndReasons) {
     EXPECT_TRUE(says(error, "exit code 9")) << error.what();
 }
 
+TEST_F(FakeImporter, AReasonInAFormIsTakenBeforeOneInEnglish) {
+    const std::string english = "echo 'in English' >&2; exit 65";
+    const FileError error = failure(R"(echo alive; echo 'refusal ["said of {0}","it"]'; )" + english);
+    EXPECT_TRUE(says(error, "cube.obj: said of it")) << error.what();
+    ASSERT_EQ(error.sentence().arguments().size(), 2U);
+    EXPECT_TRUE(error.sentence().arguments()[1].isForm());
+    EXPECT_TRUE(says(failure("echo 'refusal [7'; " + english), "cube.obj: in English"));
+}
+
 TEST_F(FakeImporter, NothingOrNonsenseHandedOver) {
     EXPECT_EQ(failure("exit 0").kind, FailureKind::BadData);
     EXPECT_EQ(failure("for last; do :; done; echo nonsense > \"$last\"").kind, FailureKind::BadData);
@@ -142,6 +151,26 @@ TEST(Importer, WhatIsNoModelIsRefusedWithAReason) {
     }
     EXPECT_NE(std::string(refusal(folder / "lines.obj").what()).find("1 points and lines"),
               std::string::npos);
+}
+
+TEST(Importer, SaysWhyInAFormWhateverAFileHolds) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "house.ifc";
+    const std::string form = "it is a building in {0}, which is not read; export it as IFC2x3 or as glTF";
+    for (const std::string& schema : {std::string("IFC4"), std::string("IFC4\nrefusal [\"x\"]")}) {
+        test::writeText(path, "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" + schema + "'));\n");
+        const Sentence whole = refusal(path).sentence();
+        EXPECT_EQ(whole.text(), "{0}: {1}");
+        ASSERT_EQ(whole.arguments().size(), 2U);
+        EXPECT_EQ(whole.arguments()[0].text(), path.string());
+        const Sentence& why = whole.arguments()[1];
+        EXPECT_TRUE(why.isForm());
+        EXPECT_EQ(why.text(), form);
+        ASSERT_EQ(why.arguments().size(), 1U);
+        EXPECT_FALSE(why.arguments()[0].isForm());
+        EXPECT_EQ(why.arguments()[0].text().substr(0, 4), "IFC4");
+        EXPECT_EQ(why.english().find('\n'), std::string::npos);
+    }
 }
 
 TEST(Importer, MemoryIsLimited) {

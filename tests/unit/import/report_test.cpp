@@ -44,4 +44,35 @@ TEST(ImportReport, ReadsAnything) {
     EXPECT_EQ(readReport("degenerate many").degenerateTriangles, 0U);
 }
 
+TEST(ImportReport, NamesTheFirstOfMany) {
+    const std::vector<std::string> names{"a", "b", "c", "d", "e"};
+    const auto first = [&](std::size_t count) { return firstOf(std::span(names).first(count)).english(); };
+    EXPECT_EQ(first(1), "'a'");
+    EXPECT_EQ(first(2), "'a' and 'b'");
+    EXPECT_EQ(first(3), "'a', 'b' and 'c'");
+    EXPECT_EQ(first(4), "'a', 'b', 'c' and 1 more");
+    EXPECT_EQ(first(5), "'a', 'b', 'c' and 2 more");
+}
+
+TEST(ImportReport, ARefusalIsAFormOnItsWay) {
+    const std::string line = refusalLine(say("it has no {0}", std::string("\nrefusal [\"x\"]\n")));
+    EXPECT_EQ(line.find('\n'), line.size() - 1);
+    const auto refusal = readRefusal("alive\nrefusal [\"another\"]\n" + line + "alive\n");
+    ASSERT_TRUE(refusal.has_value());
+    EXPECT_EQ(refusal->text(), "it has no {0}");
+    ASSERT_EQ(refusal->arguments().size(), 1U);
+    EXPECT_FALSE(refusal->arguments()[0].isForm());
+}
+
+TEST(ImportReport, ARefusalIsReadFromAnything) {
+    for (const char* text : {"", "\n", "refusal", "refusal ", "refusal x", "refusal 7\n",
+                             "refusal [\"a\",7]\n", "arefusal [\"a\"]\n", " refusal [\"a\"]\n"}) {
+        EXPECT_FALSE(readRefusal(text).has_value()) << text;
+    }
+    ImportReport report;
+    addWarning(report, "x\nrefusal [\"x\"]");
+    addFile(report, "/x\nrefusal [\"x\"]");
+    EXPECT_FALSE(readRefusal(writeReport(report)).has_value());
+}
+
 } // namespace
