@@ -57,11 +57,11 @@ TEST(ImportReport, NamesTheFirstOfMany) {
 TEST(ImportReport, ARefusalIsAFormOnItsWay) {
     const std::string line = refusalLine(say("it has no {0}", std::string("\nrefusal [\"x\"]\n")));
     EXPECT_EQ(line.find('\n'), line.size() - 1);
-    const auto refusal = readRefusal("alive\nrefusal [\"another\"]\n" + line + "alive\n");
-    ASSERT_TRUE(refusal.has_value());
-    EXPECT_EQ(refusal->text(), "it has no {0}");
-    ASSERT_EQ(refusal->arguments().size(), 1U);
-    EXPECT_FALSE(refusal->arguments()[0].isForm());
+    const auto read = readRefusal("alive\nrefusal [\"another\"]\n" + line + "alive\n");
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->text(), "it has no {0}");
+    ASSERT_EQ(read->arguments().size(), 1U);
+    EXPECT_FALSE(read->arguments()[0].isForm());
 }
 
 TEST(ImportReport, ARefusalIsReadFromAnything) {

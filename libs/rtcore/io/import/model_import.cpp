@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kGigabyte = 1'000'000'000;
+
 /// Says at once what no importer needs to be asked about.
 void refuseNoModel(const fs::path& path) {
     std::error_code error;
@@ -66,8 +67,7 @@ Sentence reasonOf(const ProcessResult& result) {
 
 [[noreturn]] void refuseForMemory(const fs::path& path, const ProcessLimits& limits) {
     refuse(path, say("reading it takes more than the {0} MB of memory that the importer may use; raise the "
-                     "memory limit "
-                     "when the model is that large, else simplify it or export it again",
+                     "memory limit when the model is that large, else simplify it or export it again",
                      limits.memory / 1'000'000));
 }
 
