@@ -1868,6 +1868,10 @@
         <translation>chůze</translation>
     </message>
     <message>
+        <source>warning: {0}</source>
+        <translation>varování: {0}</translation>
+    </message>
+    <message>
         <source>water</source>
         <translation>voda</translation>
     </message>
