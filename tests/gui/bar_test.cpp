@@ -1,11 +1,13 @@
 /// The tool bar: it shows what the actions say, can be hidden, and its icons are the page's.
 #include "gui/window_support.h"
 
+#include "gui/models/installed_skies.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/view/symbol_icon.h"
 #include "gui/view/symbol_path.h"
 
 #include <QGuiApplication>
+#include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -60,6 +62,25 @@ TEST_F(BarTest, ItsModesAreThoseOfTheView) {
     EXPECT_TRUE(is(ActionId::Walk)) << window->view().told().toStdString();
     EXPECT_TRUE(comes([&] { return status().view.walking; }));
     EXPECT_EQ(QApplication::focusWidget(), &window->view()) << "the keys stay the camera's";
+}
+
+TEST_F(BarTest, ItsLightsAreThoseOfTheMenu) {
+    openAndRest();
+    const QList<QToolButton*> buttons = bar().findChildren<QToolButton*>();
+    const auto light = std::find_if(buttons.begin(), buttons.end(),
+                                    [](const QToolButton* each) { return each->menu() != nullptr; });
+    ASSERT_NE(light, buttons.end());
+    const QList<QAction*> entries = (*light)->menu()->actions();
+    for (const ActionId id : {ActionId::LookSky, ActionId::LookStudio, ActionId::OpenEnvironment})
+        EXPECT_TRUE(entries.contains(action(id)));
+    const QList<InstalledSky> skies = installedSkies();
+    if (skies.isEmpty()) GTEST_SKIP() << "no environment maps are installed";
+    const auto menu = std::find_if(entries.begin(), entries.end(),
+                                   [](const QAction* each) { return each->menu() != nullptr; });
+    ASSERT_NE(menu, entries.end());
+    ASSERT_EQ((*menu)->menu()->actions().size(), skies.size());
+    (*menu)->menu()->actions().first()->trigger();
+    EXPECT_TRUE(comes([&] { return static_cast<bool>(window->editor().state().map); }));
 }
 
 TEST_F(BarTest, ItIsHiddenByTheMenuAndStaysSo) {

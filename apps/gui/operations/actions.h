@@ -32,6 +32,8 @@ class Actions : public QObject {
 
     void fill(QMenuBar& bar);
     void setServerThere(bool there);
+    /// The menu of the installed environment maps, once fill() was called; null where there are none.
+    QMenu* skies() const { return skies_; }
 
   signals:
     void recentChosen(const QString& path); ///< or an example

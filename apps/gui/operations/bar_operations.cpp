@@ -64,6 +64,7 @@ void BarOperations::addLight() {
     for (const ActionId id : {ActionId::LookSky, ActionId::LookStudio, ActionId::LookHeadlight})
         looks->addAction(context_.actions[id]);
     looks->addSeparator();
+    if (QMenu* skies = context_.actions.skies()) looks->addMenu(skies);
     for (const ActionId id : {ActionId::OpenEnvironment, ActionId::NoEnvironment})
         looks->addAction(context_.actions[id]);
     button->setMenu(looks);
