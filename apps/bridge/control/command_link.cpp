@@ -31,7 +31,7 @@ constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kSea
 constexpr auto kPatience = 60s;
 
 ipc::Reply unanswered(ipc::ReplyStatus status, const rtcore::Sentence& why) {
-    return {status, why.english(), rtcore::sentenceJson(why)};
+    return {.status = status, .text = why.english(), .detail = rtcore::sentenceJson(why)};
 }
 
 /// The number at the start of the last line; `otherwise` when there is none.

@@ -6,16 +6,17 @@
 
 #include "ipc/layout/status.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <algorithm>
 #include <optional>
-#include <string>
 
 namespace bridge {
 
 /// Times are seconds of the room's clock.
 struct KnownServer {
     std::optional<ServerLink> link; ///< nothing until it was looked for
-    std::string why;                ///< it is gone or refuses
+    rtcore::Sentence why;           ///< it is gone or refuses
     SceneFacts facts;
     ipc::Status status;     ///< the last one, which may be that of one that is gone
     bool hasStatus = false; ///< it is this one's

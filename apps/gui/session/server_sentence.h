@@ -1,14 +1,17 @@
 /// Sentences of servers, in the user's language.
 #pragma once
 
-#include "rtcore/platform/sentence.h"
-
 #include <QList>
 #include <QString>
 
 #include <exception>
 #include <optional>
 #include <span>
+
+// The header of it is more than moc can read.
+namespace rtcore {
+class Sentence;
+}
 
 namespace gui {
 

@@ -29,10 +29,10 @@ class LinkToAServer : public testing::Test {
     };
     bridge::ServerEvents events() {
         bridge::ServerEvents all;
-        all.server = [this](ServerLink server, std::string why) {
+        all.server = [this](ServerLink server, const rtcore::Sentence& why) {
             const std::lock_guard lock(mutex_);
             told_.servers.push_back(server);
-            told_.why = std::move(why);
+            told_.why = why.english();
         };
         all.status = [this](const ipc::Status& status) {
             const std::lock_guard lock(mutex_);

@@ -42,7 +42,7 @@ class CommandRoom : public ShownRoom {
     /// Its answer, once its work beside the server is done, too.
     std::string answer(const std::string& line) {
         const rtserver::Result result = run(line);
-        return result.work ? result.work()() : result.answer;
+        return result.work ? result.work()().text : result.answer;
     }
     /// The exit code and the text by which it is refused; 0 when it is not.
     rtserver::Failure refusal(const std::string& line) {
