@@ -364,6 +364,10 @@
         <translation>scéna se ukládá jako soubor .scn, ne jako {0}</translation>
     </message>
     <message>
+        <source>a sky that was modelled around it keeps the light out; make it a part of its own</source>
+        <translation>obloha vymodelovaná kolem něj nepropouští světlo; udělejte z ní samostatnou část</translation>
+    </message>
+    <message>
         <source>a strip of cube faces has 6 x 1 or 1 x 6 squares</source>
         <translation>pás ze stěn krychle má 6 x 1 nebo 1 x 6 čtverců</translation>
     </message>
@@ -964,6 +968,14 @@
         <translation>jeho JSON je poškozený u bajtu {0}; zkopírujte nebo exportujte ho znovu</translation>
     </message>
     <message>
+        <source>its camera {0} shows little or nothing of the model; kept as a bookmark</source>
+        <translation>jeho kamera {0} ukazuje z modelu málo nebo nic; zůstává jako záložka</translation>
+    </message>
+    <message>
+        <source>its cameras {0} show little or nothing of the model; kept as bookmarks</source>
+        <translation>jeho kamery {0} ukazují z modelu málo nebo nic; zůstávají jako záložky</translation>
+    </message>
+    <message>
         <source>its copy does not find {0}; make a .bsp of it by BSPBuilder and pack that</source>
         <translation>jeho kopie nenajde {0}; udělejte z něj programem BSPBuilder .bsp a zabalte ten</translation>
     </message>
@@ -1018,6 +1030,14 @@
     <message>
         <source>its node graph has no end; repair the file</source>
         <translation>graf jeho uzlů nemá konec; opravte soubor</translation>
+    </message>
+    <message>
+        <source>its own lights leave much of what is seen in the dark; a background that lights was added</source>
+        <translation>jeho vlastní světla nechávají velkou část záběru ve tmě; bylo přidáno svítící pozadí</translation>
+    </message>
+    <message>
+        <source>its own lights reach nothing that is seen; other light was added</source>
+        <translation>jeho vlastní světla nedosáhnou na nic z toho, co je vidět; bylo přidáno jiné světlo</translation>
     </message>
     <message>
         <source>key</source>
@@ -1126,6 +1146,10 @@
     <message>
         <source>no importer knows this format; convert it to glTF, OBJ, PLY or STL</source>
         <translation>tento formát neumí přečíst žádný importér; převeďte ho na glTF, OBJ, PLY nebo STL</translation>
+    </message>
+    <message>
+        <source>no light reaches what is seen; one beside the viewer was added</source>
+        <translation>na to, co je vidět, nedopadá žádné světlo; bylo přidáno jedno vedle pozorovatele</translation>
     </message>
     <message>
         <source>no material of the model has the number {0}</source>
@@ -1258,6 +1282,10 @@
     <message>
         <source>only whole numbers from {0} to {1}</source>
         <translation>jen celá čísla od {0} do {1}</translation>
+    </message>
+    <message>
+        <source>orthographic cameras of this Collada file become perspective ones</source>
+        <translation>ortografické kamery tohoto souboru Collada se mění v perspektivní</translation>
     </message>
     <message>
         <source>pages give no {0}</source>
@@ -1418,6 +1446,10 @@
     <message>
         <source>texture {0}; its material is plain</source>
         <translation>textura {0}; její materiál je jednobarevný</translation>
+    </message>
+    <message>
+        <source>textures that are clamped or mirrored in this Collada file repeat instead</source>
+        <translation>textury, které tento soubor Collada ořezává nebo zrcadlí, se místo toho opakují</translation>
     </message>
     <message>
         <source>the bridge ends</source>
@@ -1614,6 +1646,14 @@
     <message>
         <source>the sky is turned by 'sky north'</source>
         <translation>oblohu otáčí 'sky north'</translation>
+    </message>
+    <message>
+        <source>the sky that was modelled around it, {0}, is hidden, since it would keep the light out; 'part show' or --show shows it</source>
+        <translation>obloha vymodelovaná kolem něj, {0}, je skryta, protože by nepropouštěla světlo; ukáže ji 'part show' nebo --show</translation>
+    </message>
+    <message>
+        <source>the sky that was modelled around it, {0}, lights it as an environment map; 'look sky' shows it under another sky</source>
+        <translation>obloha vymodelovaná kolem něj, {0}, ho osvětluje jako mapa prostředí; 'look sky' ho ukáže pod jinou oblohou</translation>
     </message>
     <message>
         <source>the state takes more bytes than an answer has</source>

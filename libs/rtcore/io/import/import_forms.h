@@ -28,7 +28,25 @@ inline constexpr const char *
    *kOutliers =
        "a few vertices lie more than 100000 times as far off as all others, which are too small to be "
        "seen beside them; remove them or place the camera yourself",
-   *kMore = "there are more warnings than these";
+   *kMore = "there are more warnings than these",
+   *kWrapped = "textures that are clamped or mirrored in this Collada file repeat instead",
+   *kOrthographic = "orthographic cameras of this Collada file become perspective ones",
+   *kCutOff = "it is cut off: {0} of at least {1} bytes are there; copy it again",
+   *kNoEndMark = "it is cut off: {0} is missing at its end; copy it again",
+   *kNoContents = "it is cut off: the list of what it holds is missing at its end; copy it again",
+   *kNeedsOne = "it needs {0}, which is not read; {1}",
+   *kNeedsMore = "it needs {0} and {1}, which are not read; {2}";
+
+// Remedies for glTF files that need what is not read.
+inline constexpr const char *kWithoutQuantization = "export without it (gltfpack -noq, without -c and -cc)",
+                            *kWithoutMeshopt = "export without it (gltfpack without -c and -cc)",
+                            *kWithoutBasis =
+                                "export with images of PNG or JPEG (gltfpack without -tc and -tu)",
+                            *kWithoutWebp = "export with images of PNG or JPEG (gltfpack without -tw)",
+                            *kPlainImages = "export with images of PNG or JPEG",
+                            *kWithoutInstancing =
+                                "export with a node for each instance (gltfpack without -mi)",
+                            *kWithout = "export without it";
 
 // Parts of them.
 inline constexpr const char *kNoNumbers = "{0} with coordinates that are no numbers or beyond 1e12",
@@ -37,19 +55,46 @@ inline constexpr const char *kNoNumbers = "{0} with coordinates that are no numb
                             *kOf = "{0}: {1}";
 
 /// In the order in which they are to be tried.
-inline constexpr std::array kAll{kMissingTexture, kMissingTextures,
-                                 kEmptyTexture,   kBadTexture,
-                                 kTurnedTexture,  kLaidAlike,
-                                 kLightLeftOut,   kCameraLeftOut,
-                                 kMissingLibrary, kMissingLibraries,
-                                 kIgnored,        kDamaged,
-                                 kOneDamaged,     kOnlyDamaged,
-                                 kEqual,          kOneEqual,
-                                 kInvisible,      kOutliers,
-                                 kMore,           kNoNumbers,
-                                 kNoCorners,      kNoArea,
-                                 kNeeds,          kOf,
-                                 kAndMore,        kAnd,
+inline constexpr std::array kAll{kMissingTexture,
+                                 kMissingTextures,
+                                 kEmptyTexture,
+                                 kBadTexture,
+                                 kTurnedTexture,
+                                 kLaidAlike,
+                                 kLightLeftOut,
+                                 kCameraLeftOut,
+                                 kMissingLibrary,
+                                 kMissingLibraries,
+                                 kIgnored,
+                                 kDamaged,
+                                 kOneDamaged,
+                                 kOnlyDamaged,
+                                 kEqual,
+                                 kOneEqual,
+                                 kInvisible,
+                                 kOutliers,
+                                 kMore,
+                                 kWrapped,
+                                 kOrthographic,
+                                 kCutOff,
+                                 kNoContents,
+                                 kNoEndMark,
+                                 kNeeds,
+                                 kNeedsMore,
+                                 kNeedsOne,
+                                 kWithoutQuantization,
+                                 kWithoutMeshopt,
+                                 kWithoutBasis,
+                                 kWithoutWebp,
+                                 kPlainImages,
+                                 kWithoutInstancing,
+                                 kWithout,
+                                 kNoNumbers,
+                                 kNoCorners,
+                                 kNoArea,
+                                 kOf,
+                                 kAndMore,
+                                 kAnd,
                                  kComma};
 
 } // namespace rtcore::import_forms

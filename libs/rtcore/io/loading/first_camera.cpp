@@ -67,8 +67,9 @@ class FirstCamera {
         }
         if (unused.empty()) return;
         const bool one = unused.size() == 1;
-        loading_.warn({(one ? "its camera " : "its cameras ") + firstOf(unused) + (one ? " shows" : " show") +
-                       " little or nothing of the model; kept as " + (one ? "a bookmark" : "bookmarks")});
+        loading_.warn(say(one ? "its camera {0} shows little or nothing of the model; kept as a bookmark"
+                              : "its cameras {0} show little or nothing of the model; kept as bookmarks",
+                          firstOf(unused)));
     }
 
     Loading& loading_;

@@ -58,7 +58,7 @@ class FirstLight {
             lightReaches(shown, mesh, lightsOf(scene.lights), places, kPlainAmbient))
             return;
         addHeadlight(scene, out_.tree.bounds, out_.camera);
-        loading_.warn({"no light reaches what is seen; one beside the viewer was added"});
+        loading_.warn(say("no light reaches what is seen; one beside the viewer was added"));
     }
 
   private:
@@ -101,7 +101,7 @@ class FirstLight {
         lightByPreset(preset);
         for (SceneLight& each : scene.lights) each.ofSky = false;
         scene.lights.insert(scene.lights.end(), own.begin(), own.end());
-        loading_.warn({"its own lights reach nothing that is seen; other light was added"});
+        loading_.warn(say("its own lights reach nothing that is seen; other light was added"));
     }
 
     void giveGround() {
@@ -121,7 +121,7 @@ class FirstLight {
         scene.background = *fill;
         loading_.take({{"skyLight.on", true}});
         loading_.warn(
-            {"its own lights leave much of what is seen in the dark; a background that lights was added"});
+            say("its own lights leave much of what is seen in the dark; a background that lights was added"));
     }
 
     Loading& loading_;

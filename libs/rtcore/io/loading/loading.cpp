@@ -13,9 +13,12 @@ void Loading::begin(LoadPhase phase) const {
     if (options.onPhase) options.onPhase(phase);
 }
 
-void Loading::warn(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings)
-        out.warnings.push_back(say("{0}: {1}", out.modelPath.string(), readAs(warning, import_forms::kAll)));
+void Loading::warn(const Sentence& warning) {
+    out.warnings.push_back(say("{0}: {1}", out.modelPath.string(), warning));
+}
+
+void Loading::warnOfImport(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) warn(readAs(warning, import_forms::kAll));
 }
 
 void Loading::take(const std::vector<SettingAssignment>& settings, bool last) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/io/scene_loader.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/survey/survey.h"
 
 #include <optional>
@@ -23,7 +24,9 @@ class Loading {
 
     void begin(LoadPhase phase) const;
     /// Under the name of the model.
-    void warn(const std::vector<std::string>& warnings);
+    void warn(const Sentence& warning);
+    /// Warnings of an import, as its report and .bsp files hold them.
+    void warnOfImport(const std::vector<std::string>& warnings);
     /// Files' own assignments stand behind what follows from them, and before what the user says, which comes
     /// last.
     void take(const std::vector<SettingAssignment>& settings, bool last = false);

@@ -26,7 +26,7 @@ class ModelledSky {
         const std::vector<std::uint8_t> chosen = domesAmong(parts);
         if (chosen.empty())
             return loading_.warn(
-                {"a sky that was modelled around it keeps the light out; make it a part of its own"});
+                say("a sky that was modelled around it keeps the light out; make it a part of its own"));
         std::vector<std::string> names;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (chosen[i] != 0) names.emplace_back(parts[i].name);
@@ -34,10 +34,13 @@ class ModelledSky {
         scene.hiddenParts = withParts(scene.model, parts, chosen, true, scene.hiddenParts);
         if (shown)
             return loading_.warn(
-                {"the sky that was modelled around it, " + firstOf(names) +
-                 ", lights it as an environment map; 'look sky' shows it under another sky"});
-        loading_.warn({"the sky that was modelled around it, " + firstOf(names) +
-                       ", is hidden, since it would keep the light out; 'part show' or --show shows it"});
+                say("the sky that was modelled around it, {0}, lights it as an environment map; 'look sky' "
+                    "shows it under another sky",
+                    firstOf(names)));
+        loading_.warn(
+            say("the sky that was modelled around it, {0}, is hidden, since it would keep the light "
+                "out; 'part show' or --show shows it",
+                firstOf(names)));
     }
 
   private:

@@ -296,10 +296,10 @@ std::optional<Sentence> needsOf(const GltfFile& gltf) {
     const std::vector<std::string>& names = gltf.unreadRequirements;
     if (names.empty()) return std::nullopt;
     const Sentence remedy = remedyFor(names[0]);
-    if (names.size() == 1) return say("it needs {0}, which is not read; {1}", names[0], remedy);
+    if (names.size() == 1) return say(import_forms::kNeedsOne, names[0], remedy);
     std::string others = names[1];
     for (const std::string& name : names | std::views::drop(2)) others += " and " + name;
-    return say("it needs {0} and {1}, which are not read; {2}", names[0], others, remedy);
+    return say(import_forms::kNeedsMore, names[0], others, remedy);
 }
 
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.

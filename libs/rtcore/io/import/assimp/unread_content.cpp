@@ -1,5 +1,6 @@
 #include "rtcore/io/import/assimp/unread_content.h"
 
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/platform/files.h"
 
 #include <algorithm>
@@ -75,10 +76,8 @@ std::vector<std::string> unreadInCollada(const std::filesystem::path& path) {
     std::vector<std::string> sentences;
     const bool ends =
         has("<wrap_s>CLAMP") || has("<wrap_t>CLAMP") || has("<wrap_s>MIRROR") || has("<wrap_t>MIRROR");
-    if (ends)
-        sentences.emplace_back("textures that are clamped or mirrored in this Collada file repeat instead");
-    if (has("<orthographic>"))
-        sentences.emplace_back("orthographic cameras of this Collada file become perspective ones");
+    if (ends) sentences.emplace_back(import_forms::kWrapped);
+    if (has("<orthographic>")) sentences.emplace_back(import_forms::kOrthographic);
     return sentences;
 }
 

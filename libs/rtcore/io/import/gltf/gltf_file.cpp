@@ -1,5 +1,6 @@
 #include "rtcore/io/import/gltf/gltf_file.h"
 
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/platform/files.h"
 
 #include <nlohmann/json.hpp>
@@ -189,18 +190,17 @@ std::optional<Sentence> damageOfBinary(std::string_view text) {
 
 Sentence remedyFor(const std::string& extension) {
     using Row = std::pair<std::string_view, const char*>;
-    static constexpr std::array kRemedies{
-        Row{"KHR_mesh_quantization", form("export without it (gltfpack -noq, without -c and -cc)")},
-        Row{"EXT_meshopt_compression", form("export without it (gltfpack without -c and -cc)")},
-        Row{"KHR_meshopt_compression", form("export without it (gltfpack without -c and -cc)")},
-        Row{"KHR_texture_basisu", form("export with images of PNG or JPEG (gltfpack without -tc and -tu)")},
-        Row{"EXT_texture_webp", form("export with images of PNG or JPEG (gltfpack without -tw)")},
-        Row{"EXT_texture_avif", form("export with images of PNG or JPEG")},
-        Row{"MSFT_texture_dds", form("export with images of PNG or JPEG")},
-        Row{"EXT_mesh_gpu_instancing", form("export with a node for each instance (gltfpack without -mi)")}};
+    static constexpr std::array kRemedies{Row{"KHR_mesh_quantization", import_forms::kWithoutQuantization},
+                                          Row{"EXT_meshopt_compression", import_forms::kWithoutMeshopt},
+                                          Row{"KHR_meshopt_compression", import_forms::kWithoutMeshopt},
+                                          Row{"KHR_texture_basisu", import_forms::kWithoutBasis},
+                                          Row{"EXT_texture_webp", import_forms::kWithoutWebp},
+                                          Row{"EXT_texture_avif", import_forms::kPlainImages},
+                                          Row{"MSFT_texture_dds", import_forms::kPlainImages},
+                                          Row{"EXT_mesh_gpu_instancing", import_forms::kWithoutInstancing}};
     for (const auto& [name, remedy] : kRemedies)
         if (extension == name) return remedy;
-    return form("export without it");
+    return import_forms::kWithout;
 }
 
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/inspection/cut_off.h"
 
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/platform/files.h"
 
 #include <algorithm>
@@ -162,9 +163,8 @@ bool endsWithout(const Ends& file, View mark, std::size_t room) {
 std::optional<Sentence> missingMark(const Ends& file) {
     constexpr std::size_t kXmlEnd = 4096; // comments may follow
     const auto without = [](View name) {
-        if (name.empty())
-            return say("it is cut off: the list of what it holds is missing at its end; copy it again");
-        return say("it is cut off: {0} is missing at its end; copy it again", name);
+        if (name.empty()) return say(import_forms::kNoContents);
+        return say(import_forms::kNoEndMark, name);
     };
     for (const EndMark& m : kEndMarks)
         if (m.is(file) && endsWithout(file, m.mark, m.room)) return without(m.name);
@@ -180,9 +180,7 @@ std::optional<Sentence> cutOff(const std::filesystem::path& path) {
     const Ends file(path);
     for (const auto& lengthOf : kLengths) {
         const std::uint64_t length = lengthOf(file);
-        if (length > file.size)
-            return say("it is cut off: {0} of at least {1} bytes are there; copy it again", file.size,
-                       length);
+        if (length > file.size) return say(import_forms::kCutOff, file.size, length);
     }
     return missingMark(file);
 }
