@@ -92,7 +92,7 @@ void FrameRun::renderListed(const FrameTask& frame, int index, int count) {
         const bool badData = error.kind == rtcore::FailureKind::BadData;
         const bool ofThisFrame = badData || error.kind == rtcore::FailureKind::NoInput;
         if (!ofThisFrame || frame.outputs.empty()) throw;
-        progress_.print(error.what());
+        progress_.tell(error.sentence());
         if (failed_++ == 0) result_ = badData ? app::ExitCode::BadData : app::ExitCode::NoInput;
         // A film with a gap is not what was asked for.
         film_ = nullptr;

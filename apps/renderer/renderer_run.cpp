@@ -12,6 +12,7 @@
 #include "renderer/verify.h"
 
 #include "common/cli/input_files.h"
+#include "common/process/error_sentence.h"
 #include "common/process/ipc_exit_code.h"
 #include "common/process/parent.h"
 #include "common/process/stop.h"
@@ -110,7 +111,7 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
         progress.print("stopped; try again");
         return app::ExitCode::TryAgain;
     } catch (const ipc::Error& error) {
-        progress.print(error.what());
+        progress.tell(app::sentenceOf(error));
         return app::exitCodeOf(error.problem);
     }
 }

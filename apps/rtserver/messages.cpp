@@ -29,8 +29,13 @@ void Messages::print(const std::string& text) {
         app::printMessage(serverSpec().name, rtcore::printable(text).substr(0, kLongest));
 }
 
+void Messages::printSentence(const rtcore::Sentence& said) {
+    if (said.english().size() > kLongest) return print(said.english());
+    if (app::errorTakesMore()) app::printSentence(serverSpec().name, said);
+}
+
 void Messages::warn(const rtcore::Sentence& said) {
-    print("warning: " + said.english());
+    printSentence(rtcore::say("warning: {0}", said));
     keep("warning", said);
 }
 
@@ -44,7 +49,7 @@ void Messages::complain(const rtcore::Sentence& said) {
     const rtcore::Sentence all =
         others_ == 0 ? said : rtcore::say("{0} (and {1} other failures before)", said, others_);
     others_ = 0;
-    print(all.english());
+    printSentence(all);
     keep("warning", all);
 }
 

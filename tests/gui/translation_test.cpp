@@ -10,6 +10,8 @@
 #include "gui/models/action_table.h"
 #include "gui/models/bookmark_store.h"
 #include "gui/operations/actions.h"
+#include "gui/processes/server_keeper.h"
+#include "gui/session/session.h"
 #include "gui/view/notice_bar.h"
 #include "gui/view/start_page.h"
 
@@ -23,6 +25,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTranslator>
@@ -108,6 +111,29 @@ TEST_P(LanguageTest, EachMenuHasEachMnemonicOnce) {
         EXPECT_FALSE(mnemonic(actionText(row)).isNull()) << row.text;
         once(seen[row.menu], actionText(row), row.text);
     }
+}
+
+TEST_P(LanguageTest, WhyAServerEndedIsSaidInIt) {
+    QTranslator sentences;
+    if (std::string(GetParam()) != "en") {
+        ASSERT_TRUE(sentences.load(QStringLiteral(":/translations/sentences_cs.qm")));
+        QCoreApplication::installTranslator(&sentences);
+    }
+    writeText(folder() / "page.obj", "<html>no model at all</html>");
+    Session session;
+    ServerKeeper keeper(session);
+    QSignalSpy deaths(&keeper, &ServerKeeper::died);
+    ServerRequest request = this->request();
+    request.scene = file("page.obj");
+    keeper.start(request);
+    ASSERT_TRUE(test::comes([&] { return deaths.count() == 1; }));
+    const QString text = deaths[0][0].toString();
+    EXPECT_TRUE(text.contains(QStringLiteral("page.obj"))) << text.toStdString();
+    const QString page = QCoreApplication::translate("Server", "a web page, not a model");
+    EXPECT_TRUE(text.contains(page)) << text.toStdString();
+    EXPECT_EQ(page == QStringLiteral("a web page, not a model"), std::string(GetParam()) == "en");
+    EXPECT_TRUE(keeper.server().log().contains(text)) << keeper.server().log().toStdString();
+    EXPECT_FALSE(keeper.server().log().contains(QChar(0x1E)));
 }
 
 // All that Alt and a letter may mean at one time: menus, the start page, panels, the notice.

@@ -1,10 +1,13 @@
 /// Failures that come from outside: each kind has its exit code, and no file is left behind.
 #include "process/sample_scene.h"
 
+#include "rtcore/io/text/sentence_json.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdlib>
+#include <sstream>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -284,6 +287,30 @@ TEST_F(Failures, NorDoLinesOfOutputOnATerminal) {
               "1\t\\x1b]0;x\\x071.png\tmissing\r\n");
     EXPECT_EQ(test::renderer(words, {.folder = folder.path()}).output, "1\t\x1b]0;x\x07"
                                                                        "1.png\tmissing\n");
+}
+
+TEST_F(Failures, AreTellableInAnotherLanguage) {
+    const std::string forged = "\x1E[\"forged\"].glb";
+    test::writeText(folder / forged, "no model at all");
+    const auto lines = [&](const char* wanted) {
+        const test::ProgramResult result =
+            test::renderer({file(forged), "-o", file("a.png")}, {.environment = {{"RT_SENTENCES", wanted}}});
+        EXPECT_EQ(result.exitCode, 65);
+        std::vector<std::string> all;
+        std::istringstream text(result.error);
+        for (std::string line; std::getline(text, line);) all.push_back(line);
+        return all;
+    };
+    EXPECT_EQ(lines("0").size(), 1U);
+    const std::vector<std::string> both = lines("1");
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[1], lines("0")[0]);
+    ASSERT_EQ(both[0][0], '\x1E');
+    const auto said = rtcore::readSentenceJson(both[0].substr(1));
+    ASSERT_TRUE(said);
+    EXPECT_TRUE(said->isForm());
+    EXPECT_EQ("Renderer: " + said->english(), both[1]);
+    EXPECT_EQ(both[1].find('\x1E'), std::string::npos);
 }
 
 } // namespace

@@ -64,11 +64,11 @@ int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
         if (answerForPackaging(spec, words)) return static_cast<int>(ExitCode::Done);
         code = parseAndRun(withStandardOptions(spec), words, work);
     } catch (const UsageError& error) {
-        printMessage(spec.name, error.what());
+        printSentence(spec.name, error.sentence());
         writeError("Try '" + spec.name + " --help'.\n");
         code = ExitCode::Usage;
     } catch (const rtcore::FileError& error) {
-        printMessage(spec.name, error.what());
+        printSentence(spec.name, error.sentence());
         code = exitCodeOf(error.kind);
     } catch (const std::bad_alloc&) {
         printMessage(spec.name,
@@ -76,7 +76,7 @@ int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
     } catch (const std::length_error& error) {
         printMessage(spec.name, std::string("the input is too large: ") + error.what());
     } catch (const std::exception& error) {
-        printMessage(spec.name, error.what());
+        printSentence(spec.name, rtcore::sentenceOf(error));
     } catch (...) {
         printMessage(spec.name, "unknown error");
     }

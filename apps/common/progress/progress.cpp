@@ -86,6 +86,12 @@ void Progress::print(std::string_view text) {
     printMessage(program_, text);
 }
 
+void Progress::tell(const rtcore::Sentence& said) {
+    const std::lock_guard lock(mutex_);
+    eraseBar();
+    printSentence(program_, said);
+}
+
 void Progress::watch(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     Clock::time_point next = Clock::now() + kTick;

@@ -4,6 +4,8 @@
 #include "common/cli/options.h"
 #include "common/progress/progress_format.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -52,6 +54,7 @@ class Progress {
 
     /// "Program: text" on a line of its own, without tearing the bar.
     void print(std::string_view text);
+    void tell(const rtcore::Sentence& said); ///< printSentence()
 
   private:
     using Clock = std::chrono::steady_clock;

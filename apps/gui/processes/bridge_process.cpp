@@ -2,6 +2,7 @@
 
 #include "gui/processes/detach.h"
 #include "gui/processes/programs.h"
+#include "gui/session/printed_lines.h"
 
 #include <QCoreApplication>
 #include <QProcess>
@@ -103,8 +104,9 @@ void BridgeProcess::readLinks() {
 QString BridgeProcess::lastWords(int exitCode, bool crashed) {
     if (crashed) return tr("RTBridge was killed or has crashed (signal %1).").arg(exitCode);
     const QString prefix = QStringLiteral("RTBridge: ");
-    const QString line =
-        QString::fromUtf8(process_->readAllStandardError()).trimmed().section(QLatin1Char('\n'), -1);
+    const QString line = translatedOutput(QString::fromUtf8(process_->readAllStandardError()))
+                             .trimmed()
+                             .section(QLatin1Char('\n'), -1);
     if (line.isEmpty()) return tr("RTBridge ended with exit code %1.").arg(exitCode);
     return line.startsWith(prefix) ? line.mid(prefix.size()) : line;
 }

@@ -87,7 +87,7 @@ void JobProcess::take(const QByteArray& line) {
     if (const auto report = readProgress(line)) {
         emit progressed(*report);
     } else {
-        emit printed(QString::fromUtf8(line));
+        if (const auto shown = printed_.shown(QString::fromUtf8(line))) emit printed(*shown);
     }
 }
 

@@ -1,6 +1,8 @@
 /// One run of a program of the suite that tells its progress as JSON.
 #pragma once
 
+#include "gui/session/printed_lines.h"
+
 #include <QByteArray>
 #include <QObject>
 #include <QString>
@@ -51,6 +53,7 @@ class JobProcess : public QObject {
 
     QProcess* process_;
     QByteArray output_, error_; ///< lines that have not ended yet
+    PrintedLines printed_;
 };
 
 } // namespace gui

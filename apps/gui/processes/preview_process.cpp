@@ -4,6 +4,7 @@
 #include "gui/processes/model_cache.h"
 #include "gui/processes/private_folder.h"
 #include "gui/processes/programs.h"
+#include "gui/session/printed_lines.h"
 #include "gui/session/server_list.h"
 
 #include "common/process/exit_codes.h"
@@ -139,7 +140,7 @@ void PreviewProcess::finish(int exitCode, bool crashed) {
     if (!active_) return;
     const bool later = !crashed && exitCode == static_cast<int>(app::ExitCode::TryAgain);
     if (later && ++tries_ < kMaxTries) return tryAgain();
-    const QString words = QString::fromUtf8(process_->readAllStandardError()).trimmed();
+    const QString words = translatedOutput(QString::fromUtf8(process_->readAllStandardError())).trimmed();
     fail(words.isEmpty() ? tr("The Renderer failed.") : words);
 }
 

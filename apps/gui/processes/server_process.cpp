@@ -2,6 +2,7 @@
 
 #include "gui/processes/detach.h"
 #include "gui/processes/programs.h"
+#include "gui/session/printed_lines.h"
 
 #include "common/process/private_files.h"
 
@@ -99,7 +100,7 @@ QString ServerProcess::log() const {
     QFile file(logFile_);
     if (!file.open(QIODevice::ReadOnly)) return {};
     if (file.size() > kMaxServerLog) file.seek(file.size() - kMaxServerLog);
-    return QString::fromUtf8(file.readAll());
+    return translatedOutput(QString::fromUtf8(file.readAll()));
 }
 
 QString ServerProcess::lastWords() const {

@@ -58,7 +58,7 @@ void SceneUpkeep::show(std::unique_ptr<World> world) {
     const rtcore::LoadedScene& loaded = state_.document.world().loaded;
     if (!loaded.guesses.empty()) {
         const rtcore::Sentence said = rtcore::guessedText(loaded.guesses);
-        Messages::print(state_.document.title() + ": " + said.english());
+        Messages::printSentence(rtcore::say("{0}: {1}", state_.document.title(), said));
         messages_.offer(rtcore::say(app::told::kMaterialOffer, said));
     }
     for (const rtcore::Sentence& warning : loaded.warnings) messages_.warn(warning);

@@ -6,6 +6,7 @@
 #include "rtserver/walk/playback.h"
 
 #include "common/process/background.h"
+#include "common/process/error_sentence.h"
 #include "common/process/ipc_exit_code.h"
 #include "common/process/message.h"
 #include "common/process/threads.h"
@@ -32,7 +33,7 @@ app::ExitCode runServer(const app::Arguments& arguments) {
         });
         return loop.run();
     } catch (const ipc::Error& error) {
-        app::printMessage(serverSpec().name, error.what());
+        app::printSentence(serverSpec().name, app::sentenceOf(error));
         return app::exitCodeOf(error.problem);
     }
 }
