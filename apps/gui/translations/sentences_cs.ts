@@ -1120,6 +1120,10 @@
         <translation>zrcadlo</translation>
     </message>
     <message>
+        <source>more than {0} bytes</source>
+        <translation>více než {0} bajtů</translation>
+    </message>
+    <message>
         <source>name is empty; a bookmark is known by its name</source>
         <translation>name je prázdné; záložka se pozná podle jména</translation>
     </message>
@@ -1914,6 +1918,10 @@
     <message>
         <source>water</source>
         <translation>voda</translation>
+    </message>
+    <message>
+        <source>weights of {0} bytes; at most {1} are read</source>
+        <translation>váhy o {0} bajtech; čte se nejvýše {1}</translation>
     </message>
     <message>
         <source>whole numbers in brackets</source>

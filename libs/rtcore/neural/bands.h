@@ -21,9 +21,9 @@ struct BandStage {
 /// Memory of runBands(), kept from run to run.
 using BandScratch = std::vector<std::vector<float>>;
 
-/// How many rows of squares all threads make of each stage between two meetings: more for more threads.
+/// The rows of squares that all threads make of each stage between two meetings: more for more threads.
 int rowsOfBand(int threads);
-/// So many rows of pixels of a stage have to be kept for the one behind it.
+/// The rows of pixels of a stage that have to be kept for the one behind it.
 constexpr int keptRows(int bandRows) { return (2 * bandRows + 2) * 4; }
 
 /// Runs all stages. `floats`: of the scratch memory of each thread, zeros at first. False: `stop` was set,

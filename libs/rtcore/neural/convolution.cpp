@@ -170,7 +170,7 @@ HWY_NOINLINE void transformOutput(const Convolution& layer, int row, int column,
     }
 }
 
-/// Where the points of an upsampled source lie among the 25 that are not zero; -1 of a zero.
+/// The index of each point of an upsampled source among the 25 that are not zero; -1 of a zero.
 HWY_INLINE int upsampledPoint(int point) {
     const int row = point / 6, column = point % 6;
     if (row == 2 || column == 2) return -1;

@@ -33,7 +33,7 @@ struct ConvolutionWeights {
     bool upsampled = false;  ///< each pixel of the first source stands for 2 x 2
     bool direct = false;     ///< not by Winograd's algorithm
     std::vector<float> bias; ///< padded
-    /// Of each source, by Winograd: [point][input][padded output], points of 6 x 6, or 5 x 5 where it is
+    /// By Winograd, for each source: [point][input][padded output], points of 6 x 6, or 5 x 5 where it is
     /// upsampled.
     std::vector<float> points[2];
     std::vector<float> taps; ///< direct: [row][column][input][padded output]

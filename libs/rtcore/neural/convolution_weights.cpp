@@ -15,7 +15,7 @@ constexpr double kFilterPoints[kPoints][3] = {{1.0 / 4, 0, 0},
                                               {1.0 / 24, 1.0 / 12, 1.0 / 6},
                                               {1.0 / 24, -1.0 / 12, 1.0 / 6},
                                               {0, 0, 1}};
-/// Of an upsampled source this point is zero in each axis.
+/// In each axis of an upsampled source this point is zero.
 constexpr int kZeroPoint = 2;
 
 /// G g G^T of the 3 x 3 weights from one input to one output.

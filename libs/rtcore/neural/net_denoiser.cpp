@@ -64,16 +64,16 @@ std::size_t tileSide(int side, int parts, int reach) {
 TileSteps planTiles(int width, int height, int reach, std::size_t maxPixels) {
     const auto smallest = static_cast<std::size_t>(2 * reach + 2 * UNet::kSideStep);
     maxPixels = std::max(maxPixels, smallest * smallest);
-    const auto mostParts = [](int side) { return std::max(side / UNet::kSideStep, 1); };
+    const auto maxParts = [](int side) { return std::max(side / UNet::kSideStep, 1); };
     TileSteps best{UNet::kSideStep, UNet::kSideStep};
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (int down = 1; down <= mostParts(height); ++down) {
-        for (int across = 1; across <= mostParts(width); ++across) {
+    std::size_t minWork = std::numeric_limits<std::size_t>::max();
+    for (int down = 1; down <= maxParts(height); ++down) {
+        for (int across = 1; across <= maxParts(width); ++across) {
             const std::size_t pixels = tileSide(width, across, reach) * tileSide(height, down, reach);
             const std::size_t work =
                 pixels * static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
-            if (pixels > maxPixels || work >= least) continue;
-            least = work;
+            if (pixels > maxPixels || work >= minWork) continue;
+            minWork = work;
             best = {tileStep(width, across), tileStep(height, down)};
         }
     }

@@ -31,7 +31,7 @@ constexpr int rowsAtOnce(int columnVectors) {
     if (!kManyRegisters) return 6;
     return columnVectors == 4 ? 6 : columnVectors == 3 ? 8 : 12;
 }
-/// So many rows are written for `rows`.
+/// The rows that are written for `rows`.
 constexpr int writtenRows(int rows, int columnVectors) {
     const int step = rowsAtOnce(columnVectors);
     return (rows + step - 1) / step * step;
@@ -91,7 +91,7 @@ HWY_INLINE void sumProducts(std::span<const Terms> all, int rows, int vectors, s
     sumRows<1>(all, rows, weightStride, sums, sumStride);
 }
 
-/// How many vectors of columns come next, of so many that are left.
+/// The vectors of columns that come next, of those that are left.
 constexpr int vectorsAtOnce(int left) {
     if (!kManyRegisters) return left >= 2 ? 2 : 1;
     if (left <= 4) return left;

@@ -150,11 +150,10 @@ TensorArchive readTensorArchive(const std::filesystem::path& file) {
     InputFile input(file);
     if (input.size() > kMaxFileBytes)
         throw FileError(FailureKind::BadData, file.string(),
-                        fmt::format("weights of {} bytes; at most {} are read", input.size(), kMaxFileBytes));
+                        say("weights of {0} bytes; at most {1} are read", input.size(), kMaxFileBytes));
     const FileBytes bytes = input.read();
     if (bytes.bytes.size() > kMaxFileBytes) // a pipe
-        throw FileError(FailureKind::BadData, file.string(),
-                        fmt::format("more than {} bytes", kMaxFileBytes));
+        throw FileError(FailureKind::BadData, file.string(), say("more than {0} bytes", kMaxFileBytes));
     return parseTensorArchive(bytes.bytes, file.string());
 }
 

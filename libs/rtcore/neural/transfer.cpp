@@ -47,7 +47,7 @@ HWY_INLINE Float decoded(Float x) {
     return select(x <= kLinearEndCoded, low, select(x <= kPowerEndCoded, middle, high));
 }
 /// 0 of what is no number.
-HWY_INLINE Float within(Float x, float most) { return min(selectOrZero(x > 0.0F, x), most); }
+HWY_INLINE Float within(Float x, float max) { return min(selectOrZero(x > 0.0F, x), max); }
 
 void encodeValues(const float* radiance, std::size_t count, float scale, float* to) {
     for (std::size_t i = 0; i < count; i += lanes())
@@ -82,7 +82,7 @@ double usable(float value) {
     return static_cast<double>(std::min(value, std::numeric_limits<float>::max()));
 }
 
-/// Of the pixels of a block.
+/// The mean luminance of the pixels of a block.
 double meanLuminance(const PixelPlane& radiance, int width, int left, int right, int top, int bottom) {
     double sum = 0;
     for (int y = top; y < bottom; ++y) {
