@@ -70,7 +70,7 @@ await_sanitized() {
 # Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. Each commit runs
 # another quarter of the longest ones; check-long.sh runs all of them.
 check_sanitized() {
-    export RT_QUARTER="test_accel test_import test_kernels test_live test_render test_rtserver"
+    export RT_QUARTER="test_accel test_import test_kernels test_live test_neural test_render test_rtserver"
     commits=$(git rev-list --count HEAD 2>/dev/null || echo 0)
     export RT_QUARTER_FROM=$((commits % 4))
     export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1

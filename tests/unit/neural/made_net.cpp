@@ -95,12 +95,13 @@ Features::Features(int w, int h, int c)
 double& Features::at(int x, int y, int c) { return values[index(*this, x, y, c)]; }
 double Features::at(int x, int y, int c) const { return values[index(*this, x, y, c)]; }
 
-TensorArchive madeNet(int inputs, bool large, unsigned seed) {
-    std::mt19937 random(seed);
+TensorArchive madeNet(int inputs, bool large, int maxChannels) {
+    std::mt19937 random(1);
     std::uniform_real_distribution<float> number(-1, 1);
     TensorArchive archive;
     int kept[5] = {inputs}, channels = inputs, next = 0;
     constexpr int kChannels[] = {17, 5, 33, 7, 20, 3};
+    const auto nextChannels = [&] { return std::min(kChannels[next++ % 6], maxChannels); };
     const auto add = [&](const std::string& name, int from, int to) {
         Tensor weights{{static_cast<std::uint32_t>(to), static_cast<std::uint32_t>(from), 3, 3}, {}};
         Tensor bias{{static_cast<std::uint32_t>(to)}, {}};
@@ -112,14 +113,14 @@ TensorArchive madeNet(int inputs, bool large, unsigned seed) {
         channels = to;
     };
     for (int size = 0; size < 5; ++size) {
-        for (const std::string& layer : downLayers(size, large)) add(layer, channels, kChannels[next++ % 6]);
+        for (const std::string& layer : downLayers(size, large)) add(layer, channels, nextChannels());
         if (size < 4) kept[size + 1] = channels;
     }
     for (int size = 4; size-- > 0;) {
         const std::vector<std::string> layers = upLayers(size, large);
         for (const std::string& layer : layers) {
             const int from = &layer == &layers.front() ? channels + kept[size] : channels;
-            add(layer, from, size == 0 && &layer == &layers.back() ? 3 : kChannels[next++ % 6]);
+            add(layer, from, size == 0 && &layer == &layers.back() ? 3 : nextChannels());
         }
     }
     return archive;

@@ -11,8 +11,8 @@
 namespace test {
 
 /// The layers of a net with two convolutions on each size (`large`) or as few as there are, of some channels,
-/// few and no round number. Random weights, which leave values about as large as they were.
-rtcore::TensorArchive madeNet(int inputs, bool large, unsigned seed = 1);
+/// few and no round number, at most so many. Random weights, which leave values about as large as they were.
+rtcore::TensorArchive madeNet(int inputs, bool large, int maxChannels = 33);
 
 /// The bytes of such a file: numbers as halves where they all are, else in single precision.
 std::vector<std::byte> archiveBytes(const rtcore::TensorArchive& archive, bool halves);
