@@ -22,6 +22,9 @@ if(RT_WITH_OPENMP)
 endif()
 add_feature_info(OpenMP OpenMP_CXX_FOUND "all cores render and build")
 
+find_package(OpenSSL QUIET)
+add_feature_info(Nets OpenSSL_FOUND "nets that denoise, whose files are checked by OpenSSL")
+
 if(RT_WITH_OPENEXR)
     # By pkg-config: the CMake files of Debian's Imath refuse to load without a Python library packaged elsewhere.
     pkg_check_modules(OpenEXR IMPORTED_TARGET OpenEXR)
@@ -50,7 +53,6 @@ endif()
 if(RT_WITH_BRIDGE)
     pkg_check_modules(TURBOJPEG QUIET IMPORTED_TARGET libturbojpeg)
     pkg_check_modules(DEFLATE QUIET IMPORTED_TARGET libdeflate)
-    find_package(OpenSSL QUIET)
     if(NOT RT_WITH_BRIDGE STREQUAL "AUTO" AND NOT (TURBOJPEG_FOUND AND DEFLATE_FOUND))
         message(FATAL_ERROR "RTBridge needs libturbojpeg and libdeflate; install them or set RT_WITH_BRIDGE=OFF")
     endif()

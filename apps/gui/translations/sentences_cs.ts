@@ -640,6 +640,10 @@
         <translation>poškozený {0}: {1}</translation>
     </message>
     <message>
+        <source>denoise.net: no weights in {0} ({1}); {2} brings them</source>
+        <translation>denoise.net: v {0} nejsou váhy ({1}); přinese je {2}</translation>
+    </message>
+    <message>
         <source>diffuse and specular together exceed 1; a surface gives back no more light than it gets</source>
         <translation>diffuse a specular jsou dohromady víc než 1; povrch nevrací víc světla, než dostane</translation>
     </message>
@@ -1138,6 +1142,10 @@
     <message>
         <source>names {0} by its absolute path, which no copy of the model would find; export it with relative ones, or make a .bsp of it by BSPBuilder and pack that</source>
         <translation>odkazuje na {0} absolutní cestou, kterou by žádná kopie modelu nenašla; exportujte ho s relativními cestami, nebo z něj udělejte programem BSPBuilder .bsp a zabalte ten</translation>
+    </message>
+    <message>
+        <source>nets cannot be checked by this build, which is without OpenSSL; build the suite with libssl-dev</source>
+        <translation>tento program je sestaven bez OpenSSL a sítě neumí ověřit; sestavte jej s libssl-dev</translation>
     </message>
     <message>
         <source>no environment map is shown</source>
@@ -1802,6 +1810,14 @@
     <message>
         <source>this byte is no text; save the list as UTF-8</source>
         <translation>tento bajt není text; uložte seznam v UTF-8</translation>
+    </message>
+    <message>
+        <source>this is another net: its SHA-256 is {0}, not {1}; {2} brings the right one</source>
+        <translation>to je jiná síť: její SHA-256 je {0}, ne {1}; správnou přinese {2}</translation>
+    </message>
+    <message>
+        <source>this is another net: {0} bytes, not {1}; {2} brings the right one</source>
+        <translation>to je jiná síť: {0} bajtů, ne {1}; správnou přinese {2}</translation>
     </message>
     <message>
         <source>this link is for looking only</source>
