@@ -48,6 +48,9 @@ for field in Maintainer Section Description Recommends Suggests; do
     [ -n "$(dpkg-deb -f "$package" $field)" ] || fail "the field $field is empty"
 done
 
+if dpkg-deb -c "$package" | grep -q '[.]tza$'; then fail "it contains weights of nets"; fi
+dpkg-deb -c "$package" | grep -q '/bin/rtsuite-fetch-nets$' || fail "it does not contain what brings nets"
+
 closed=$(dpkg-deb -c "$package" | grep -v '^\(drwxr-xr-x\|-rwxr-xr-x\|-rw-r--r--\|lrwxrwxrwx\) root/root ' || true)
 [ -z "$closed" ] || fail "not for everybody to read:
 $closed"

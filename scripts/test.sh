@@ -4,7 +4,16 @@
 # the thread sanitizer, too. RT_TEST_SCENES may name a folder with real models for more tests. Says how long each stage
 # took, and how many processor seconds: what is compiled beside the tests counts where it is waited for; what servers
 # that tests detach take counts nowhere.
+#   scripts/test.sh [--without-nets]
+# The weights of nets that denoise are brought, too, beside the build: where npm is installed, it is an error when they do
+# not come. --without-nets leaves them out.
 set -eu
+nets=yes
+case ${1:-} in
+    '') ;;
+    --without-nets) nets=no ;;
+    *) echo "usage: test.sh [--without-nets]" >&2; exit 2 ;;
+esac
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 begun=$(date +%s)
@@ -32,11 +41,23 @@ stage() {
 
 install() {
     scripts/setup.sh --tests
+    [ "$nets" = yes ] || return 0
+    setsid scripts/fetch-nets.sh &
+    fetching=$!
+    trap 'kill -s TERM -- "-$fetching" 2>/dev/null || true' EXIT
+    trap 'exit 130' INT TERM
 }
 build() {
     # Warnings are errors, and tests are compiled in larger parts, except in what was built without: that is not built again.
     [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON RT_TESTS_TOGETHER=24
     scripts/build.sh --tests
+}
+# Without npm (69) the script has said how to get them.
+await_nets() {
+    code=0
+    wait "$fetching" || code=$?
+    trap - EXIT
+    [ $code -eq 0 ] || [ $code -eq 69 ] || exit $code
 }
 # Unit tests and those of the window as whole programs, since ctest begins a process for each of 2,700 tests.
 check_programs() {
@@ -83,6 +104,7 @@ check_threads() {
 
 stage "installing" install
 stage "building" build
+[ "$nets" = no ] || stage "waiting for nets" await_nets
 stage "tests" check_release
 stage "building with sanitizers" await_sanitized
 stage "tests with sanitizers" check_sanitized

@@ -44,12 +44,17 @@ TEST(Installation, WorksWhereverItIsMoved) {
     for (const char* program : {"BSPBuilder", "CUI", "RTServer", "Renderer"})
         EXPECT_TRUE(fs::exists(bin / program)) << program;
     EXPECT_EQ(fs::exists(bin / "RTBridge"), kHasBridge);
+    const std::string fetch = "rtsuite-fetch-nets"; // a script
+    EXPECT_EQ(runProgram(bin / fetch, {"--help"}).exitCode, 0);
     for (const std::string& program : filesIn(bin)) {
+        if (program == fetch) continue;
         EXPECT_EQ(runProgram(bin / program, {"--version"}).exitCode, 0) << program;
         EXPECT_TRUE(fs::exists(prefix / "share" / "bash-completion" / "completions" / program)) << program;
         const fs::path page = prefix / "share" / "man" / "man1" / (program + ".1");
         EXPECT_TRUE(fs::exists(page) || fs::exists(page.string() + ".gz")) << program;
     }
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(prefix))
+        EXPECT_NE(entry.path().extension(), ".tza") << "weights are no part of a package";
     for (const char* file : {"share/mime/packages/rtsuite.xml", "share/doc/rtsuite/copyright",
                              "share/rtsuite/scenes/nave/nave.scn", "share/rtsuite/scenes/nave/rose.cam"}) {
         EXPECT_TRUE(fs::exists(prefix / file)) << file;
