@@ -292,6 +292,10 @@
         <translation>jméno v uvozovkách</translation>
     </message>
     <message>
+        <source>a net with {0} inputs; known are 3 (radiance), 6 (with albedo) and 9 (with normals)</source>
+        <translation>síť s {0} vstupy; známé jsou 3 (radiance), 6 (s albedem) a 9 (s normálami)</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>číslo</translation>
     </message>
@@ -310,6 +314,10 @@
     <message>
         <source>a number at least {0} and below {1}</source>
         <translation>číslo od {0}, menší než {1}</translation>
+    </message>
+    <message>
+        <source>a number is not finite</source>
+        <translation>některé číslo není konečné</translation>
     </message>
     <message>
         <source>a pack is being made already; wait for it, or give it up by 'pack stop'</source>
@@ -342,6 +350,10 @@
     <message>
         <source>a pointer of Git LFS, not the model itself</source>
         <translation>odkaz Git LFS, ne sám model</translation>
+    </message>
+    <message>
+        <source>a position lies beyond the end of the file</source>
+        <translation>pozice leží za koncem souboru</translation>
     </message>
     <message>
         <source>a quotation mark is not closed</source>
@@ -382,6 +394,22 @@
     <message>
         <source>a tar archive</source>
         <translation>archiv tar</translation>
+    </message>
+    <message>
+        <source>a tensor has an unknown layout</source>
+        <translation>tenzor má neznámé uspořádání</translation>
+    </message>
+    <message>
+        <source>a tensor has an unknown type of numbers</source>
+        <translation>tenzor má neznámý druh čísel</translation>
+    </message>
+    <message>
+        <source>a tensor has neither 1 nor 4 dimensions</source>
+        <translation>tenzor nemá ani 1, ani 4 rozměry</translation>
+    </message>
+    <message>
+        <source>a tensor has the side {0}, not 1 to {1}</source>
+        <translation>tenzor má stranu {0}, ne 1 až {1}</translation>
     </message>
     <message>
         <source>a texture is turned on its surface; that is not supported, so it is not turned</source>
@@ -832,6 +860,14 @@
         <translation>má víc než 2^30 trojúhelníků; rozdělte model</translation>
     </message>
     <message>
+        <source>it has more than {0} numbers</source>
+        <translation>má více než {0} čísel</translation>
+    </message>
+    <message>
+        <source>it has more than {0} tensors</source>
+        <translation>má více než {0} tenzorů</translation>
+    </message>
+    <message>
         <source>it has {0} vertices, more than can be numbered</source>
         <translation>má {0} vrcholů, víc, než lze očíslovat</translation>
     </message>
@@ -1042,6 +1078,10 @@
     <message>
         <source>its own lights reach nothing that is seen; other light was added</source>
         <translation>jeho vlastní světla nedosáhnou na nic z toho, co je vidět; bylo přidáno jiné světlo</translation>
+    </message>
+    <message>
+        <source>its version is {0}, not {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>key</source>
@@ -1524,6 +1564,10 @@
         <translation>soubor je příliš krátký na {0} pixelů, které udává jeho hlavička</translation>
     </message>
     <message>
+        <source>the file is truncated</source>
+        <translation>soubor je useknutý</translation>
+    </message>
+    <message>
         <source>the folder for temporary files: {0}</source>
         <translation>složka pro dočasné soubory: {0}</translation>
     </message>
@@ -1592,6 +1636,22 @@
         <translation>poslední úprava ještě probíhá</translation>
     </message>
     <message>
+        <source>the layer {0} has no bias for each output</source>
+        <translation>vrstva {0} nemá posun (bias) pro každý výstup</translation>
+    </message>
+    <message>
+        <source>the layer {0} has {1} inputs, not {2}</source>
+        <translation>vrstva {0} má {1} vstupů, ne {2}</translation>
+    </message>
+    <message>
+        <source>the layer {0} is missing</source>
+        <translation>chybí vrstva {0}</translation>
+    </message>
+    <message>
+        <source>the layer {0} is no convolution of 3 x 3</source>
+        <translation>vrstva {0} není konvoluce 3 x 3</translation>
+    </message>
+    <message>
         <source>the lights were edited</source>
         <translation>světla byla upravena</translation>
     </message>
@@ -1614,6 +1674,10 @@
     <message>
         <source>the name of a light is a text in UTF-8</source>
         <translation>jméno světla je text v UTF-8</translation>
+    </message>
+    <message>
+        <source>the net has {0} outputs, not 3</source>
+        <translation>síť má {0} výstupů, ne 3</translation>
     </message>
     <message>
         <source>the pack was stopped</source>
@@ -1820,6 +1884,10 @@
         <translation>to je jiná síť: {0} bajtů, ne {1}; správnou přinese {2}</translation>
     </message>
     <message>
+        <source>this is not a tensor archive (.tza)</source>
+        <translation>to není archiv tenzorů (.tza)</translation>
+    </message>
+    <message>
         <source>this link is for looking only</source>
         <translation>tento odkaz je jen pro diváky</translation>
     </message>
@@ -1858,6 +1926,10 @@
     <message>
         <source>two lights have the id {0}</source>
         <translation>dvě světla mají id {0}</translation>
+    </message>
+    <message>
+        <source>two tensors have the same name</source>
+        <translation>dva tenzory mají stejné jméno</translation>
     </message>
     <message>
         <source>undone, since a frame took more than 5 s</source>

@@ -2,15 +2,12 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
-#include "rtcore/platform/paths.h"
 
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace rtcore {
 
@@ -23,11 +20,11 @@ constexpr std::uint32_t kMaxTensors = 256, kMaxTensorSide = 1024;
 constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << 24;
 static_assert(std::endian::native == std::endian::little, "archives are little-endian");
 
-/// Reads forward from a position in the archive. Throws what() of a broken archive, without the file's name.
+/// Reads forward from a position in the archive. Throws Refusal of a broken archive, without the file's name.
 class ArchiveReader {
   public:
     ArchiveReader(std::span<const std::byte> bytes, std::uint64_t at) : rest_(bytes) {
-        if (at > bytes.size()) throw std::runtime_error("a position lies beyond the end of the file");
+        if (at > bytes.size()) throw Refusal("a position lies beyond the end of the file");
         rest_ = bytes.subspan(at);
     }
     template <typename T>
@@ -41,7 +38,7 @@ class ArchiveReader {
         return {reinterpret_cast<const char*>(letters.data()), letters.size()};
     }
     std::span<const std::byte> take(std::uint64_t count) {
-        if (count > rest_.size()) throw std::runtime_error("the file is truncated");
+        if (count > rest_.size()) throw Refusal("the file is truncated");
         const std::span<const std::byte> taken = rest_.first(count);
         rest_ = rest_.subspan(count);
         return taken;
@@ -84,20 +81,18 @@ TableRow readRow(ArchiveReader& table) {
     TableRow row;
     row.name = table.text(table.number<std::uint16_t>());
     const auto dimensions = table.number<std::uint8_t>();
-    if (dimensions != 1 && dimensions != 4)
-        throw std::runtime_error("a tensor has neither 1 nor 4 dimensions");
+    if (dimensions != 1 && dimensions != 4) throw Refusal("a tensor has neither 1 nor 4 dimensions");
     for (int i = 0; i < dimensions; ++i) {
         const auto side = table.number<std::uint32_t>();
         if (side == 0 || side > kMaxTensorSide)
-            throw std::runtime_error(
-                fmt::format("a tensor has the side {}, not 1 to {}", side, kMaxTensorSide));
+            throw Refusal(say("a tensor has the side {0}, not 1 to {1}", side, kMaxTensorSide));
         row.tensor.sides.push_back(side);
         row.count *= side;
     }
     if (table.text(dimensions) != (dimensions == 1 ? "x" : "oihw"))
-        throw std::runtime_error("a tensor has an unknown layout");
+        throw Refusal("a tensor has an unknown layout");
     const std::string type = table.text(1);
-    if (type != "h" && type != "f") throw std::runtime_error("a tensor has an unknown type of numbers");
+    if (type != "h" && type != "f") throw Refusal("a tensor has an unknown type of numbers");
     row.half = type == "h";
     row.position = table.number<std::uint64_t>();
     return row;
@@ -105,33 +100,29 @@ TableRow readRow(ArchiveReader& table) {
 
 TensorArchive readAll(std::span<const std::byte> bytes) {
     ArchiveReader head(bytes, 0);
-    if (head.number<std::uint16_t>() != kMagic)
-        throw std::runtime_error("this is not a tensor archive (.tza)");
+    if (head.number<std::uint16_t>() != kMagic) throw Refusal("this is not a tensor archive (.tza)");
     const auto version = head.number<std::uint8_t>();
-    if (version != kMajorVersion)
-        throw std::runtime_error(fmt::format("its version is {}, not {}", version, kMajorVersion));
+    if (version != kMajorVersion) throw Refusal(say("its version is {0}, not {1}", version, kMajorVersion));
     head.number<std::uint8_t>(); // the minor version
     ArchiveReader table(bytes, head.number<std::uint64_t>());
     const auto count = table.number<std::uint32_t>();
-    if (count > kMaxTensors)
-        throw std::runtime_error(fmt::format("it has more than {} tensors", kMaxTensors));
+    if (count > kMaxTensors) throw Refusal(say("it has more than {0} tensors", kMaxTensors));
     TensorArchive archive;
     std::uint64_t all = 0;
     for (std::uint32_t t = 0; t < count; ++t) {
         TableRow row = readRow(table);
         all += row.count;
-        if (all > kMaxNumbers)
-            throw std::runtime_error(fmt::format("it has more than {} numbers", kMaxNumbers));
+        if (all > kMaxNumbers) throw Refusal(say("it has more than {0} numbers", kMaxNumbers));
         const std::span<const std::byte> numbers =
             ArchiveReader(bytes, row.position).take(row.count * (row.half ? 2 : 4));
         row.tensor.values.resize(row.count);
         for (std::size_t i = 0; i < row.count; ++i) {
             const float value = numberAt(numbers, i, row.half);
-            if (!std::isfinite(value)) throw std::runtime_error("a number is not finite");
+            if (!std::isfinite(value)) throw Refusal("a number is not finite");
             row.tensor.values[i] = value;
         }
         if (!archive.emplace(std::move(row.name), std::move(row.tensor)).second)
-            throw std::runtime_error("two tensors have the same name");
+            throw Refusal("two tensors have the same name");
     }
     return archive;
 }
@@ -141,8 +132,8 @@ TensorArchive readAll(std::span<const std::byte> bytes) {
 TensorArchive parseTensorArchive(std::span<const std::byte> bytes, const std::string& file) {
     try {
         return readAll(bytes);
-    } catch (const std::runtime_error& error) {
-        throw FileError(FailureKind::BadData, file, error.what());
+    } catch (const Refusal& error) {
+        throw FileError(FailureKind::BadData, file, error.sentence());
     }
 }
 

@@ -2,11 +2,11 @@
 
 #include "rtcore/platform/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace rtcore {
 
@@ -22,9 +22,7 @@ class LayerReader {
   public:
     LayerReader(const TensorArchive& archive, const std::string& file) : archive_(archive), file_(file) {}
 
-    [[noreturn]] void fail(const std::string& why) const {
-        throw FileError(FailureKind::BadData, file_, why);
-    }
+    [[noreturn]] void fail(const Sentence& why) const { throw FileError(FailureKind::BadData, file_, why); }
     bool has(const std::string& layer) const { return archive_.contains(layer + ".weight"); }
     int inputsOf(const std::string& layer) const { return static_cast<int>(weights(layer).sides[1]); }
 
@@ -33,9 +31,9 @@ class LayerReader {
         const Tensor& oihw = weights(layer);
         const auto bias = archive_.find(layer + ".bias");
         if (bias == archive_.end() || bias->second.sides != std::vector{oihw.sides[0]})
-            fail(fmt::format("the layer {} has no bias for each output", layer));
+            fail(say("the layer {0} has no bias for each output", layer));
         if (inputsOf(layer) != first + second)
-            fail(fmt::format("the layer {} has {} inputs, not {}", layer, inputsOf(layer), first + second));
+            fail(say("the layer {0} has {1} inputs, not {2}", layer, inputsOf(layer), first + second));
         ConvolutionWeights made;
         made.inputs = first + second;
         made.outputs = static_cast<int>(oihw.sides[0]);
@@ -49,10 +47,10 @@ class LayerReader {
   private:
     const Tensor& weights(const std::string& layer) const {
         const auto found = archive_.find(layer + ".weight");
-        if (found == archive_.end()) fail(fmt::format("the layer {} is missing", layer));
+        if (found == archive_.end()) fail(say("the layer {0} is missing", layer));
         const std::vector<std::uint32_t>& sides = found->second.sides;
         if (sides.size() != 4 || sides[2] != 3 || sides[3] != 3)
-            fail(fmt::format("the layer {} is no convolution of 3 x 3", layer));
+            fail(say("the layer {0} is no convolution of 3 x 3", layer));
         return found->second;
     }
 
@@ -86,8 +84,8 @@ UNet::UNet(const TensorArchive& archive, const std::string& file) {
     large_ = reader.has("enc_conv1b");
     inputs_ = reader.inputsOf(large_ ? "enc_conv1a" : "enc_conv0");
     if (inputs_ != 3 && inputs_ != 6 && inputs_ != 9)
-        reader.fail(fmt::format(
-            "a net with {} inputs; known are 3 (radiance), 6 (with albedo) and 9 (with normals)", inputs_));
+        reader.fail(say("a net with {0} inputs; known are 3 (radiance), 6 (with albedo) and 9 (with normals)",
+                        inputs_));
     int channels = inputs_;
     int kept[kSizes] = {inputs_};
     const auto add = [&](int size, const std::vector<std::string>& names, bool up) {
@@ -106,7 +104,7 @@ UNet::UNet(const TensorArchive& archive, const std::string& file) {
         if (size + 1 < kSizes) kept[size + 1] = channels;
     }
     for (int size = kSizes - 1; size-- > 0;) add(size, namesUp(size, large_), true);
-    if (channels != 3) reader.fail(fmt::format("the net has {} outputs, not 3", channels));
+    if (channels != 3) reader.fail(say("the net has {0} outputs, not 3", channels));
 }
 
 UNetRun::UNetRun(std::shared_ptr<const UNet> net) : net_(std::move(net)) {}
