@@ -1081,7 +1081,7 @@
     </message>
     <message>
         <source>its version is {0}, not {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>jeho verze je {0}, ne {1}</translation>
     </message>
     <message>
         <source>key</source>
