@@ -129,7 +129,7 @@ look() {
     theme=$1 language=$2 scale=$3
     suffix=$theme-$language-$scale
     mkdir -p "$work/config/rtsuite"
-    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=%s\n' \
+    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\nstillPathSamples=64\n[files]\nrecent=%s\npictureFolder=%s\n' \
         "$theme" "$language" data/nave/nave.scn "$mine" >"$work/config/rtsuite/GUI.ini"
     "$bin/RTServer" "$scenes/nave.scn" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
     QT_SCALE_FACTOR=$scale "$bin/GUI" --connect --instance="$name" 2>"$work/gui.txt" &
@@ -149,11 +149,11 @@ look() {
     keys F2
     whole_window orbit
     keys F2
-    about="alt+h a" sharing="alt+c b" stop_sharing=alt+t
-    menus="f c a v l o d s h"
+    about="alt+h a" sharing="alt+f b" stop_sharing=alt+t
+    menus="f e v c l n w s h"
     if [ "$language" = cs ]; then
-        about="alt+v o" sharing="alt+p h" stop_sharing=alt+u
-        menus="s p a h t k z n v"
+        about="alt+v o" sharing="alt+s h" stop_sharing=alt+u
+        menus="s a h k t y o e v"
     fi
     for menu in $menus; do
         xdotool windowfocus --sync "$main"
@@ -217,8 +217,8 @@ if [ "$docs" = yes ]; then
     convert "$pictures/still.png" -quality 88 docs/images/window.jpg
     convert "$pictures/jobs-light-en-1.png" -quality 88 docs/images/jobs.jpg
     convert "$pictures/settings-light-en-1.png" -quality 88 docs/images/settings.jpg
-    convert -gravity NorthEast \( "$pictures/lights-light-en-1.png" -crop 312x621+0+19 +repage \) \
-        \( "$pictures/bookmarks-light-en-1.png" -crop 279x621+0+19 +repage \) +append +dither -colors 192 docs/images/panels.png
+    convert -gravity NorthEast \( "$pictures/lights-light-en-1.png" -crop 335x586+0+54 +repage \) \
+        \( "$pictures/bookmarks-light-en-1.png" -crop 279x586+0+54 +repage \) +append +dither -colors 192 docs/images/panels.png
     for each in start share export recording statistics configure1 render-more; do
         convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
     done
