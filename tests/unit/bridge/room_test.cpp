@@ -275,10 +275,11 @@ TEST_F(RoomOfPages, ForgetsAServerThatIsGone) {
     server().events.state(test::stateReport());
     server().events.status({});
     EXPECT_TRUE(room->hasServer());
-    server().events.server(ServerLink::Gone, "no server 'hall' runs");
+    server().events.server(ServerLink::Gone, rtcore::say("no server '{0}' runs", std::string("hall")));
     EXPECT_FALSE(room->hasServer());
     EXPECT_EQ(page->last("server")["state"], "gone");
     EXPECT_EQ(page->last("server")["text"], "no server 'hall' runs");
+    EXPECT_EQ(page->last("server")["sentence"], (json{"no server '{0}' runs", "hall"}));
     const Page late = join(2);
     EXPECT_EQ(late->count("state") + late->count("status"), 0U);
     request(1, {{"do", "state"}});

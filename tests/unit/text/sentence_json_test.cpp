@@ -21,6 +21,16 @@ TEST(SentenceJson, HasTheFormAndWhatStandsInItsPlaces) {
     EXPECT_EQ(sentenceJson(std::string("a text")), R"("a text")");
 }
 
+TEST(SentenceJson, TakesWhatIsNearlyUtf8) {
+    // Surrogates, beyond the last character, too long, cut off.
+    for (const char* each :
+         {"\xED\xA0\x80", "\xF4\x90\x80\x80", "\xC0\xAF", "\xF0\x80\x80\x80", "a\xE2\x80"}) {
+        std::string text;
+        EXPECT_NO_THROW(text = sentenceJson(say("there is no {0}", std::string(each))));
+        EXPECT_TRUE(readSentenceJson(text)) << text;
+    }
+}
+
 TEST(SentenceJson, IsOneLineOfJsonWhateverANameHolds) {
     std::string name;
     for (int code = 0; code < 256; ++code) name += static_cast<char>(code);

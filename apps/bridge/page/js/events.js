@@ -90,7 +90,8 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         notices.show("server", t("busy"), { lasting: true, warn: true });
     }
 
-    on("server", ({ state, text }) => {
+    on("server", (event) => {
+        const { state } = event;
         const key = "server";
         showBusy(state === "busy");
         around.setLive(state === "there" || state === "busy");
@@ -103,7 +104,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         app.letGo();
         app.speed = 1;
         if (state === "gone" && !around.seen) return around.showWaiting("noServer");
-        notices.show(key, state === "refused" ? t("refused", text) : t(state), { lasting: true, warn: true });
+        notices.show(key, state === "refused" ? t("refused", said(event)) : t(state), { lasting: true, warn: true });
     });
 
     on("message", (message) => notices.show("message", said(message), { warn: message.kind === "warning" }));

@@ -55,7 +55,10 @@ bool nestsTooDeep(std::string_view text) {
 
 } // namespace
 
-std::string sentenceJson(const Sentence& sentence) { return dataOf(sentence).dump(); }
+std::string sentenceJson(const Sentence& sentence) {
+    // The library throws for what is no UTF-8 to it; messages are told by functions that must not.
+    return dataOf(sentence).dump(-1, ' ', false, SentenceData::error_handler_t::replace);
+}
 
 std::optional<Sentence> readSentenceJson(std::string_view text) {
     if (text.empty() || text.size() > kLongest || nestsTooDeep(text)) return std::nullopt;
