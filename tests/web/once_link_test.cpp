@@ -45,12 +45,12 @@ TEST_F(OnceLink, LetsOnePageInWhichMayBeLoadedAgain) {
     const WebPage first(browser(), link);
     ASSERT_TRUE(drives(first));
     first.value("window.mark = 1");
-    first.value("location.reload()");
+    first.leave("location.reload()");
     ASSERT_TRUE(first.becomes("window.mark === undefined && document.readyState === 'complete'"));
     EXPECT_TRUE(drives(first)) << "loaded again";
     first.open("about:blank");
     ASSERT_TRUE(first.becomes("location.href === 'about:blank'"));
-    first.value("history.back()");
+    first.leave("history.back()");
     ASSERT_TRUE(first.becomes("document.getElementById('view')"));
     EXPECT_TRUE(drives(first)) << "and after a page between";
 
@@ -88,7 +88,7 @@ TEST_F(OnceLink, THOROUGH_NothingThatABrowserKeepsLetsADriverIn) {
     page.open(link);
     ASSERT_TRUE(drives(page));
     page.value("window.mark = 1");
-    page.value("location.reload()");
+    page.leave("location.reload()");
     ASSERT_TRUE(page.becomes("window.mark === undefined && document.readyState === 'complete'"));
     ASSERT_TRUE(drives(page));
     const std::string token = page.value("window.own");

@@ -99,6 +99,8 @@ Json WebPage::value(const std::string& expression) const {
     return answer["result"].value("value", Json());
 }
 
+void WebPage::leave(const std::string& script) const { value("void setTimeout(() => { " + script + " })"); }
+
 bool WebPage::becomes(const std::string& expression, std::chrono::seconds within) const {
     const auto deadline = Clock::now() + within;
     for (;;) {

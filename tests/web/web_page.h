@@ -24,6 +24,8 @@ class WebPage {
     /// The value of an expression, waited for where it is a promise. Throws std::runtime_error where it
     /// throws.
     Json value(const std::string& expression) const;
+    /// Runs a script by which the page is left: after the answer, which would be lost with the page.
+    void leave(const std::string& script) const;
     /// Until the expression is true; false when the time is up before.
     bool becomes(const std::string& expression, std::chrono::seconds within = std::chrono::seconds(20)) const;
 
