@@ -17,6 +17,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/post/net_denoise.h"
 #include "rtcore/render/ground_tracer.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/settings/settings_table.h"
@@ -24,6 +25,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -63,13 +65,16 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
       tree_(visibleTreeOf(loaded_, options)),
       surfaces_(std::make_shared<const rtcore::KdRayTracer>(tree_, loaded_.scene.model.mesh,
-                                                            chooseLeafRecords(tree_, knownRays(options)))) {}
+                                                            chooseLeafRecords(tree_, knownRays(options)))),
+      nets_(options.nets) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     Shot shot = prepare(task);
     const rtcore::Camera& camera = shot.camera;
     rtcore::RenderSettings& settings = shot.settings;
     focus(camera, settings);
+    // Before the light is traced: it would be lost where there is no such net.
+    if (const auto net = rtcore::netOf(settings)) developer_.useNet(nets_.of(*net));
 
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
     auto start = std::chrono::steady_clock::now();
@@ -79,7 +84,7 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     if (rtcore::samplesAdaptively(settings)) report.samples = allSamples(settings);
 
     start = std::chrono::steady_clock::now();
-    const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads);
+    const rtcore::HdrImage& radiance = finish(settings, index, count);
     const float exposure = develop(task, radiance, settings);
     write(task, radiance, settings);
     // This must come last: a viewer that has seen it may end this process.
@@ -202,6 +207,15 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     }
     tell(images.remarks());
     app::throwIfStopped();
+}
+
+const rtcore::HdrImage& PictureMaker::finish(const rtcore::RenderSettings& settings, int index, int count) {
+    if (!rtcore::denoisesByNet(settings)) return developer_.finish(frame_, settings, options_.threads);
+    std::atomic<bool> cancel = false;
+    const app::ProgressScope scope(progress_, {"denoising", nullptr, &cancel}, index, count);
+    const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads, &cancel);
+    app::throwIfStopped();
+    return radiance;
 }
 
 /// Details where --verbose asks, those of the scene once a run; the rest always.

@@ -10,6 +10,7 @@
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/neural/nets.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/light_meter.h"
@@ -69,6 +70,8 @@ class PictureMaker {
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
+    /// The frame with its effects, which take long where a net is among them.
+    const rtcore::HdrImage& finish(const rtcore::RenderSettings& settings, int index, int count);
     void tell(const std::vector<rtcore::ImageRemark>& remarks);
     /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
@@ -94,6 +97,7 @@ class PictureMaker {
     // Kept, so that their memory is reused.
     rtcore::ImageRenderers images_;
     rtcore::LightMeter meter_;
+    rtcore::Nets nets_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;

@@ -40,6 +40,7 @@ const std::vector<SettingOption>& settingOptions() {
         {"samples", {{"path.samples", nullptr}}},
         {"antialiasing", {{"antialiasing", nullptr}}},
         {"bloom", {{"bloom.radius", nullptr}}},
+        {"denoise", {{"denoise.net", nullptr}}},
         {"ambient-occlusion", {{"ambientOcclusion.on", "true"}}},
         {"no-ambient-occlusion", {{"ambientOcclusion.on", "false"}}},
         {"ao-samples", {{"ambientOcclusion.samples", nullptr}, {"ambientOcclusion.on", "true"}}},
@@ -157,6 +158,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.import.threads = options.threads;
     options.lighting = app::readLightingOptions(arguments);
     options.selection = app::readSelection(arguments);
+    options.nets = readPath(arguments, "nets").value_or("");
     options.aovs = arguments.has("aovs");
     options.verbose = arguments.has("verbose");
     options.debugScene = readPath(arguments, "debug-scene");

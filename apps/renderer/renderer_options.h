@@ -43,7 +43,8 @@ struct RendererOptions {
     rtcore::ImportOptions import;
     rtcore::LightingOptions lighting;
     app::Selection selection;
-    bool aovs = false; ///< .exr outputs hold what is known of surfaces as well
+    std::filesystem::path nets; ///< the folder of their weights; empty: where they are looked for by default
+    bool aovs = false;          ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
     app::ProgressStyle progress = app::ProgressStyle::None;

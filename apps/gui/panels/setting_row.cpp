@@ -136,7 +136,8 @@ QWidget* SettingRow::makeEditor(const Setting& setting, const QString& label) {
     }
     auto* box = new QComboBox;
     for (const std::string_view choice : setting.choices) box->addItem(settingLabel(choice), ofView(choice));
-    if (!setting.stillChoice.empty()) disableItem(*box, ofView(setting.stillChoice));
+    for (const std::string_view choice : setting.choices)
+        if (!setting.liveChoice.empty() && choice != setting.liveChoice) disableItem(*box, ofView(choice));
     connect(box, &QComboBox::currentIndexChanged, this,
             [this, box] { emit edited(name_, box->currentData().toString()); });
     return box;

@@ -91,7 +91,7 @@ float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& setti
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,
                                          const std::atomic<bool>* stop) {
-    return effects_.apply(frame, {.settings = settings, .threads = threads, .stop = stop});
+    return effects_.apply(frame, {.settings = settings, .threads = threads, .net = net_, .stop = stop});
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,

@@ -10,7 +10,9 @@
 #include "rtcore/settings/render_settings.h"
 
 #include <atomic>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -44,11 +46,15 @@ class PictureDeveloper {
     void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
 
+    /// For images from now on whose settings ask for it (netOf()); null: they stay as they are.
+    void useNet(std::shared_ptr<const UNet> net) { net_ = std::move(net); }
+
   private:
     std::optional<float> average(const Frame& frame, bool background, int threads);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
     EffectChain effects_;
+    std::shared_ptr<const UNet> net_;
     std::vector<std::vector<Colour>> rows_; ///< by thread
 };
 

@@ -14,12 +14,14 @@
 namespace rtcore {
 
 class Aovs;
+class UNet;
 
 /// Parameters shared by all effects of an image.
 struct EffectRun {
     const RenderSettings& settings; ///< of the whole image, which may be smaller or larger than they say
     int threads = 0;                ///< 0 = all cores
     float exposure = 1;             ///< the constant c of L = Y / (Y + c); for EffectStage::Display
+    std::shared_ptr<const UNet> net = {};    ///< of netOf() the settings; null: there is none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
 };
 

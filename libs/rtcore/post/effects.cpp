@@ -3,6 +3,7 @@
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/local_exposure.h"
+#include "rtcore/post/net_denoise.h"
 #include "rtcore/render/aovs.h"
 
 #include <algorithm>
@@ -12,7 +13,8 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::array<const EffectRow*, 3> kEffects{&kDenoiseEffect, &kBloomEffect, &kLocalExposureEffect};
+constexpr std::array<const EffectRow*, 4> kEffects{&kNetDenoiseEffect, &kDenoiseEffect, &kBloomEffect,
+                                                   &kLocalExposureEffect};
 
 } // namespace
 

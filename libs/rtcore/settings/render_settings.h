@@ -27,6 +27,8 @@ enum class SamplingPattern { Grid, Random, Jittered, Rotated, Poisson };
 /// points, or anywhere. (thesis 7.1.5)
 enum class OcclusionPattern { Rotated, Regular, Random };
 enum class BloomKernel { Gaussian, Airy };
+/// Trained nets that take the noise of paths away, from quick to good.
+enum class DenoiseNet { Off, Small, Base, Large };
 
 struct AmbientOcclusionSettings {
     bool on = false;
@@ -89,7 +91,8 @@ struct AreaLightSettings {
 
 /// Smooths noise, but not edges.
 struct DenoiseSettings {
-    int passes = 0; ///< of the filter; 0 = off
+    int passes = 0;                   ///< of the filter; 0 = off
+    DenoiseNet net = DenoiseNet::Off; ///< in place of the filter, of Integrator::Path
 
     friend bool operator==(const DenoiseSettings&, const DenoiseSettings&) = default;
 };
@@ -148,8 +151,14 @@ struct RenderSettings {
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
+/// Whether a net takes the noise of an image of those settings away.
+inline bool denoisesByNet(const RenderSettings& settings) {
+    return settings.integrator == Integrator::Path && settings.denoise.net != DenoiseNet::Off;
+}
+
 /// Passes of the filter that smooths the noise of an image of those settings.
 inline int filterPasses(const RenderSettings& settings) {
+    if (denoisesByNet(settings)) return 0;
     const bool own = settings.integrator == Integrator::Path && settings.path.filter > 0;
     return own ? settings.path.filter : settings.denoise.passes;
 }

@@ -27,6 +27,7 @@ constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "j
                                                             "poisson"};
 constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
 constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
+constexpr std::array<std::string_view, 4> kDenoiseNets{"off", "small", "base", "large"};
 
 /// Groups and choices whose names say too little.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLabels{
@@ -52,6 +53,7 @@ Choices choicesOf() {
     if constexpr (std::is_same_v<Enum, SamplingPattern>) return kSamplingPatterns;
     if constexpr (std::is_same_v<Enum, OcclusionPattern>) return kOcclusionPatterns;
     if constexpr (std::is_same_v<Enum, BloomKernel>) return kBloomKernels;
+    if constexpr (std::is_same_v<Enum, DenoiseNet>) return kDenoiseNets;
     return {};
 }
 
@@ -110,9 +112,9 @@ struct Row : Setting {
         group = shownWith;
         return std::move(*this);
     }
-    /// A choice that the live view does not draw with.
-    Row&& forStills(std::string_view choice) && {
-        stillChoice = choice;
+    /// The only choice that the live view draws with.
+    Row&& liveOnlyWith(std::string_view choice) && {
+        liveChoice = choice;
         return std::move(*this);
     }
     /// Its label where its name says too little.
@@ -235,7 +237,7 @@ std::vector<Setting> makeTable() {
             .inBrowsers({.maximum = 256}),
         row<&S::integrator>("integrator", "whitted: mirrors, glass and light that comes straight; path: all "
                                           "light, also from surface to surface; only for stills")
-            .forStills("path")
+            .liveOnlyWith("whitted")
             .in("path")
             .notInBrowsers(),
         row<&S::path, &Path::samples>("path.samples", {1, 1 << 20}, "samples",
@@ -319,6 +321,13 @@ std::vector<Setting> makeTable() {
                                                    "smooths noise, but not edges")
             .zeroIs("off")
             .changing(SettingChange::Display),
+        row<&S::denoise, &DenoiseSettings::net>(
+            "denoise.net", "a trained net takes the noise of paths away: small is quick, large is best; its "
+                           "weights come by scripts/fetch-nets.sh")
+            .liveOnlyWith("off")
+            .changing(SettingChange::Display)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
                                        "size of the bloom around bright spots")
             .zeroIs("off")
@@ -551,7 +560,7 @@ std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings
 
 void checkLive(const Setting& setting, const SettingValue& value) {
     const std::string* choice = std::get_if<std::string>(&value);
-    if (setting.stillChoice.empty() || choice == nullptr || *choice != setting.stillChoice) return;
+    if (setting.liveChoice.empty() || choice == nullptr || *choice == setting.liveChoice) return;
     throw BadValue(say("{0} is {1}, which is for stills, not for the live view; put it into [still], or use "
                        "'Renderer --setting {0}={1}'",
                        setting.name, *choice));

@@ -53,8 +53,9 @@ struct Setting {
     SettingValue (*get)(const RenderSettings&);
     void (*set)(RenderSettings&, const SettingValue&); ///< takes only what checkSetting() returns
 
-    std::string_view stillChoice = {}; ///< Choice: the one that is for stills only, not for the live view
-    std::string_view label = {};       ///< what it is called where its name says too little (settingLabel())
+    std::string_view liveChoice =
+        {};                      ///< Choice: the only one of the live view, others are for stills; "": any
+    std::string_view label = {}; ///< what it is called where its name says too little (settingLabel())
     SettingChange changes = SettingChange::Light;
     std::optional<Integrator> integrator = {}; ///< the only one that uses it
     BrowserRange browser = {};

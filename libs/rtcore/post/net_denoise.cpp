@@ -1,0 +1,58 @@
+#include "rtcore/post/net_denoise.h"
+
+#include "rtcore/platform/threads.h"
+#include "rtcore/render/aovs.h"
+
+namespace rtcore {
+
+namespace {
+
+PixelPlane planeOf(const HdrImage& picture) { return {&picture.pixels[0].r, sizeof(Colour) / sizeof(float)}; }
+
+PixelPlane planeOf(const float& first) { return {&first, sizeof(AovPixel) / sizeof(float)}; }
+
+} // namespace
+
+std::optional<Net> netOf(const RenderSettings& settings) {
+    if (!denoisesByNet(settings)) return std::nullopt;
+    switch (settings.denoise.net) {
+    case DenoiseNet::Small:
+        return Net::Small;
+    case DenoiseNet::Large:
+        return Net::Large;
+    default:
+        return Net::Base;
+    }
+}
+
+const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) {
+    const bool whole = aovs.width() == picture.width && aovs.height() == picture.height;
+    if (run.net == nullptr || aovs.empty() || !whole || picture.empty()) return picture;
+    if (!denoiser_ || &denoiser_->net() != run.net.get()) denoiser_.emplace(run.net);
+    if (image_.width != picture.width || image_.height != picture.height)
+        image_ = HdrImage(picture.width, picture.height);
+    const AovPixel& first = aovs.pixels()[0];
+    const NoisyImage noisy{.width = picture.width,
+                           .height = picture.height,
+                           .radiance = planeOf(picture),
+                           .albedo = planeOf(first.albedo.r),
+                           .normal = planeOf(first.normal.x)};
+    if (!denoiser_->run(noisy, &image_.pixels[0].r, run.threads, run.stop)) return picture;
+    const auto width = static_cast<std::size_t>(picture.width);
+#pragma omp parallel for schedule(static) num_threads(threadsFor(run.threads))
+    for (int y = 0; y < picture.height; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * width;
+        for (std::size_t i = row; i < row + width; ++i)
+            if (aovs.pixels()[i].covered == 0) image_.pixels[i] = picture.pixels[i];
+    }
+    return image_;
+}
+
+constinit const EffectRow kNetDenoiseEffect{.name = "denoise by a net",
+                                            .stage = EffectStage::Radiance,
+                                            .wanted = &denoisesByNet,
+                                            .bytesPerPixel = NetDenoise::bytesPerPixel(),
+                                            .needsAovs = true,
+                                            .make = &makeEffect<NetDenoise>};
+
+} // namespace rtcore

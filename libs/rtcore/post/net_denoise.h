@@ -1,0 +1,34 @@
+/// Removes the noise of paths by a trained net.
+#pragma once
+
+#include "rtcore/neural/net_denoiser.h"
+#include "rtcore/neural/net_files.h"
+#include "rtcore/post/effect.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <optional>
+
+namespace rtcore {
+
+/// The net of the settings; nothing where they use none.
+std::optional<Net> netOf(const RenderSettings& settings);
+
+/// The U-Net of Open Image Denoise over radiance, albedo and normals. Pixels that all samples saw as
+/// background have no noise, and stay to the bit; so does the whole image without EffectRun::net, or without
+/// AOVs of its size. Not for parts of previews.
+class NetDenoise final : public Effect {
+  public:
+    const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
+
+    /// Memory that is kept for each pixel, beside that of the net for a tile (NetDenoiser::kMaxPixels).
+    static constexpr std::size_t bytesPerPixel() { return sizeof(Colour); }
+
+  private:
+    std::optional<NetDenoiser> denoiser_; ///< of the net that was used last
+    HdrImage image_;
+};
+
+extern const EffectRow kNetDenoiseEffect;
+
+} // namespace rtcore

@@ -1,0 +1,107 @@
+// A net works on what the frame holds; the background, and frames without a net, stay.
+#include "rtcore/post/net_denoise.h"
+#include "rtcore/post/effects.h"
+#include "rtcore/settings/settings_table.h"
+
+#include "unit/neural/made_net.h"
+#include "sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace rtcore {
+namespace {
+
+class NetDenoiseTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        settings.integrator = Integrator::Path;
+        settings.denoise.net = DenoiseNet::Base;
+        test::SceneBuilder b;
+        b.sphere({0, 0, 0}, 1, 24, b.material(test::matte(0.7F)));
+        b.scene.lights = {test::pointLight({1, 4, 3}, 40)};
+        b.scene.background = {0.2F, 0.3F, 0.5F};
+        const test::TracedScene traced(b.finish());
+        FrameRenderer renderer;
+        renderer.collectAovs(effectsNeedAovs(settings));
+        RenderControl control{.threads = 1};
+        RenderSettings whitted = settings;
+        whitted.integrator = Integrator::Whitted;
+        ASSERT_TRUE(
+            renderer.render({traced.scene, traced.tracer, test::sampleCamera(), whitted}, control, frame));
+        ASSERT_FALSE(frame.aovs.empty());
+    }
+
+    RenderSettings settings = test::sampleSettings(48, 36);
+    Frame frame;
+    const std::shared_ptr<const UNet> net = std::make_shared<const UNet>(test::madeNet(9, false), "made.tza");
+};
+
+TEST_F(NetDenoiseTest, GivesSurfacesWhatTheNetGivesAndLeavesTheBackground) {
+    NetDenoise effect;
+    const HdrImage& result =
+        effect.apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 1, .net = net});
+    ASSERT_NE(&result, &frame.radiance);
+    std::vector<float> radiance, albedo, normal, expected(frame.radiance.pixels.size() * 3);
+    for (std::size_t i = 0; i < frame.radiance.pixels.size(); ++i) {
+        const Colour c = frame.radiance.pixels[i], a = frame.aovs.pixels()[i].albedo;
+        const Vec3 n = frame.aovs.pixels()[i].normal;
+        radiance.insert(radiance.end(), {c.r, c.g, c.b});
+        albedo.insert(albedo.end(), {a.r, a.g, a.b});
+        normal.insert(normal.end(), {n.x, n.y, n.z});
+    }
+    NetDenoiser denoiser(net);
+    ASSERT_TRUE(
+        denoiser.run({48, 36, {radiance.data()}, {albedo.data()}, {normal.data()}}, expected.data(), 1));
+    int surfaces = 0, background = 0;
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        if (frame.aovs.pixels()[i].covered == 0) {
+            EXPECT_EQ(result.pixels[i], frame.radiance.pixels[i]);
+            ++background;
+        } else {
+            EXPECT_EQ(result.pixels[i], (Colour{expected[3 * i], expected[3 * i + 1], expected[3 * i + 2]}));
+            ++surfaces;
+        }
+    }
+    EXPECT_GT(surfaces, 100);
+    EXPECT_GT(background, 100);
+}
+
+TEST_F(NetDenoiseTest, LeavesTheImageWithoutANetAovsOrTime) {
+    NetDenoise effect;
+    EXPECT_EQ(&effect.apply(frame.radiance, frame.aovs, {.settings = settings}), &frame.radiance);
+    EXPECT_EQ(&effect.apply(frame.radiance, Aovs(), {.settings = settings, .net = net}), &frame.radiance);
+    const std::atomic<bool> stop = true;
+    EXPECT_EQ(&effect.apply(frame.radiance, frame.aovs, {.settings = settings, .net = net, .stop = &stop}),
+              &frame.radiance);
+}
+
+TEST_F(NetDenoiseTest, StandsInPlaceOfTheFilterForPathsOnly) {
+    settings.denoise.passes = 3;
+    EXPECT_EQ(netOf(settings), Net::Base);
+    EXPECT_EQ(filterPasses(settings), 0);
+    settings.denoise.net = DenoiseNet::Small;
+    EXPECT_EQ(netOf(settings), Net::Small);
+    settings.denoise.net = DenoiseNet::Large;
+    EXPECT_EQ(netOf(settings), Net::Large);
+    settings.integrator = Integrator::Whitted;
+    EXPECT_EQ(netOf(settings), std::nullopt);
+    EXPECT_EQ(filterPasses(settings), 3);
+    settings.integrator = Integrator::Path;
+    settings.denoise.net = DenoiseNet::Off;
+    EXPECT_EQ(netOf(settings), std::nullopt);
+    EXPECT_EQ(filterPasses(settings), 3);
+}
+
+TEST(NetSetting, IsForStills) {
+    RenderSettings settings;
+    EXPECT_NO_THROW(checkLive(settings));
+    setSettingFromText(settings, "denoise.net", "small");
+    EXPECT_THROW(checkLive(settings), BadValue);
+}
+
+} // namespace
+} // namespace rtcore
