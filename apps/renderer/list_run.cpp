@@ -43,6 +43,7 @@ class ListRun {
                 return app::ExitCode::Done;
             }
         }
+        maker_.readNet();
         if (options_.video) inputs_.refuse(*options_.video);
         checkOutputs(frames);
         preparePlaces();

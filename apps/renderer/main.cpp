@@ -5,5 +5,7 @@
 #include "common/cli/run_program.h"
 
 int main(int argc, char** argv) {
-    return app::runProgram(argc, argv, renderer::rendererSpec(), renderer::runRenderer);
+    app::ProgramSpec spec = renderer::rendererSpec();
+    spec.features.push_back(renderer::netFeature());
+    return app::runProgram(argc, argv, spec, renderer::runRenderer);
 }

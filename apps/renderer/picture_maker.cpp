@@ -8,6 +8,7 @@
 #include "renderer/unused_settings.h"
 
 #include "common/cli/command_line.h"
+#include "common/process/error_sentence.h"
 #include "common/process/seconds_since.h"
 #include "common/process/stop.h"
 #include "common/process/terminal.h"
@@ -33,6 +34,8 @@
 namespace renderer {
 
 namespace {
+
+constexpr int kPassesInPlace = 3; ///< of the filter where there is no net
 
 std::uint64_t allSamples(const rtcore::RenderSettings& settings) {
     const auto size = [](int number) { return static_cast<std::uint64_t>(number); };
@@ -73,8 +76,7 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     const rtcore::Camera& camera = shot.camera;
     rtcore::RenderSettings& settings = shot.settings;
     focus(camera, settings);
-    // Before the light is traced: it would be lost where there is no such net.
-    if (const auto net = rtcore::netOf(settings)) developer_.useNet(nets_.of(*net));
+    chooseNet(settings);
 
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
     auto start = std::chrono::steady_clock::now();
@@ -137,12 +139,21 @@ PictureMaker::Shot PictureMaker::prepare(const FrameTask& task) {
     return shot;
 }
 
+rtcore::RenderSettings PictureMaker::ownSettings() const {
+    return app::mergeSettings({.scene = loaded_.still,
+                               .settingsFile = settingsFile_,
+                               .camera = nullptr,
+                               .commandLine = options_.settings});
+}
+
+void PictureMaker::readNet() {
+    rtcore::RenderSettings settings = ownSettings();
+    chooseNet(settings);
+}
+
 /// How the scene's exposure is found anew, whatever a .cam says.
 rtcore::ExposureMode PictureMaker::measured() const {
-    const rtcore::RenderSettings settings = app::mergeSettings({.scene = loaded_.still,
-                                                                .settingsFile = settingsFile_,
-                                                                .camera = nullptr,
-                                                                .commandLine = options_.settings});
+    const rtcore::RenderSettings settings = ownSettings();
     const bool incident = settings.exposure.mode == rtcore::ExposureMode::Incident;
     return incident ? rtcore::ExposureMode::Incident : rtcore::ExposureMode::Automatic;
 }
@@ -180,6 +191,36 @@ void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& s
     const bool infinite = settings.depthOfField.focus >= rtcore::kInfiniteFocus;
     progress_.print("focused at " +
                     (infinite ? "infinity" : rtcore::settingText(settings.depthOfField.focus)));
+}
+
+void PictureMaker::chooseNet(rtcore::RenderSettings& settings) {
+    const std::optional<rtcore::Net> wanted = rtcore::netOf(settings);
+    if (settings.denoise.net == rtcore::DenoiseNet::Automatic && wanted) {
+        chooseNetByItself(settings);
+        return;
+    }
+    useNet(wanted ? nets_.of(*wanted) : nullptr);
+}
+
+void PictureMaker::chooseNetByItself(rtcore::RenderSettings& settings) {
+    if (options_.list) {
+        throw app::UsageError("denoise.net=automatic chooses by what this machine has; the images of a list "
+                              "need one net: small, base or large");
+    }
+    try {
+        useNet(nets_.of(rtcore::Net::Base));
+        settings.denoise.net = rtcore::DenoiseNet::Base;
+    } catch (const rtcore::FileError& error) {
+        useNet(nullptr);
+        settings.denoise.net = rtcore::DenoiseNet::Off;
+        if (rtcore::filterPasses(settings) == 0) settings.path.filter = kPassesInPlace;
+        if (!std::exchange(toldOfNet_, true)) progress_.tell(app::sentenceOf(error));
+    }
+}
+
+void PictureMaker::useNet(const std::shared_ptr<const rtcore::UNet>& net) {
+    if (preview_ != nullptr) preview_->useNet(net);
+    developer_.useNet(net);
 }
 
 void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index,

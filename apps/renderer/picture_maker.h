@@ -42,6 +42,10 @@ class PictureMaker {
     /// recording are scaled. Without one, each camera stands for itself.
     void setFirstOfList(const std::filesystem::path& camera) { firstOfList_ = camera; }
 
+    /// Reads the net that denoises, if any, before a list is begun: each of its frames needs the same. Throws
+    /// what Nets::of() throws; UsageError for a list that leaves the choice to the machine.
+    void readNet();
+
     /// Renders the frame and writes all its outputs, each one complete or not at all; `index` of `count` is
     /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
     FrameReport make(const FrameTask& task, int index, int count);
@@ -64,11 +68,18 @@ class PictureMaker {
     Shot prepare(const std::filesystem::path& cameraFile);
     /// The same for a frame, with the noise and the exposure that its list gives it.
     Shot prepare(const FrameTask& task);
+    /// The same without any camera's.
+    rtcore::RenderSettings ownSettings() const;
     rtcore::ExposureMode measured() const;
     /// The factor by which recorded exposures are scaled, for images of that camera or of its list.
     float recordedScale(const std::filesystem::path& cameraFile);
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
+    /// Reads the net that the settings ask for, before any light is traced, which would be lost where there
+    /// is none; in place of "automatic", they get what is there.
+    void chooseNet(rtcore::RenderSettings& settings);
+    void chooseNetByItself(rtcore::RenderSettings& settings);
+    void useNet(const std::shared_ptr<const rtcore::UNet>& net);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
     /// The frame with its effects, which take long where a net is among them.
     const rtcore::HdrImage& finish(const rtcore::RenderSettings& settings, int index, int count);
@@ -90,6 +101,7 @@ class PictureMaker {
     std::optional<float> white_;  ///< the light on what the frame shows, where its exposure is by that
     std::optional<float> scale_;  ///< of recorded exposures, once it is known
     bool toldOfScene_ = false;    ///< what there is to tell in detail
+    bool toldOfNet_ = false;      ///< that there is none
     bool warned_ = false;         ///< that a .cam is of another scene
     bool warnedOfUnused_ = false; ///< of settings
     rtcore::KdTree tree_;         ///< of what is shown

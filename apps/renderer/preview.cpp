@@ -108,11 +108,13 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
     const Work& work = *work_; // only this thread changes it
     const rtcore::RenderSettings& settings = work.view.settings;
     const int block = pass.block;
-    const rtcore::Frame& frame = pass.surfaces == nullptr
-                                     ? pass.frame
-                                     : filter_.apply(pass.frame, *pass.surfaces, settings, pass.samples,
-                                                     work.control.threads, work.control.cancel);
-    if (pass.surfaces != nullptr && work.control.cancel) return;
+    const rtcore::Frame* shown = &pass.frame;
+    if (pass.surfaces != nullptr) {
+        shown = filter_.apply(pass.frame, *pass.surfaces, settings, pass.samples, work.control.threads,
+                              work.control.cancel);
+        if (shown == nullptr || work.control.cancel) return;
+    }
+    const rtcore::Frame& frame = *shown;
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     // A small image is developed sooner than several threads have met: on a busy machine they wait long.

@@ -38,6 +38,9 @@ class Preview {
     /// The light on what images to come show, by rtcore::LightMeter.
     void meter(std::optional<float> white) { white_ = white; }
 
+    /// For images to come whose settings ask for it; null: the filter.
+    void useNet(std::shared_ptr<const rtcore::UNet> net) { filter_.useNet(std::move(net)); }
+
     /// A view to be rendered, with its renderer, control and frame.
     struct Work {
         rtcore::ImageRenderer& images;

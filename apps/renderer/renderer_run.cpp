@@ -22,6 +22,7 @@
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/set.h"
+#include "rtcore/neural/net_files.h"
 #include "rtcore/platform/error.h"
 
 #include <optional>
@@ -114,6 +115,11 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
         progress.tell(app::sentenceOf(error));
         return app::exitCodeOf(error.problem);
     }
+}
+
+app::Feature netFeature() {
+    const rtcore::FoundNet found = rtcore::findNet(rtcore::fileOf(rtcore::Net::Base));
+    return {"weights of nets", !found.file.empty(), found.missing.english()};
 }
 
 } // namespace renderer

@@ -130,9 +130,10 @@ OptionGroup qualityOptions() {
          {.name = "denoise",
           .value = ValueKind::Choice,
           .argument = "NET",
-          .help = "with --integrator=path: a trained net takes the noise away: small, base or large [off]",
+          .help = "with --integrator=path: a trained net takes the noise away: small, base, large or "
+                  "automatic [off]",
           .more = "See [post.md](post.md#denoising-by-a-net)",
-          .choices = {"off", "small", "base", "large"}},
+          .choices = {"off", "small", "base", "large", "automatic"}},
          {.name = "nets",
           .value = ValueKind::Text,
           .argument = "DIR",
@@ -257,7 +258,8 @@ const app::ProgramSpec& rendererSpec() {
                      {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
                       "a part of a video; frames that are there already are skipped"},
                      {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"}},
-        .environment = app::importEnvironmentNotes(),
+        .environment = app::importEnvironmentNotes(app::HelpWord{
+            "RT_NETS", "the folder of the weights of nets that denoise, where --nets names none"}),
         .files = app::sceneFileNotes(),
     };
     return spec;

@@ -27,7 +27,9 @@ QStringList rendererOptions(const StillQuality& quality) {
         // There is more light than in the live frame, whose exposure comes with the camera. Noise is filtered
         // from the first sample to the last, so that the image never gets worse.
         return options << QStringLiteral("--setting=exposure.recorded=automatic")
-                       << QStringLiteral("--setting=path.filter=%1").arg(quality.filter);
+                       << QStringLiteral("--setting=path.filter=%1").arg(quality.filter)
+                       << QStringLiteral("--setting=denoise.net=%1")
+                              .arg(quality.filter > 0 ? QLatin1String("automatic") : QLatin1String("off"));
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));

@@ -39,10 +39,13 @@ QString lastMessage(const Job& job) {
 }
 
 QString phaseText(const QString& phase) {
-    static constexpr const char* kPhases[] = {
-        QT_TRANSLATE_NOOP("JobPhase", "reading the scene"), QT_TRANSLATE_NOOP("JobPhase", "importing"),
-        QT_TRANSLATE_NOOP("JobPhase", "building the tree"), QT_TRANSLATE_NOOP("JobPhase", "loading images"),
-        QT_TRANSLATE_NOOP("JobPhase", "rendering"),         QT_TRANSLATE_NOOP("JobPhase", "writing")};
+    static constexpr const char* kPhases[] = {QT_TRANSLATE_NOOP("JobPhase", "reading the scene"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "importing"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "building the tree"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "loading images"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "rendering"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "denoising"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "writing")};
     for (const char* known : kPhases) {
         if (phase == QLatin1String(known)) return QCoreApplication::translate("JobPhase", known);
     }

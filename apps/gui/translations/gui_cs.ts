@@ -117,6 +117,10 @@
         <source>writing</source>
         <translation>zápis</translation>
     </message>
+    <message>
+        <source>denoising</source>
+        <translation>odstraňování šumu</translation>
+    </message>
 </context>
 <context>
     <name>Skies</name>

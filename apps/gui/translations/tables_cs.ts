@@ -372,6 +372,26 @@
         <translation>vyhladí šum, ale ne hrany</translation>
     </message>
     <message>
+        <source>Net</source>
+        <translation>Síť</translation>
+    </message>
+    <message>
+        <source>a trained net takes the noise of paths away: small is quick, large is best; automatic: base where its weights are, else the filter, not for lists</source>
+        <translation>naučená síť odstraní šum cest: small je rychlá, large nejlepší; automatic: base tam, kde jsou její váhy, jinak filtr, ne pro seznamy</translation>
+    </message>
+    <message>
+        <source>Small</source>
+        <translation>Malá</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Základní</translation>
+    </message>
+    <message>
+        <source>Large</source>
+        <translation>Velká</translation>
+    </message>
+    <message>
         <source>Bloom</source>
         <translation>Záře</translation>
     </message>
@@ -871,6 +891,22 @@
     <message>
         <source>with --integrator=path: N paths per pixel [256]</source>
         <translation>s --integrator=path: N cest na pixel [256]</translation>
+    </message>
+    <message>
+        <source>Denoise</source>
+        <translation>Odstranit šum</translation>
+    </message>
+    <message>
+        <source>with --integrator=path: a trained net takes the noise away: small, base, large or automatic [off]</source>
+        <translation>s --integrator=path: naučená síť odstraní šum: small, base, large nebo automatic [off]</translation>
+    </message>
+    <message>
+        <source>Nets</source>
+        <translation>Sítě</translation>
+    </message>
+    <message>
+        <source>the folder of the nets' weights [RT_NETS, else where rtsuite-fetch-nets puts them]</source>
+        <translation>složka s váhami sítí [RT_NETS, jinak kam je dá rtsuite-fetch-nets]</translation>
     </message>
     <message>
         <source>Antialiasing</source>

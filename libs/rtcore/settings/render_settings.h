@@ -27,8 +27,9 @@ enum class SamplingPattern { Grid, Random, Jittered, Rotated, Poisson };
 /// points, or anywhere. (thesis 7.1.5)
 enum class OcclusionPattern { Rotated, Regular, Random };
 enum class BloomKernel { Gaussian, Airy };
-/// Trained nets that take the noise of paths away, from quick to good.
-enum class DenoiseNet { Off, Small, Base, Large };
+/// Trained nets that take the noise of paths away, from quick to good. Automatic: one that is there, else the
+/// filter; only for images that nobody else has to make again.
+enum class DenoiseNet { Off, Small, Base, Large, Automatic };
 
 struct AmbientOcclusionSettings {
     bool on = false;

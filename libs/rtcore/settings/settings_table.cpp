@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "j
                                                             "poisson"};
 constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
 constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
-constexpr std::array<std::string_view, 4> kDenoiseNets{"off", "small", "base", "large"};
+constexpr std::array<std::string_view, 5> kDenoiseNets{"off", "small", "base", "large", "automatic"};
 
 /// Groups and choices whose names say too little.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLabels{
@@ -322,8 +322,8 @@ std::vector<Setting> makeTable() {
             .zeroIs("off")
             .changing(SettingChange::Display),
         row<&S::denoise, &DenoiseSettings::net>(
-            "denoise.net", "a trained net takes the noise of paths away: small is quick, large is best; its "
-                           "weights come by scripts/fetch-nets.sh")
+            "denoise.net", "a trained net takes the noise of paths away: small is quick, large is best; "
+                           "automatic: base where its weights are, else the filter, not for lists")
             .liveOnlyWith("off")
             .changing(SettingChange::Display)
             .usedBy(Integrator::Path)

@@ -3,10 +3,14 @@
 
 #include "rtcore/render/frame_renderer.h"
 
+#include "unit/neural/made_net.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <memory>
 #include <random>
 
 namespace renderer {
@@ -46,7 +50,7 @@ class NoisyWall : public testing::Test {
     }
 
     const rtcore::Frame& shownAfter(std::uint32_t samples) {
-        return filter_.apply(frame_, surfaces_, settings_, samples, 1, stop_);
+        return *filter_.apply(frame_, surfaces_, settings_, samples, 1, stop_);
     }
     static double meanOf(const rtcore::HdrImage& image) {
         double sum = 0;
@@ -93,6 +97,28 @@ TEST_F(NoisyWall, EndsFilteredWhereTheStillIs) {
 TEST_F(NoisyWall, StaysAsItIsWithoutSurfaces) {
     surfaces_.clear();
     EXPECT_EQ(&shownAfter(1), &frame_);
+}
+
+TEST_F(NoisyWall, IsDenoisedByTheNetWhereThatIsAskedFor) {
+    settings_.denoise.net = rtcore::DenoiseNet::Base;
+    const auto net = std::make_shared<const rtcore::UNet>(test::madeNet(9, false), "made.tza");
+    rtcore::NetDenoise whole;
+    const rtcore::HdrImage expected =
+        whole.apply(frame_.radiance, surfaces_, {.settings = settings_, .threads = 1, .net = net});
+    filter_.useNet(net);
+    EXPECT_EQ(shownAfter(1).radiance.pixels, expected.pixels);
+    filter_.useNet(nullptr);
+    EXPECT_EQ(&shownAfter(1), &frame_);
+}
+
+TEST(NetPace, GivesTheNetHalfOfTheTime) {
+    using namespace std::chrono_literals;
+    const NetPace::Clock::time_point start{1h};
+    NetPace pace;
+    EXPECT_TRUE(pace.due(start));
+    pace.ran(start, start + 300ms);
+    EXPECT_FALSE(pace.due(start + 599ms));
+    EXPECT_TRUE(pace.due(start + 600ms));
 }
 
 } // namespace
