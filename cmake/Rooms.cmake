@@ -34,14 +34,15 @@ function(rt_note_vector_code)
     endforeach()
 endfunction()
 
-# Eight sources at a time are compiled as one, so that headers are read and templates made once for them; not with a
+# Several sources at a time are compiled as one, so that headers are read and templates made once for them; not with a
 # compiler cache, which does better. Their names, of unnamed namespaces too, have to differ; sources after the target
-# are compiled alone.
+# are compiled alone. After a change eight are compiled again; where all is compiled, 24 at a time take less.
+set(RT_TOGETHER 8 CACHE STRING "So many sources are compiled as one")
 function(rt_compile_together target)
     if(CMAKE_CXX_COMPILER_LAUNCHER)
         return()
     endif()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${RT_TOGETHER})
     set_property(SOURCE ${ARGN} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # GCC takes them for one header
         target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
@@ -58,8 +59,8 @@ endfunction()
 # A target whose flags are others reads the headers as they are.
 set(CMAKE_PCH_WARN_INVALID OFF)
 
-# Headers of the standard library, compiled once for all targets; for tests ("test") with GoogleTest. Not with a compiler
-# cache, which does not know when two such compilations are equal.
+# Headers of the standard library, compiled once for all targets; for tests ("test", "computing_test") with GoogleTest.
+# Not with a compiler cache, which does not know when two such compilations are equal.
 #   rt_share_headers(rtcore_scene standard)
 function(rt_share_headers target set)
     if(CMAKE_CXX_COMPILER_LAUNCHER)
@@ -71,24 +72,26 @@ function(rt_share_headers target set)
         target_link_libraries(rt_${set}_headers PRIVATE rt_compile_options)
         target_precompile_headers(rt_${set}_headers PRIVATE <algorithm> <array> <chrono> <cmath> <filesystem> <functional>
             <memory> <optional> <span> <string> <string_view> <utility> <vector>)
-        if(set STREQUAL test)
-            target_link_libraries(rt_test_headers PRIVATE GTest::gtest)
-            target_precompile_headers(rt_test_headers PRIVATE <gtest/gtest.h> <fstream> <random> <sstream> <thread>)
-            rt_optimise_little(rt_test_headers)
+        if(set MATCHES test)
+            target_link_libraries(rt_${set}_headers PRIVATE GTest::gtest)
+            target_precompile_headers(rt_${set}_headers PRIVATE <gtest/gtest.h> <fstream> <random> <sstream> <thread>)
+            rt_optimise_test(rt_${set}_headers ${set})
         endif()
     endif()
     rt_calm_warnings(${target})
     target_precompile_headers(${target} REUSE_FROM rt_${set}_headers)
 endfunction()
 
-# The own code of tests is compiled in half of the time so; what renders is in the libraries, and what behaviour is
-# undefined there matters.
-function(rt_optimise_little target)
+# The own code of tests is compiled in half of the time so; what renders is in the libraries. Not the code of those that
+# compute themselves, which would take ten times as long; with sanitizers it is that of the libraries which matters.
+function(rt_optimise_test target set)
     if(RT_SANITIZE)
-        target_compile_options(${target} PRIVATE -O0)
         set_target_properties(${target} PROPERTIES RT_TEST_CODE ON)
-    else()
+    endif()
+    if(set STREQUAL computing_test AND NOT RT_SANITIZE)
         target_compile_options(${target} PRIVATE -O1)
+    else()
+        target_compile_options(${target} PRIVATE -O0)
     endif()
 endfunction()
 
@@ -98,25 +101,26 @@ endfunction()
 # `ctest -L unit` runs them, `ctest -L quick` all but the thorough ones, in less than a minute on two cores.
 #   A quick test has the time that the preset gives each test: 120 s, four times what the longest one took on two cores
 # with five builds beside it; ten times that with sanitizers. Others have an hour, since check-long.sh raises what they do.
-#   QT: its flags are not those of other tests. ALONE: sources with names that others have (rt_compile_together).
-# TOGETHER: those that are not thorough are run by one process, since they share what takes long to start; they count as
+#   COMPUTES: with vectors or many numbers of its own. QT: its flags are not those of other tests. ALONE: sources with
+# names that others have (rt_compile_together). TOGETHER: those that are not thorough are run by one process, since they share what takes long to start; they count as
 # skipped where they say this of it, and their label has `.short` behind it.
 #   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [ALONE b.cpp] [QT]
 #           [LABELS slow [TOGETHER "there is no piano"]])
 add_custom_target(unit_tests)
-# After a change eight are compiled again; where all is compiled, 24 at a time take two thirds of the processor time.
-set(RT_TESTS_TOGETHER 8 CACHE STRING "So many sources of a test program are compiled as one")
 function(rt_test name)
-    cmake_parse_arguments(ARG "QT;THOROUGH" "TOGETHER" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "COMPUTES;QT;THOROUGH" "TOGETHER" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-    rt_optimise_little(test_${name})
+    set(set test)
+    if(ARG_COMPUTES)
+        set(set computing_test)
+    endif()
+    rt_optimise_test(test_${name} ${set})
     rt_note_vector_code(${ARG_SOURCES})
     rt_compile_together(test_${name} ${ARG_ALONE})
-    set_target_properties(test_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE ${RT_TESTS_TOGETHER})
     if(NOT ARG_QT)
-        rt_share_headers(test_${name} test)
+        rt_share_headers(test_${name} ${set})
     endif()
     # One label for each kind, since labels are searched for a pattern.
     set(hour PROPERTIES TIMEOUT 3600)

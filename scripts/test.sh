@@ -16,6 +16,9 @@ case ${1:-} in
 esac
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
+# What is checked with sanitizers takes turns: the second of the commit says, which a shallow clone knows, too.
+RT_TURN=${RT_TURN:-$(git log -1 --format=%ct 2>/dev/null || echo 0)}
+export RT_TURN
 begun=$(date +%s)
 mkdir -p build
 
@@ -48,8 +51,8 @@ install() {
     trap 'exit 130' INT TERM
 }
 build() {
-    # Warnings are errors, and tests are compiled in larger parts, except in what was built without: that is not built again.
-    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON RT_TESTS_TOGETHER=24
+    # Warnings are errors, and more is compiled as one, except in what was built without: that is not built again.
+    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON RT_TOGETHER=24
     scripts/build.sh --tests
 }
 # Without npm (69) the script has said how to get them.
@@ -88,12 +91,11 @@ await_sanitized() {
     }
     trap - EXIT
 }
-# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. Each commit runs
-# another quarter of the longest ones; check-long.sh runs all of them.
+# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. Of the longest ones a
+# quarter is run; check-long.sh runs all of them.
 check_sanitized() {
     export RT_QUARTER="test_accel test_import test_kernels test_live test_neural test_render test_rtserver"
-    commits=$(git rev-list --count HEAD 2>/dev/null || echo 0)
-    export RT_QUARTER_FROM=$((commits % 4))
+    export RT_QUARTER_FROM=$((RT_TURN / 2 % 4))
     export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1
     find build/asan-ubsan/bin -name 'test_*' -print0 | xargs -0 -n 1 -P "$jobs" scripts/run_tests.sh
 }

@@ -12,7 +12,7 @@ namespace gui {
 
 namespace {
 
-constexpr double kNarrowest = 0.5, kWidest = 170; ///< degrees
+constexpr double kNarrowestAngle = 0.5, kWidestAngle = 170; ///< degrees
 
 QDoubleSpinBox* field(double minimum, double maximum, const QString& unit, const QString& name) {
     auto* box = new QDoubleSpinBox;
@@ -38,9 +38,9 @@ QString fieldOfViewText(double degrees) {
 }
 
 FieldOfViewDialog::FieldOfViewDialog(double degrees, QWidget* parent)
-    : QDialog(parent), angle_(field(kNarrowest, kWidest, tr("°"), tr("Angle"))),
-      lens_(field(rtcore::focalLengthOfAngle(kWidest), rtcore::focalLengthOfAngle(kNarrowest), tr(" mm"),
-                  tr("Focal length"))) {
+    : QDialog(parent), angle_(field(kNarrowestAngle, kWidestAngle, tr("°"), tr("Angle"))),
+      lens_(field(rtcore::focalLengthOfAngle(kWidestAngle), rtcore::focalLengthOfAngle(kNarrowestAngle),
+                  tr(" mm"), tr("Focal length"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Field of view"));
     angle_->setToolTip(tr("From the left to the right edge of the image. Eyes that look ahead: about 60°"));

@@ -7,7 +7,7 @@ namespace rtserver {
 
 namespace {
 
-constexpr double kSpared = 0.85;                                 ///< of the time: frames are not all alike
+constexpr double kFilled = 0.85;                                 ///< of the time: frames are not all alike
 constexpr double kSecondsPerRay = 1e-6, kSecondsPerPixel = 1e-7; ///< guesses
 constexpr double kMinSamples = 0.004, kMaxSamples = 1;           ///< of the pixels of a frame
 constexpr double kWantedSamples = 0.02;                          ///< of them: for these the size gives way
@@ -28,7 +28,7 @@ FrameDetail LiveGovernor::detail(double pixels, double rays, double target) cons
     const double count = pixels * area(scale_);
     const double sample = secondsPerSample_ > 0 ? secondsPerSample_ : rays * kSecondsPerRay;
     const double pixel = secondsPerPixel_ > 0 ? secondsPerPixel_ : kSecondsPerPixel;
-    const double left = std::max(target * kSpared - count * pixel, 0.0);
+    const double left = std::max(target * kFilled - count * pixel, 0.0);
     // Few samples of a scene that nothing is known of: its frame is never left.
     constexpr double kFirst = 0.5, kFirstSamples = 64;
     const double first = std::min(kMinSamples, std::max(kFirst * target / sample, kFirstSamples) / count);

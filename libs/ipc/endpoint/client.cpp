@@ -16,7 +16,7 @@ namespace ipc {
 namespace {
 
 // The end of a killed server is noticed after such a slice at the latest.
-constexpr auto kSlice = std::chrono::milliseconds(10);
+constexpr auto kBellSlice = std::chrono::milliseconds(10);
 constexpr auto kRetry = std::chrono::milliseconds(1);
 constexpr std::size_t kKeptAnswers = 1024;
 
@@ -67,7 +67,7 @@ struct Client::State {
     LinkState update();
     void collectAnswers();
     KeyBoard* board() { return attachment ? &attachment->slot().keys : nullptr; }
-    void waitForBell(Clock::time_point deadline, std::chrono::milliseconds slice = kSlice) {
+    void waitForBell(Clock::time_point deadline, std::chrono::milliseconds slice = kBellSlice) {
         const Clock::time_point until = std::min(deadline, Clock::now() + slice);
         attachment ? void(waitUntil(attachment->slot().bell, until)) : std::this_thread::sleep_until(until);
     }

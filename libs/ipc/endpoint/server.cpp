@@ -18,7 +18,7 @@ namespace ipc {
 
 namespace {
 
-constexpr auto kSlice = std::chrono::milliseconds(10);
+constexpr auto kTurnSlice = std::chrono::milliseconds(10);
 constexpr auto kSweepEvery = std::chrono::milliseconds(50);
 constexpr auto kHousekeepingEvery = std::chrono::seconds(1);
 constexpr int kCommandsPerTurn = 16;
@@ -173,7 +173,7 @@ bool Server::wait(std::chrono::nanoseconds timeout) {
         state.sweep();
         if (state.lookAtSlots() || !state.backlog.empty()) return true;
         const Clock::time_point now = Clock::now();
-        const Clock::time_point slice = std::min(deadline, now + kSlice);
+        const Clock::time_point slice = std::min(deadline, now + kTurnSlice);
         if (waitUntil(state.block().bell, slice)) return true;
         // Before the slice was over: a signal.
         if (const auto then = Clock::now(); then >= deadline || then < slice) return false;

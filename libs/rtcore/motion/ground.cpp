@@ -6,7 +6,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr Vec3d kUp{0, 0, 1};
 constexpr double kRounding = 1e-3; ///< metres that a step may be higher than allowed
 constexpr double kBehind = 0.01;   ///< metres behind an edge where its floor is looked for
 

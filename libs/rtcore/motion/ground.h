@@ -8,6 +8,8 @@
 
 namespace rtcore {
 
+inline constexpr Vec3d kUp{0, 0, 1}; ///< of the space that the player walks in
+
 struct Ground {
     Vec3d feet;       ///< standing on it
     FloorPlane floor; ///< to follow

@@ -1,13 +1,13 @@
 #include "rtcore/motion/walker.h"
 
 #include "rtcore/motion/eye_spring.h"
+#include "rtcore/motion/ground.h"
 #include "rtcore/motion/walk_step.h"
 
 namespace rtcore {
 
 namespace {
 
-constexpr Vec3d kUp{0, 0, 1};
 constexpr double kBelowWorld = 20; ///< metres
 
 } // namespace

@@ -1,4 +1,5 @@
 // Texts of PNG files, which CImg's writer does not know (ISO/IEC 15948, 11.3.4.3).
+#include "rtcore/io/images/byte_reader.h"
 #include "rtcore/io/images/codecs.h"
 
 #include <zlib.h>
@@ -9,23 +10,17 @@
 namespace rtcore {
 namespace {
 
-void append(Bytes& bytes, const std::string& text) {
-    const auto more = std::as_bytes(std::span(text));
-    bytes.insert(bytes.end(), more.begin(), more.end());
-}
-
-/// Big-endian.
-void append(Bytes& bytes, std::uint32_t number) {
+void appendBigEndian(Bytes& bytes, std::uint32_t number) {
     for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::byte>(number >> shift));
 }
 
 void appendChunk(Bytes& bytes, const ImageText& text) {
     const std::string content = text.name + '\0' + text.text;
-    append(bytes, static_cast<std::uint32_t>(content.size()));
+    appendBigEndian(bytes, static_cast<std::uint32_t>(content.size()));
     const std::size_t checked = bytes.size();
     append(bytes, "tEXt" + content);
     const auto* const first = reinterpret_cast<const Bytef*>(bytes.data() + checked);
-    append(bytes, static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size() - checked))));
+    appendBigEndian(bytes, static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size() - checked))));
 }
 
 } // namespace
