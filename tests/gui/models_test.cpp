@@ -159,7 +159,8 @@ TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     EXPECT_EQ(byPaths, (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
                                     QStringLiteral("--samples=2"),
                                     QStringLiteral("--setting=exposure.recorded=automatic"),
-                                    QStringLiteral("--setting=path.filter=4")}));
+                                    QStringLiteral("--setting=path.filter=4"),
+                                    QStringLiteral("--setting=denoise.net=automatic")}));
     std::vector<std::string> words{"room.obj", "-o", "a.png", "-w", "8", "-h", "8"};
     for (const QString& option : byPaths) words.push_back(option.toStdString());
     EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);

@@ -119,7 +119,7 @@ TEST_P(LanguageTest, WhyAServerEndedIsSaidInIt) {
         ASSERT_TRUE(sentences.load(QStringLiteral(":/translations/sentences_cs.qm")));
         QCoreApplication::installTranslator(&sentences);
     }
-    writeText(folder() / "page.obj", "<html>no model at all</html>");
+    test::writeText(folder() / "page.obj", "<html>no model at all</html>");
     Session session;
     ServerKeeper keeper(session);
     QSignalSpy deaths(&keeper, &ServerKeeper::died);

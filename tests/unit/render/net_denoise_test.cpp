@@ -1,10 +1,10 @@
 // A net works on what the frame holds; the background, and frames without a net, stay.
-#include "rtcore/post/net_denoise.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/post/net_denoise.h"
 #include "rtcore/settings/settings_table.h"
 
-#include "unit/neural/made_net.h"
 #include "sample_view.h"
+#include "unit/neural/made_net.h"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,8 @@ void appendChunk(Bytes& bytes, const ImageText& text) {
     const std::size_t checked = bytes.size();
     append(bytes, "tEXt" + content);
     const auto* const first = reinterpret_cast<const Bytef*>(bytes.data() + checked);
-    appendBigEndian(bytes, static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size() - checked))));
+    appendBigEndian(bytes,
+                    static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size() - checked))));
 }
 
 } // namespace
