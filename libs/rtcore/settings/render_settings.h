@@ -28,7 +28,7 @@ enum class SamplingPattern { Grid, Random, Jittered, Rotated, Poisson };
 enum class OcclusionPattern { Rotated, Regular, Random };
 enum class BloomKernel { Gaussian, Airy };
 /// Trained nets that take the noise of paths away, from quick to good. Automatic: one that is there, else the
-/// filter; only for images that nobody else has to make again.
+/// filter; only for images that no other machine has to repeat.
 enum class DenoiseNet { Off, Small, Base, Large, Automatic };
 
 struct AmbientOcclusionSettings {
