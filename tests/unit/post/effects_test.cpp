@@ -2,7 +2,9 @@
 #include "rtcore/post/effects.h"
 
 #include "rtcore/post/bloom.h"
+#include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/post/net_denoise.h"
 #include "support/every_effect.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +15,14 @@ namespace rtcore {
 namespace {
 
 RenderSettings everything() { return test::everyEffect(64, 48); }
+
+/// The same by paths, where a net stands in place of the filter.
+RenderSettings everythingByNet() {
+    RenderSettings settings = everything();
+    settings.integrator = Integrator::Path;
+    settings.denoise.net = DenoiseNet::Small;
+    return settings;
+}
 
 /// Two shades, so that there is something to spread and to expose by itself.
 Frame twoShades() {
@@ -29,15 +39,17 @@ Frame twoShades() {
 TEST(Effects, StandInTheirOrder) {
     std::vector<std::string_view> names;
     for (const EffectRow* row : effects()) names.push_back(row->name);
-    EXPECT_EQ(names, (std::vector<std::string_view>{"denoise", "bloom", "local exposure"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string_view>{"denoise by a net", "denoise", "bloom", "local exposure"}));
     EXPECT_TRUE(std::ranges::is_sorted(effects(), {}, &EffectRow::stage));
 }
 
 TEST(Effects, AreWantedByTheirSettings) {
-    const RenderSettings all = everything();
+    const RenderSettings all = everything(), byNet = everythingByNet();
     for (const EffectRow* row : effects()) {
         EXPECT_FALSE(row->wanted(RenderSettings{})) << row->name;
-        EXPECT_TRUE(row->wanted(all)) << row->name;
+        EXPECT_EQ(row->wanted(all), row != &kNetDenoiseEffect) << row->name;
+        EXPECT_EQ(row->wanted(byNet), row != &kDenoiseEffect) << row->name;
     }
     RenderSettings nothingSpread = all;
     nothingSpread.bloom.share = 0;
@@ -48,7 +60,8 @@ TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     EXPECT_EQ(effectBytesPerPixel({}), 0U);
     std::size_t sum = Aovs::bytesPerPixel();
     for (const EffectRow* row : effects()) sum += row->bytesPerPixel;
-    EXPECT_EQ(effectBytesPerPixel(everything()), sum);
+    EXPECT_EQ(effectBytesPerPixel(everything()), sum - kNetDenoiseEffect.bytesPerPixel);
+    EXPECT_EQ(effectBytesPerPixel(everythingByNet()), sum - kDenoiseEffect.bytesPerPixel);
     RenderSettings bloom;
     bloom.bloom.radius = 3;
     EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";
