@@ -34,15 +34,14 @@ function(rt_note_vector_code)
     endforeach()
 endfunction()
 
-# Several sources at a time are compiled as one, so that headers are read and templates made once for them; not with a
+# Eight sources at a time are compiled as one, so that headers are read and templates made once for them; not with a
 # compiler cache, which does better. Their names, of unnamed namespaces too, have to differ; sources after the target
-# are compiled alone. After a change eight are compiled again; where all is compiled, 24 at a time take less.
-set(RT_TOGETHER 8 CACHE STRING "So many sources are compiled as one")
+# are compiled alone.
 function(rt_compile_together target)
     if(CMAKE_CXX_COMPILER_LAUNCHER)
         return()
     endif()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${RT_TOGETHER})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     set_property(SOURCE ${ARGN} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # GCC takes them for one header
         target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
@@ -102,11 +101,13 @@ endfunction()
 #   A quick test has the time that the preset gives each test: 120 s, four times what the longest one took on two cores
 # with five builds beside it; ten times that with sanitizers. Others have an hour, since check-long.sh raises what they do.
 #   COMPUTES: with vectors or many numbers of its own. QT: its flags are not those of other tests. ALONE: sources with
-# names that others have (rt_compile_together). TOGETHER: those that are not thorough are run by one process, since they share what takes long to start; they count as
-# skipped where they say this of it, and their label has `.short` behind it.
-#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [ALONE b.cpp] [QT]
+# names that others have (rt_compile_together). TOGETHER: those that are not thorough are run by one process, since they
+# share what takes long to start; they count as skipped where they say this of it, and their label has `.short` behind it.
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [COMPUTES] [ALONE b.cpp] [QT]
 #           [LABELS slow [TOGETHER "there is no piano"]])
 add_custom_target(unit_tests)
+# After a change eight are compiled again; where all is compiled, 24 at a time take two thirds of the processor time.
+set(RT_TESTS_TOGETHER 8 CACHE STRING "So many sources of a test program are compiled as one")
 function(rt_test name)
     cmake_parse_arguments(ARG "COMPUTES;QT;THOROUGH" "TOGETHER" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
@@ -119,6 +120,7 @@ function(rt_test name)
     rt_optimise_test(test_${name} ${set})
     rt_note_vector_code(${ARG_SOURCES})
     rt_compile_together(test_${name} ${ARG_ALONE})
+    set_target_properties(test_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE ${RT_TESTS_TOGETHER})
     if(NOT ARG_QT)
         rt_share_headers(test_${name} ${set})
     endif()

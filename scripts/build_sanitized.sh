@@ -8,7 +8,7 @@
 # sources are a third of all that there is to compile; without it, both.
 set -eu
 cd "$(dirname "$0")/.."
-options="-DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF -DRT_TOGETHER=24"
+options="-DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF -DRT_TESTS_TOGETHER=24"
 # shellcheck disable=SC2086
 cmake --preset asan-ubsan $options -DRT_SANITIZE_WITHOUT=null,alignment,vptr,object-size >/dev/null
 targets=""

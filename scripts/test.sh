@@ -53,8 +53,8 @@ install() {
     trap 'exit 130' INT TERM
 }
 build() {
-    # Warnings are errors, and more is compiled as one, except in what was built without: that is not built again.
-    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON RT_TOGETHER=24
+    # Warnings are errors, and tests are compiled in larger parts, except in what was built without: that is not built again.
+    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON RT_TESTS_TOGETHER=24
     scripts/build.sh --tests
 }
 # Without npm (69) the script has said how to get them.

@@ -54,7 +54,7 @@ std::string bold(std::string_view text) { return "\\fB" + escaped(text) + "\\fR"
 std::string italic(std::string_view text) { return "\\fI" + escaped(text) + "\\fR"; }
 std::string section(std::string_view title) { return ".SH " + std::string(title) + "\n"; }
 
-std::string entry(const std::string& label, std::string_view text) {
+std::string manEntry(const std::string& label, std::string_view text) {
     return ".TP\n" + (label.starts_with('.') ? "\\&" + label : label) + "\n" + line(text);
 }
 
@@ -106,17 +106,17 @@ std::string synopsis(const ProgramSpec& spec) {
 std::string entries(std::string_view title, std::span<const HelpWord> rows) {
     if (rows.empty()) return "";
     std::string text = section(title);
-    for (const HelpWord& row : rows) text += entry(bold(row.label), row.help);
+    for (const HelpWord& row : rows) text += manEntry(bold(row.label), row.help);
     return text;
 }
 
 std::string options(const ProgramSpec& spec) {
     std::string commands, text;
     for (const OptionGroup& group : spec.groups) {
-        for (const HelpWord& word : group.words) commands += entry(commandLabel(word.label), word.help);
+        for (const HelpWord& word : group.words) commands += manEntry(commandLabel(word.label), word.help);
         if (group.options.empty()) continue;
         text += ".SS " + escaped(group.title) + "\n";
-        for (const Option& option : group.options) text += entry(optionLabel(option), option.help);
+        for (const Option& option : group.options) text += manEntry(optionLabel(option), option.help);
     }
     return (commands.empty() ? "" : section("COMMANDS") + commands) + section("OPTIONS") + text;
 }
@@ -124,7 +124,7 @@ std::string options(const ProgramSpec& spec) {
 std::string examples(const ProgramSpec& spec) {
     if (spec.examples.empty()) return "";
     std::string text = section("EXAMPLES");
-    for (const Example& example : spec.examples) text += entry(bold(example.command), example.meaning);
+    for (const Example& example : spec.examples) text += manEntry(bold(example.command), example.meaning);
     return text;
 }
 
@@ -148,7 +148,7 @@ std::string manPage(const ProgramSpec& program) {
     text += section("DESCRIPTION") + line(spec.purpose);
     if (!spec.positionals.empty()) text += section("ARGUMENTS");
     for (const Positional& positional : spec.positionals)
-        text += entry(italic(positional.name), positional.help);
+        text += manEntry(italic(positional.name), positional.help);
     text += options(spec);
     text += entries("EXIT STATUS", exitCodeNotes());
     text += entries("ENVIRONMENT", spec.environment);
