@@ -1,9 +1,10 @@
 #!/bin/sh
-# All set-up, then all tests: the release build with everything; most of the libraries' unit and mutation tests under
-# the address and undefined-behaviour sanitizers (check-long.sh sanitizers: all of them), those of shared memory under
-# the thread sanitizer, too. RT_TEST_SCENES may name a folder with real models for more tests. Says how long each stage
-# took, and how many processor seconds: what is compiled beside the tests counts where it is waited for; what servers
-# that tests detach take counts nowhere.
+# All set-up, then all tests: the release build with everything; unit and mutation tests under the address and
+# undefined-behaviour sanitizers, those of the libraries or those of the programs by turns (RT_TURN, see
+# build_sanitized.sh; check-long.sh sanitizers: all of them), those of shared memory under the thread sanitizer, too.
+# RT_TEST_SCENES may name a folder with real models for more tests. Says how long each stage took, and how many processor
+# seconds: what is compiled beside the tests counts where it is waited for; what servers that tests detach take counts
+# nowhere.
 #   scripts/test.sh [--without-nets]
 # The weights of nets that denoise are brought, too, beside the build: where npm is installed, it is an error when they do
 # not come. --without-nets leaves them out.
