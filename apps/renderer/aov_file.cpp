@@ -6,28 +6,59 @@
 
 namespace renderer {
 
-void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance, const rtcore::Aovs& aovs,
-               std::span<const rtcore::ImageText> texts) {
-    const rtcore::Colour& seen = radiance.pixels.front();
+namespace {
+
+using Channels = std::vector<rtcore::ImageChannel>;
+
+template <typename Pixel>
+constexpr std::size_t stepOf() {
+    static_assert(sizeof(Pixel) % sizeof(float) == 0);
+    return sizeof(Pixel) / sizeof(float);
+}
+
+void addAovs(const rtcore::Aovs& aovs, Channels& channels) {
     const rtcore::AovPixel& first = aovs.pixels().front();
-    constexpr std::size_t kStep = sizeof(rtcore::AovPixel) / sizeof(float);
-    static_assert(sizeof(rtcore::AovPixel) % sizeof(float) == 0);
-    const std::vector<rtcore::ImageChannel> channels{
-        {"R", &seen.r, 3},
-        {"G", &seen.g, 3},
-        {"B", &seen.b, 3},
-        {"albedo.R", &first.albedo.r, kStep},
-        {"albedo.G", &first.albedo.g, kStep},
-        {"albedo.B", &first.albedo.b, kStep},
-        {"depth.Z", &first.depth, kStep},
-        {"direct.R", &first.direct.r, kStep},
-        {"direct.G", &first.direct.g, kStep},
-        {"direct.B", &first.direct.b, kStep},
-        {"normal.X", &first.normal.x, kStep},
-        {"normal.Y", &first.normal.y, kStep},
-        {"normal.Z", &first.normal.z, kStep},
-        {"occlusion.Y", &first.visible, kStep},
-    };
+    constexpr std::size_t kStep = stepOf<rtcore::AovPixel>();
+    channels.insert(channels.end(), {{"albedo.R", &first.albedo.r, kStep},
+                                     {"albedo.G", &first.albedo.g, kStep},
+                                     {"albedo.B", &first.albedo.b, kStep},
+                                     {"depth.Z", &first.depth, kStep},
+                                     {"direct.R", &first.direct.r, kStep},
+                                     {"direct.G", &first.direct.g, kStep},
+                                     {"direct.B", &first.direct.b, kStep},
+                                     {"normal.X", &first.normal.x, kStep},
+                                     {"normal.Y", &first.normal.y, kStep},
+                                     {"normal.Z", &first.normal.z, kStep},
+                                     {"occlusion.Y", &first.visible, kStep}});
+}
+
+void addGuides(const rtcore::Guides& guides, Channels& channels) {
+    const rtcore::Colour& albedo = guides.albedo.pixels.front();
+    const rtcore::Vec3& normal = guides.normals.front();
+    channels.insert(channels.end(), {{"guideAlbedo.R", &albedo.r, stepOf<rtcore::Colour>()},
+                                     {"guideAlbedo.G", &albedo.g, stepOf<rtcore::Colour>()},
+                                     {"guideAlbedo.B", &albedo.b, stepOf<rtcore::Colour>()},
+                                     {"guideNormal.X", &normal.x, stepOf<rtcore::Vec3>()},
+                                     {"guideNormal.Y", &normal.y, stepOf<rtcore::Vec3>()},
+                                     {"guideNormal.Z", &normal.z, stepOf<rtcore::Vec3>()}});
+}
+
+void addImage(const std::string& layer, const rtcore::HdrImage& image, Channels& channels) {
+    const rtcore::Colour& first = image.pixels.front();
+    channels.insert(channels.end(), {{layer + "R", &first.r, stepOf<rtcore::Colour>()},
+                                     {layer + "G", &first.g, stepOf<rtcore::Colour>()},
+                                     {layer + "B", &first.b, stepOf<rtcore::Colour>()}});
+}
+
+} // namespace
+
+void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance,
+               const rtcore::Frame& frame, std::span<const rtcore::ImageText> texts) {
+    Channels channels;
+    addImage("", radiance, channels);
+    addAovs(frame.aovs, channels);
+    if (!frame.guides.empty()) addGuides(frame.guides, channels);
+    if (&radiance != &frame.radiance) addImage("sampled.", frame.radiance, channels);
     rtcore::writeExrChannels(path, radiance.width, radiance.height, channels, texts);
 }
 

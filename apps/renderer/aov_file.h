@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/io/images/image_text.h"
-#include "rtcore/render/aovs.h"
+#include "rtcore/render/frame.h"
 #include "rtcore/scene/image.h"
 
 #include <filesystem>
@@ -11,9 +11,10 @@
 namespace renderer {
 
 /// Replaces `path` by an EXR with the radiance as R, G, B and the AOVs depth, normal, albedo, direct and
-/// occlusion, by the names that other programs look for. `aovs` is not empty and of the size of `radiance`.
-/// Throws rtcore::FileError CannotWrite.
-void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance, const rtcore::Aovs& aovs,
-               std::span<const rtcore::ImageText> texts);
+/// occlusion, by the names that other programs look for; with guideAlbedo and guideNormal where the frame has
+/// guides, and with `sampled` where effects made the radiance another than the frame's. Its AOVs are not
+/// empty, and all are of the size of `radiance`. Throws rtcore::FileError CannotWrite.
+void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance,
+               const rtcore::Frame& frame, std::span<const rtcore::ImageText> texts);
 
 } // namespace renderer

@@ -235,14 +235,15 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     rtcore::ImageRenderer& images = images_.of(settings.integrator);
     const auto fraction = [&images, &control] { return images.fraction(control); };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    const bool aovs = options_.aovs || rtcore::effectsNeedAovs(settings);
+    const rtcore::ImageRequest request{.aovs = options_.aovs || rtcore::effectsNeedAovs(settings),
+                                       .guides = options_.aovs || rtcore::effectsNeedGuides(settings)};
     const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
     const rtcore::View view{loaded_.scene, *tracer, camera, settings};
     white_.reset();
     if (settings.exposure.mode == rtcore::ExposureMode::Incident) white_ = meter_.white(view, control);
     if (preview_ != nullptr) preview_->meter(white_);
-    const bool whole = preview_ == nullptr ? images.render(view, control, {.aovs = aovs}, frame_)
-                                           : preview_->render({images, view, control, frame_}, aovs);
+    const bool whole = preview_ == nullptr ? images.render(view, control, request, frame_)
+                                           : preview_->render({images, view, control, frame_}, request);
     if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
@@ -287,7 +288,7 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat, texts)));
         } else if (options_.aovs && rtcore::isExr(output)) {
-            writeAovs(output, radiance, frame_.aovs, texts);
+            writeAovs(output, radiance, frame_, texts);
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance, texts);
         } else {

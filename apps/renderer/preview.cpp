@@ -48,12 +48,11 @@ Preview::~Preview() {
     thread_.join();
 }
 
-bool Preview::render(const Work& work, bool aovs) {
+bool Preview::render(const Work& work, rtcore::ImageRequest request) {
     begin(work);
     try {
-        const bool whole = work.images.render(
-            work.view, work.control,
-            {.aovs = aovs, .show = [this](const rtcore::ImagePass& pass) { showPass(pass); }}, work.frame);
+        request.show = [this](const rtcore::ImagePass& pass) { showPass(pass); };
+        const bool whole = work.images.render(work.view, work.control, request, work.frame);
         end();
         return whole;
     } catch (...) {
@@ -108,12 +107,9 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
     const Work& work = *work_; // only this thread changes it
     const rtcore::RenderSettings& settings = work.view.settings;
     const int block = pass.block;
-    const rtcore::Frame* shown = &pass.frame;
-    if (pass.surfaces != nullptr) {
-        shown = filter_.apply(pass.frame, *pass.surfaces, settings, pass.samples, work.control.threads,
-                              work.control.cancel);
-        if (shown == nullptr || work.control.cancel) return;
-    }
+    const rtcore::Frame* const shown =
+        filter_.apply(pass, settings, work.control.threads, work.control.cancel);
+    if (shown == nullptr || work.control.cancel) return;
     const rtcore::Frame& frame = *shown;
     const std::lock_guard lock(mutex_);
     throwIfFailed();
@@ -126,7 +122,9 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
         const auto side = static_cast<float>(block);
         rtcore::upsample(small_, {side, side}, threads, picture_);
-        for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = 0; // until it has a sample of its own
+        // What has no sample of its own yet shows what was there before, unless it is better than that.
+        const std::uint8_t opaque = pass.guides != nullptr ? 255 : 0;
+        for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = opaque;
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
         samples_ = pass.samples;

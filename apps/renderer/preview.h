@@ -51,7 +51,7 @@ class Preview {
     /// As rtcore::ImageRenderer::render, and with its result, which is not shown yet. What is shown before it
     /// has less noise than it has (PreviewFilter). Throws ipc::Error when there is no memory for frames, or
     /// the instance was lost.
-    bool render(const Work& work, bool aovs);
+    bool render(const Work& work, rtcore::ImageRequest request);
 
     /// Shows the image that render() gave, developed with `exposure`: the last one of the run, when its
     /// files stand.

@@ -77,6 +77,23 @@ TEST_F(AovFile, HasTheAovsThatOtherProgramsLookFor) {
     EXPECT_EQ(channelOf(path, "R"), channelOf(folder / "b.exr", "R"));
 }
 
+TEST_F(AovFile, OfPathsHasGuidesAndTheImageBeforeItsEffects) {
+    ASSERT_EQ(render({"-o", "a.exr", "--integrator=path", "--samples=2", "--setting=bloom.radius=3",
+                      "--setting=path.filter=0"})
+                  .exitCode,
+              0);
+    const std::filesystem::path path = folder / "a.exr";
+    constexpr std::size_t wall = 15 * 40 + 10, edge = 15 * 40 + 19, nothing = 15 * 40 + 30;
+    EXPECT_NEAR(channelOf(path, "guideAlbedo.R")[wall], 0.5F, 1e-4F);
+    EXPECT_NEAR(channelOf(path, "guideAlbedo.B")[wall], 0.125F, 1e-4F);
+    EXPECT_NEAR(channelOf(path, "guideNormal.Z")[wall], 1, 1e-4F);
+    EXPECT_EQ(channelOf(path, "guideNormal.Z")[nothing], 0);
+    EXPECT_NE(channelOf(path, "sampled.R")[edge], channelOf(path, "R")[edge]);
+    ASSERT_EQ(render({"-o", "b.exr", "--integrator=path", "--samples=2", "--setting=path.filter=0"}).exitCode,
+              0);
+    EXPECT_EQ(channelOf(path, "sampled.R"), channelOf(folder / "b.exr", "R"));
+}
+
 TEST_F(AovFile, IsMadeOfEachFrameAndFoundWhole) {
     test::writeCamera(folder / "1.cam", 0);
     test::writeText(folder / "film.lst", "1.cam\n1.cam\n");

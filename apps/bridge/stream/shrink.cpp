@@ -1,6 +1,7 @@
 #include "bridge/stream/shrink.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace bridge {
 

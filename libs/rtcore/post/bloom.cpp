@@ -71,6 +71,7 @@ constinit const EffectRow kBloomEffect{
         [](const RenderSettings& settings) { return settings.bloom.radius > 0 && settings.bloom.share > 0; },
     .bytesPerPixel = sizeof(Colour),
     .needsAovs = false,
+    .needsGuides = false,
     .make = &makeEffect<Bloom>};
 
 } // namespace rtcore

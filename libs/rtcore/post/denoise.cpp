@@ -317,6 +317,7 @@ constinit const EffectRow kDenoiseEffect{
     .wanted = [](const RenderSettings& settings) { return filterPasses(settings) > 0; },
     .bytesPerPixel = Denoiser::bytesPerPixel(),
     .needsAovs = true,
+    .needsGuides = false,
     .make = &makeEffect<Denoiser>};
 
 } // namespace rtcore

@@ -15,6 +15,7 @@ namespace rtcore {
 
 class Aovs;
 class UNet;
+struct Guides;
 
 /// Parameters shared by all effects of an image.
 struct EffectRun {
@@ -22,6 +23,7 @@ struct EffectRun {
     int threads = 0;                ///< 0 = all cores
     float exposure = 1;             ///< the constant c of L = Y / (Y + c); for EffectStage::Display
     std::shared_ptr<const UNet> net = {};    ///< of netOf() the settings; null: there is none
+    const Guides* guides = nullptr;          ///< of the frame; null: it has none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
 };
 
@@ -61,6 +63,7 @@ struct EffectRow {
     bool (*wanted)(const RenderSettings&);
     std::size_t bytesPerPixel; ///< that apply() keeps, beside the frame and its AOVs
     bool needsAovs;            ///< it works by AOVs of the frame, and not on frames without
+    bool needsGuides;          ///< the same of guides
     std::unique_ptr<Effect> (*make)();
 };
 

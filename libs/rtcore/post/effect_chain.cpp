@@ -11,11 +11,14 @@ EffectChain::EffectChain() {
 
 const HdrImage& EffectChain::apply(const Frame& frame, const EffectRun& run) {
     const HdrImage* picture = &frame.radiance;
+    EffectRun own = run;
+    own.guides = frame.guides.empty() ? nullptr : &frame.guides;
     for (std::size_t i = 0; i < effects_.size(); ++i) {
         const EffectRow& row = *effects()[i];
         if (row.stage != EffectStage::Radiance || !row.wanted(run.settings)) continue;
         if (row.needsAovs && frame.aovs.empty()) continue;
-        picture = &effects_[i]->apply(*picture, frame.aovs, run);
+        if (row.needsGuides && frame.guides.empty()) continue;
+        picture = &effects_[i]->apply(*picture, frame.aovs, own);
         if (run.stop != nullptr && *run.stop) return frame.radiance;
     }
     return *picture;

@@ -5,6 +5,7 @@
 #include "rtcore/post/local_exposure.h"
 #include "rtcore/post/net_denoise.h"
 #include "rtcore/render/aovs.h"
+#include "rtcore/render/guides.h"
 
 #include <algorithm>
 #include <array>
@@ -16,19 +17,25 @@ namespace {
 constexpr std::array<const EffectRow*, 4> kEffects{&kNetDenoiseEffect, &kDenoiseEffect, &kBloomEffect,
                                                    &kLocalExposureEffect};
 
+/// Whether one that is wanted needs that.
+bool anyNeeds(bool EffectRow::*need, const RenderSettings& settings) {
+    return std::ranges::any_of(kEffects,
+                               [&](const EffectRow* row) { return row->*need && row->wanted(settings); });
+}
+
 } // namespace
 
 std::span<const EffectRow* const> effects() { return kEffects; }
 
 std::size_t effectBytesPerPixel(const RenderSettings& settings) {
     std::size_t bytes = effectsNeedAovs(settings) ? Aovs::bytesPerPixel() : 0;
+    if (effectsNeedGuides(settings)) bytes += Guides::bytesPerPixel();
     for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
     return bytes;
 }
 
-bool effectsNeedAovs(const RenderSettings& settings) {
-    return std::ranges::any_of(kEffects,
-                               [&](const EffectRow* row) { return row->needsAovs && row->wanted(settings); });
-}
+bool effectsNeedAovs(const RenderSettings& settings) { return anyNeeds(&EffectRow::needsAovs, settings); }
+
+bool effectsNeedGuides(const RenderSettings& settings) { return anyNeeds(&EffectRow::needsGuides, settings); }
 
 } // namespace rtcore

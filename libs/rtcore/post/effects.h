@@ -12,10 +12,13 @@ namespace rtcore {
 /// All of EffectStage::Radiance before those of EffectStage::Display. Safe from many threads.
 std::span<const EffectRow* const> effects();
 
-/// Bytes for each pixel that the wanted effects take beside the frame's radiance, AOVs included.
+/// Bytes for each pixel that the wanted effects take beside the frame's radiance, AOVs and guides included.
 std::size_t effectBytesPerPixel(const RenderSettings& settings);
 
 /// Whether a wanted effect reads the frame's AOVs: for FrameRenderer::collectAovs().
 bool effectsNeedAovs(const RenderSettings& settings);
+
+/// Whether a wanted effect reads the frame's guides: for ImageRequest::guides.
+bool effectsNeedGuides(const RenderSettings& settings);
 
 } // namespace rtcore

@@ -144,6 +144,7 @@ constinit const EffectRow kLocalExposureEffect{
     .wanted = [](const RenderSettings& settings) { return settings.exposure.local > 0; },
     .bytesPerPixel = 0, // a row for each thread, and a small image
     .needsAovs = false,
+    .needsGuides = false,
     .make = &makeEffect<LocalExposure>};
 
 } // namespace rtcore

@@ -1,7 +1,7 @@
 #include "rtcore/post/net_denoise.h"
 
 #include "rtcore/platform/threads.h"
-#include "rtcore/render/aovs.h"
+#include "rtcore/render/guides.h"
 
 namespace rtcore {
 
@@ -9,7 +9,7 @@ namespace {
 
 PixelPlane planeOf(const HdrImage& picture) { return {&picture.pixels[0].r, sizeof(Colour) / sizeof(float)}; }
 
-PixelPlane planeOf(const float& first) { return {&first, sizeof(AovPixel) / sizeof(float)}; }
+PixelPlane planeOf(const std::vector<Vec3>& vectors) { return {&vectors[0].x, sizeof(Vec3) / sizeof(float)}; }
 
 } // namespace
 
@@ -25,25 +25,25 @@ std::optional<Net> netOf(const RenderSettings& settings) {
     }
 }
 
-const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) {
-    const bool whole = aovs.width() == picture.width && aovs.height() == picture.height;
-    if (run.net == nullptr || aovs.empty() || !whole || picture.empty()) return picture;
+const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs&, const EffectRun& run) {
+    if (run.net == nullptr || run.guides == nullptr || picture.empty()) return picture;
+    const Guides& guides = *run.guides;
+    if (guides.albedo.width != picture.width || guides.albedo.height != picture.height) return picture;
     if (!denoiser_ || &denoiser_->net() != run.net.get()) denoiser_.emplace(run.net);
     if (image_.width != picture.width || image_.height != picture.height)
         image_ = HdrImage(picture.width, picture.height);
-    const AovPixel& first = aovs.pixels()[0];
     const NoisyImage noisy{.width = picture.width,
                            .height = picture.height,
                            .radiance = planeOf(picture),
-                           .albedo = planeOf(first.albedo.r),
-                           .normal = planeOf(first.normal.x)};
+                           .albedo = planeOf(guides.albedo),
+                           .normal = planeOf(guides.normals)};
     if (!denoiser_->run(noisy, &image_.pixels[0].r, run.threads, run.stop)) return picture;
     const auto width = static_cast<std::size_t>(picture.width);
 #pragma omp parallel for schedule(static) num_threads(threadsFor(run.threads))
     for (int y = 0; y < picture.height; ++y) {
         const std::size_t row = static_cast<std::size_t>(y) * width;
         for (std::size_t i = row; i < row + width; ++i)
-            if (aovs.pixels()[i].covered == 0) image_.pixels[i] = picture.pixels[i];
+            if (guides.covered[i] == 0) image_.pixels[i] = picture.pixels[i];
     }
     return image_;
 }
@@ -52,7 +52,8 @@ constinit const EffectRow kNetDenoiseEffect{.name = "denoise by a net",
                                             .stage = EffectStage::Radiance,
                                             .wanted = &denoisesByNet,
                                             .bytesPerPixel = NetDenoise::bytesPerPixel(),
-                                            .needsAovs = true,
+                                            .needsAovs = false,
+                                            .needsGuides = true,
                                             .make = &makeEffect<NetDenoise>};
 
 } // namespace rtcore

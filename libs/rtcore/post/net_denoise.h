@@ -14,9 +14,9 @@ namespace rtcore {
 /// The net of the settings; nothing where they use none.
 std::optional<Net> netOf(const RenderSettings& settings);
 
-/// The U-Net of Open Image Denoise over radiance, albedo and normals. Pixels that all samples saw as
+/// The U-Net of Open Image Denoise over radiance and the frame's guides. Pixels that all of their rays saw as
 /// background have no noise, and stay to the bit; so does the whole image without EffectRun::net, or without
-/// AOVs of its size. Not for parts of previews.
+/// guides of its size. Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;

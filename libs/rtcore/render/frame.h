@@ -3,6 +3,7 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/render/aovs.h"
+#include "rtcore/render/guides.h"
 #include "rtcore/render/seen_point.h"
 #include "rtcore/scene/image.h"
 
@@ -21,7 +22,8 @@ struct Frame {
     HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
     std::vector<std::uint8_t>
         covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
-    Aovs aovs;   ///< empty unless they were asked for
+    Aovs aovs;     ///< empty unless they were asked for
+    Guides guides; ///< the same
     std::vector<SeenPoint> seen; ///< per pixel; empty unless they were asked for
     /// Per pixel, the luminance that decides the exposure; at most 0: none does. Empty: that of radiance.
     std::vector<float> metered;

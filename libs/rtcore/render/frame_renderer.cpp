@@ -6,6 +6,7 @@
 #include "rtcore/render/tile.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rtcore {
 
@@ -38,12 +39,31 @@ bool FrameRenderer::render(const View& view, RenderControl& control, Frame& fram
 bool FrameRenderer::renderCoarse(const View& view, int block, RenderControl& control, Frame& frame) {
     aimSamples(view, focus_, samples_);
     samples_.camera = samples_.camera.coarser(block);
-    RenderSettings coarse = view.settings;
-    coarse.width = (coarse.width + block - 1) / block;
-    coarse.height = (coarse.height + block - 1) / block;
+    RenderSettings coarse = coarserSettings(view.settings, block);
     coarse.antialiasing = 1;
     coarse.sampling = SamplingPattern::Grid;
     return renderAimed({view.scene, view.tracer, view.camera, coarse}, control, frame);
+}
+
+bool FrameRenderer::renderGuides(const View& view, int block, GuideRays rays, RenderControl& control,
+                                 Guides& guides) {
+    const Scene scene = guideScene(view.scene);
+    const RenderSettings settings = guideSettings(coarserSettings(view.settings, block), rays);
+    const View seen{scene, view.tracer, view.camera, settings};
+    aimSamples(view, focus_, samples_);
+    samples_.camera = samples_.camera.coarser(block);
+    Frame frame;
+    frame.radiance = std::move(guides.albedo);
+    frame.covered = std::move(guides.covered);
+    const bool aovs = std::exchange(collectAovs_, false), points = std::exchange(collectSeen_, false);
+    const bool whole = renderAimed(seen, control, frame, &guides.normals);
+    collectAovs_ = aovs;
+    collectSeen_ = points;
+    for (Colour& pixel : frame.radiance.pixels)
+        pixel = {std::min(pixel.r, 1.0F), std::min(pixel.g, 1.0F), std::min(pixel.b, 1.0F)};
+    guides.albedo = std::move(frame.radiance);
+    guides.covered = std::move(frame.covered);
+    return whole;
 }
 
 void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
@@ -58,6 +78,7 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     } else {
         frame.seen = {};
     }
+    frame.guides = {};
     frame.metered.clear();
     frame.checked.clear();
 }
@@ -95,16 +116,18 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
     return !control.cancel;
 }
 
-bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame) {
+bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame,
+                                std::vector<Vec3>* normals) {
     const RenderSettings& settings = view.settings;
     makeRoom(frame, settings);
     beginAovs(view, frame);
+    if (normals != nullptr) normals->assign(frame.radiance.pixels.size(), {});
     prepare(view);
     const TileGrid grid(settings, materials_.anySecondary());
     const bool refined = samplesAdaptively(settings);
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count()) * (refined ? 2 : 1);
-    const Work work{view, threadsFor(control.threads), control, frame};
+    const Work work{view, threadsFor(control.threads), control, frame, normals};
     if (refined) {
         renderAdaptively(work, grid);
     } else {
@@ -150,7 +173,8 @@ void FrameRenderer::renderParts(const Work& work, int parts, Render&& render) {
                         .cancel = cancel,
                         .measureStages = measureStages_,
                         .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs,
-                        .seen = work.frame.seen.empty() ? nullptr : &work.frame.seen});
+                        .seen = work.frame.seen.empty() ? nullptr : &work.frame.seen,
+                        .normals = work.normals});
         // In the order of the image: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int part = 0; part < parts; ++part) {

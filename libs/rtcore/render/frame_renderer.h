@@ -62,6 +62,11 @@ class FrameRenderer {
     bool renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
                       const RenderedPixels& to, RayStatistics& statistics);
 
+    /// Renders the guides of an image of the view, or of renderCoarse() where `block` is not 1, into
+    /// `guides`, whose memory is reused when the size fits. Returns false when control.cancel was set, with
+    /// `guides` undefined.
+    bool renderGuides(const View& view, int block, GuideRays rays, RenderControl& control, Guides& guides);
+
     /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }
     /// Whether frames to come tell what each pixel sees, in Frame::seen.
@@ -81,8 +86,10 @@ class FrameRenderer {
         int team; ///< threads
         RenderControl& control;
         Frame& frame;
+        std::vector<Vec3>* normals = nullptr; ///< Guides::normals; null: they are not wanted
     };
-    bool renderAimed(const View& view, RenderControl& control, Frame& frame);
+    bool renderAimed(const View& view, RenderControl& control, Frame& frame,
+                     std::vector<Vec3>* normals = nullptr);
     void beginAovs(const View& view, Frame& frame) const;
     void prepare(const View& view);
     template <typename Render>

@@ -20,10 +20,12 @@ struct ImagePass {
     int block;             ///< pixels a side of the squares that share one sample
     std::uint32_t samples; ///< of each pixel, or square
     const Aovs* surfaces;  ///< of the view, where its noise may be filtered before it is shown; else null
+    const Guides* guides;  ///< the same for a net, where the request asks for guides; else null
 };
 
 struct ImageRequest {
     bool aovs = false;
+    bool guides = false; ///< in the frame; those by Whitted's rays, whose noise no net takes away, have none
     /// Gets what there is before the image itself, which it may read until it returns; empty: only the image
     /// is wanted.
     std::function<void(const ImagePass&)> show = {};

@@ -2,36 +2,118 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rtcore {
 
+namespace {
+
+/// Times, in those of one sample of each pixel.
+constexpr double kTimeOfGuides = 2, kTimeOfAovs = 4;
+/// Pixels a side of the squares of the first image that is shown.
+constexpr int kCoarse = 2;
+/// Samples of each pixel from which on all rays of the guides are worth their time.
+constexpr std::uint32_t kManySamples = 2;
+
+} // namespace
+
 bool PathImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
-    PathRenderer::Show show;
-    if (request.show) {
-        if (!findSurfaces(view, control.threads, 1)) return false;
-        show = [&](std::uint32_t samples, const Frame& picture) {
-            request.show({picture, 1, samples, &surfaces_.aovs});
-        };
-    }
-    if (!paths_.render(view, control, frame, show)) return false;
+    const double guides = request.guides ? kTimeOfGuides : 0, samples = view.settings.path.samples,
+                 aovs = request.aovs ? kTimeOfAovs : 0, all = guides + samples + aovs;
+    enter({0, 0}, control);
+    frame.guides = {};
+    if (request.show && denoisesByNet(view.settings) && !showCoarse(view, control, request)) return false;
+    enter({0, guides / all}, control);
+    const GuideRays rays = request.show ? GuideRays::Few : GuideRays::All;
+    if (request.guides && !findGuides(view, control, rays, frame)) return false;
+    enter({guides / all, samples / all}, control);
+    if (!renderPaths(view, control, request, frame)) return false;
+    enter({(guides + samples) / all, aovs / all}, control);
     if (!request.aovs) return true;
     constexpr int kSamples = 4; // each way: edges are as smooth as those of the image
-    if (!findSurfaces(view, control.threads, kSamples)) return false;
+    if (!findSurfaces(view, control, kSamples)) return false;
     std::swap(frame.aovs, surfaces_.aovs);
     return true;
 }
 
+/// A net makes a quarter of the pixels, soon, better than all of them later.
+bool PathImages::showCoarse(const View& view, RenderControl& control, const ImageRequest& request) {
+    if (!rays_.renderGuides(view, kCoarse, GuideRays::Few, control, coarse_.guides)) return false;
+    if (!paths_.renderCoarse(view, kCoarse, control, coarse_)) return false;
+    request.show({coarse_, kCoarse, 1, nullptr, &coarse_.guides});
+    return !control.cancel;
+}
+
+bool PathImages::renderPaths(const View& view, RenderControl& control, const ImageRequest& request,
+                             Frame& frame) {
+    PathRenderer::Show show;
+    if (request.show) {
+        const bool filtered = !denoisesByNet(view.settings);
+        if (filtered) {
+            const Share own = share();
+            enter({own.before, 0}, control);
+            if (!findSurfaces(view, control, 1)) return false;
+            enter(own, control);
+        }
+        show = [&, filtered](std::uint32_t samples, const Frame& picture) {
+            if (request.guides && samples >= kManySamples &&
+                !findGuides(view, control, GuideRays::All, frame)) {
+                return;
+            }
+            request.show({picture, 1, samples, filtered ? &surfaces_.aovs : nullptr,
+                          request.guides ? &frame.guides : nullptr});
+        };
+    }
+    return paths_.render(view, control, frame, show) &&
+           (!request.guides || findGuides(view, control, GuideRays::All, frame));
+}
+
+/// Guides of so many rays, unless the frame has them already. The control counts on afterwards from where it
+/// was.
+bool PathImages::findGuides(const View& view, RenderControl& control, GuideRays rays, Frame& frame) {
+    if (!frame.guides.empty() && guideRays_ == rays) return true;
+    const Share own = share();
+    const std::uint64_t tiles = control.tiles, done = control.tilesDone;
+    if (!frame.guides.empty()) setShare({fraction(control), 0});
+    const bool whole = rays_.renderGuides(view, 1, rays, control, frame.guides);
+    guideRays_ = rays;
+    control.tilesDone = done;
+    control.tiles = tiles;
+    setShare(own);
+    return whole;
+}
+
 /// AOVs of paths are those of rays, which see the same first.
-bool PathImages::findSurfaces(const View& view, int threads, int samples) {
+bool PathImages::findSurfaces(const View& view, RenderControl& control, int samples) {
     RenderSettings rays = view.settings;
     rays.integrator = Integrator::Whitted;
     rays.antialiasing = samples;
     rays.adaptive = 0;
     rays.ambientOcclusion.on = rays.skyLight.on = false;
-    RenderControl quietly{.threads = threads};
     rays_.collectAovs(true);
-    return rays_.render({view.scene, view.tracer, view.camera, rays}, quietly, surfaces_);
+    return rays_.render({view.scene, view.tracer, view.camera, rays}, control, surfaces_);
+}
+
+/// Begins work that the control counts from 0.
+void PathImages::enter(const Share& share, RenderControl& control) {
+    control.tilesDone = 0;
+    setShare(share);
+}
+
+void PathImages::setShare(const Share& share) {
+    const std::lock_guard lock(mutex_);
+    share_ = share;
+}
+
+PathImages::Share PathImages::share() const {
+    const std::lock_guard lock(mutex_);
+    return share_;
+}
+
+double PathImages::fraction(const RenderControl& control) const {
+    const Share now = share();
+    return now.before + now.size * std::min(control.fraction(), 1.0);
 }
 
 /// Tells which samples were lost, and which lights the paths sample.

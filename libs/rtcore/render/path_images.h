@@ -4,6 +4,8 @@
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/path_renderer.h"
 
+#include <mutex>
+
 namespace rtcore {
 
 class PathImages : public ImageRenderer {
@@ -11,13 +13,28 @@ class PathImages : public ImageRenderer {
     bool render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) override;
     bool rendersAovs() const override { return false; }
     std::vector<ImageRemark> remarks() const override;
+    double fraction(const RenderControl& control) const override;
 
   private:
-    bool findSurfaces(const View& view, int threads, int samples);
+    /// The part of an image's time that the work at hand takes, which its control counts.
+    struct Share {
+        double before = 0, size = 0;
+    };
+    void enter(const Share& share, RenderControl& control);
+    void setShare(const Share& share);
+    Share share() const;
+    bool findSurfaces(const View& view, RenderControl& control, int samples);
+    bool findGuides(const View& view, RenderControl& control, GuideRays rays, Frame& frame);
+    bool showCoarse(const View& view, RenderControl& control, const ImageRequest& request);
+    bool renderPaths(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
 
     PathRenderer paths_;
     FrameRenderer rays_;
     Frame surfaces_; ///< by rays
+    Frame coarse_;   ///< the first that is shown
+    GuideRays guideRays_ = GuideRays::All;
+    mutable std::mutex mutex_; ///< guards all below
+    Share share_;
 };
 
 } // namespace rtcore

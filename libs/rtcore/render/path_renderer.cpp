@@ -131,11 +131,15 @@ void PathRenderer::begin(const View& view, int threads) {
     materials_.prepare(view.scene, view.settings, Colour{});
     lights_.prepare(view.scene, view.settings, view.tracer.bounds(),
                     hiddenTriangles(view.scene.model, view.scene.hiddenParts));
-    aimSamples(view, focus_, samples_);
-    samples_.pathSeed = static_cast<std::uint32_t>(view.settings.path.seed);
+    aim(view);
     workers_.resize(std::max(workers_.size(), static_cast<std::size_t>(threadsFor(threads))));
     measure();
     hits_.assign(view.settings.width * static_cast<std::size_t>(view.settings.height), 0);
+}
+
+void PathRenderer::aim(const View& view) {
+    aimSamples(view, focus_, samples_);
+    samples_.pathSeed = static_cast<std::uint32_t>(view.settings.path.seed);
 }
 
 /// The unit of the sums, by one sample for each of some 64 x 36 pixels.
@@ -182,6 +186,18 @@ bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame
     }
     develop(frame);
     return !control.cancel;
+}
+
+bool PathRenderer::renderCoarse(const View& view, int block, RenderControl& control, Frame& frame) {
+    coarse_ = coarserSettings(view.settings, block);
+    control.tilesDone = 0;
+    control.tiles = pixelsOf(coarse_);
+    begin({view.scene, view.tracer, view.camera, coarse_}, control.threads);
+    aim(view);
+    samples_.camera = samples_.camera.coarser(block);
+    if (!add({0, 1}, control)) return false;
+    develop(frame);
+    return true;
 }
 
 bool PathRenderer::add(const SampleRange& range, RenderControl& control) {

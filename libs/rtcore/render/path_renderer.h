@@ -42,6 +42,10 @@ class PathRenderer {
     /// when control.cancel was set, with `frame` undefined.
     bool render(const View& view, RenderControl& control, Frame& frame, const Show& show = {});
 
+    /// A coarse image: one sample for each square of `block` x `block` pixels. `frame` gets a pixel for each
+    /// square, also for those that the right or lower edge cuts.
+    bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
+
     /// Begins an image without samples, of view.settings.width x height. Everything of the view must live,
     /// and stay as it is, until the next one begins. Measures the mean luminance in a small pass, for the
     /// unit of the sums. Throws what std::vector throws.
@@ -58,10 +62,12 @@ class PathRenderer {
 
   private:
     class Worker;
+    void aim(const View& view);
     void measure();
     Worker& workerOfThread(int thread);
 
     std::unique_ptr<const View> view_;
+    RenderSettings coarse_; ///< of the view, where it is a coarse one
     SampleView samples_;
     FocusFinder focus_;
     MaterialTable materials_;

@@ -9,7 +9,7 @@ bool RayImages::render(const View& view, RenderControl& control, const ImageRequ
     return refinement_.render(
         renderer_, view, control, frame, [&](const RefinementPass& pass, const Frame& picture) {
             const int samples = pass.antialiasing * pass.antialiasing;
-            request.show({picture, pass.block, static_cast<std::uint32_t>(samples), nullptr});
+            request.show({picture, pass.block, static_cast<std::uint32_t>(samples), nullptr, nullptr});
         });
 }
 

@@ -105,6 +105,8 @@ void TileRenderer::begin(const FrameTask& task) {
     integrator_.stopWhen(&task.cancel);
     aovs_ = task.aovs;
     seen_ = task.seen;
+    normals_ = task.normals;
+    integrator_.collectNormals(normals_ != nullptr);
     integrator_.collectPrimaryHits(aovs_ != nullptr   ? PrimaryHitParts::All
                                    : seen_ != nullptr ? PrimaryHitParts::Surface
                                                       : PrimaryHitParts::None);
@@ -124,7 +126,8 @@ void TileRenderer::render(const PixelArea& area, Frame& frame) {
     }
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
-    if (needsSampleIds_ || aovs_ != nullptr || seen_ != nullptr) nameSamples(area, all);
+    if (needsSampleIds_ || aovs_ != nullptr || seen_ != nullptr || normals_ != nullptr)
+        nameSamples(area, all);
     traceRays();
     if (settings_->antialiasing == 1) {
         storePixels(area, frame);
@@ -144,6 +147,15 @@ void TileRenderer::traceRays() {
     integrator_.trace(rays_, samples_);
     if (aovs_ != nullptr) aovs_->add(integrator_.primaryHits(), samples_);
     if (seen_ != nullptr) keepHits();
+    if (normals_ != nullptr) addNormals();
+}
+
+void TileRenderer::addNormals() {
+    const float share = 1.0F / static_cast<float>(settings_->antialiasing * settings_->antialiasing);
+    const std::span<const Vec3> normals = integrator_.normals();
+    const auto width = static_cast<std::size_t>(settings_->width);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        (*normals_)[samples_[i].y * width + samples_[i].x] += normals[i] * share;
 }
 
 /// Keeps for each pixel the hit of the sample in its middle, or next to it; of another where that is not

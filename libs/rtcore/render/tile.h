@@ -44,6 +44,8 @@ class TileRenderer {
         bool measureStages;
         Aovs* aovs;                   ///< gets what samples see first; may be null
         std::vector<SeenPoint>* seen; ///< the same of each pixel of the frame; may be null
+        std::vector<Vec3>*
+            normals; ///< gets means of WhittedIntegrator::normals(), begins with 0; may be null
     };
     /// Starts a frame, or a pass of it.
     void begin(const FrameTask& task);
@@ -70,6 +72,7 @@ class TileRenderer {
     template <typename Count>
     void storeMeans(const PixelArea& area, Frame& frame, Count&& count);
     void keepHits();
+    void addNormals();
     void forgetHits(const PixelArea& area);
     void storePixels(const PixelArea& area, Frame& frame);
     void averageSamples(const PixelArea& area, Frame& frame);
@@ -81,6 +84,7 @@ class TileRenderer {
     bool needsSampleIds_ = false;
     Aovs* aovs_ = nullptr;                   ///< that samples are added to; null: not asked for
     std::vector<SeenPoint>* seen_ = nullptr; ///< the same
+    std::vector<Vec3>* normals_ = nullptr;   ///< the same
     std::vector<SampleId> samples_;          ///< of rays_, where sample ids are needed
     bool sameOrigin_ = false;                ///< all of rays_ begin at the eye already
     /// Sums over the samples of one pixel.

@@ -16,4 +16,13 @@ struct View {
     const RenderSettings& settings;
 };
 
+/// Those of an image with a pixel for each square of `block` x `block` pixels, also for those that the right
+/// or lower edge cuts. Its rays are CameraRays::coarser().
+inline RenderSettings coarserSettings(const RenderSettings& settings, int block) {
+    RenderSettings coarse = settings;
+    coarse.width = (coarse.width + block - 1) / block;
+    coarse.height = (coarse.height + block - 1) / block;
+    return coarse;
+}
+
 } // namespace rtcore

@@ -50,6 +50,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     frame_.clock = &clock_;
     secondary_.start();
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.start(primary.size());
+    if (collectsNormals_) normals_.start(primary.size());
     wave_.kind = RayKind::Primary;
     wave_.rays = &primary;
     wave_.paths = WavePaths();
@@ -86,6 +87,7 @@ void WhittedIntegrator::traceWave() {
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     divideLight(findEmission());
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh(), *frame_.materials);
+    if (collectsNormals_) normals_.add(wave_);
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
     lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});

@@ -9,6 +9,7 @@
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
+#include "rtcore/shading/normal_sums.h"
 #include "rtcore/shading/primary_hits.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/secondary_rays.h"
@@ -50,6 +51,10 @@ class WhittedIntegrator {
     /// Chooses which parts of primaryHits() the next waves record: those of the last wave, of sample i at i.
     void collectPrimaryHits(PrimaryHitParts parts) { hitParts_ = parts; }
     std::span<const PrimaryHit> primaryHits() const { return primaryHits_.hits(); }
+
+    /// Whether the next waves record normals(): those of the last wave, of sample i at i.
+    void collectNormals(bool on) { collectsNormals_ = on; }
+    std::span<const Vec3> normals() const { return normals_.normals(); }
 
     /// Shadow maps to look shadows up in instead of tracing rays; null: shadows are traced.
     void takeShadowsFrom(const ShadowMaps* maps) { frame_.shadowMaps = maps; }
@@ -93,6 +98,8 @@ class WhittedIntegrator {
     SecondaryRays secondary_;
     PrimaryHitParts hitParts_ = PrimaryHitParts::None;
     PrimaryHits primaryHits_;
+    bool collectsNormals_ = false;
+    NormalSums normals_;
 };
 
 } // namespace rtcore

@@ -50,7 +50,10 @@ class NoisyWall : public testing::Test {
     }
 
     const rtcore::Frame& shownAfter(std::uint32_t samples) {
-        return *filter_.apply(frame_, surfaces_, settings_, samples, 1, stop_);
+        const bool byNet = rtcore::denoisesByNet(settings_);
+        return *filter_.apply({frame_, 1, samples, byNet ? nullptr : &surfaces_,
+                               frame_.guides.empty() ? nullptr : &frame_.guides},
+                              settings_, 1, stop_);
     }
     static double meanOf(const rtcore::HdrImage& image) {
         double sum = 0;
@@ -102,9 +105,14 @@ TEST_F(NoisyWall, StaysAsItIsWithoutSurfaces) {
 TEST_F(NoisyWall, IsDenoisedByTheNetWhereThatIsAskedFor) {
     settings_.denoise.net = rtcore::DenoiseNet::Base;
     const auto net = std::make_shared<const rtcore::UNet>(test::madeNet(9, false), "made.tza");
+    EXPECT_EQ(&shownAfter(1), &frame_) << "without guides";
+    frame_.guides.albedo = rtcore::HdrImage(kSide, kSide);
+    for (rtcore::Colour& albedo : frame_.guides.albedo.pixels) albedo = {kGrey, kGrey, kGrey};
+    frame_.guides.normals.assign(frame_.covered.size(), {0, 0, 1});
+    frame_.guides.covered = frame_.covered;
     rtcore::NetDenoise whole;
-    const rtcore::HdrImage expected =
-        whole.apply(frame_.radiance, surfaces_, {.settings = settings_, .threads = 1, .net = net});
+    const rtcore::HdrImage expected = whole.apply(
+        frame_.radiance, {}, {.settings = settings_, .threads = 1, .net = net, .guides = &frame_.guides});
     filter_.useNet(net);
     EXPECT_EQ(shownAfter(1).radiance.pixels, expected.pixels);
     filter_.useNet(nullptr);

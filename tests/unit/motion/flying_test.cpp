@@ -6,6 +6,7 @@
 using rtcore::Action;
 using rtcore::Camera;
 using std::chrono::milliseconds;
+using test::metres;
 using test::WalkWorld;
 
 namespace {

@@ -58,18 +58,23 @@ TEST(Effects, AreWantedByTheirSettings) {
 
 TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     EXPECT_EQ(effectBytesPerPixel({}), 0U);
-    std::size_t sum = Aovs::bytesPerPixel();
+    std::size_t sum = 0;
     for (const EffectRow* row : effects()) sum += row->bytesPerPixel;
-    EXPECT_EQ(effectBytesPerPixel(everything()), sum - kNetDenoiseEffect.bytesPerPixel);
-    EXPECT_EQ(effectBytesPerPixel(everythingByNet()), sum - kDenoiseEffect.bytesPerPixel);
+    EXPECT_EQ(effectBytesPerPixel(everything()),
+              Aovs::bytesPerPixel() + sum - kNetDenoiseEffect.bytesPerPixel);
+    EXPECT_EQ(effectBytesPerPixel(everythingByNet()),
+              Guides::bytesPerPixel() + sum - kDenoiseEffect.bytesPerPixel);
     RenderSettings bloom;
     bloom.bloom.radius = 3;
     EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";
 }
 
-TEST(Effects, NeedAovsWhereOneOfThemReadsThem) {
+TEST(Effects, NeedAovsOrGuidesWhereOneOfThemReadsThem) {
     RenderSettings settings = everything();
     EXPECT_TRUE(effectsNeedAovs(settings));
+    EXPECT_FALSE(effectsNeedGuides(settings));
+    EXPECT_FALSE(effectsNeedAovs(everythingByNet()));
+    EXPECT_TRUE(effectsNeedGuides(everythingByNet()));
     settings.denoise.passes = 0;
     EXPECT_FALSE(effectsNeedAovs(settings));
 }

@@ -26,13 +26,14 @@ class NetDenoiseTest : public testing::Test {
         b.scene.background = {0.2F, 0.3F, 0.5F};
         const test::TracedScene traced(b.finish());
         FrameRenderer renderer;
-        renderer.collectAovs(effectsNeedAovs(settings));
+        ASSERT_TRUE(effectsNeedGuides(settings));
         RenderControl control{.threads = 1};
         RenderSettings whitted = settings;
         whitted.integrator = Integrator::Whitted;
         ASSERT_TRUE(
             renderer.render({traced.scene, traced.tracer, test::sampleCamera(), whitted}, control, frame));
-        ASSERT_FALSE(frame.aovs.empty());
+        ASSERT_TRUE(renderer.renderGuides({traced.scene, traced.tracer, test::sampleCamera(), settings}, 1,
+                                          GuideRays::All, control, frame.guides));
     }
 
     RenderSettings settings = test::sampleSettings(48, 36);
@@ -42,13 +43,13 @@ class NetDenoiseTest : public testing::Test {
 
 TEST_F(NetDenoiseTest, GivesSurfacesWhatTheNetGivesAndLeavesTheBackground) {
     NetDenoise effect;
-    const HdrImage& result =
-        effect.apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 1, .net = net});
+    const HdrImage& result = effect.apply(
+        frame.radiance, {}, {.settings = settings, .threads = 1, .net = net, .guides = &frame.guides});
     ASSERT_NE(&result, &frame.radiance);
     std::vector<float> radiance, albedo, normal, expected(frame.radiance.pixels.size() * 3);
     for (std::size_t i = 0; i < frame.radiance.pixels.size(); ++i) {
-        const Colour c = frame.radiance.pixels[i], a = frame.aovs.pixels()[i].albedo;
-        const Vec3 n = frame.aovs.pixels()[i].normal;
+        const Colour c = frame.radiance.pixels[i], a = frame.guides.albedo.pixels[i];
+        const Vec3 n = frame.guides.normals[i];
         radiance.insert(radiance.end(), {c.r, c.g, c.b});
         albedo.insert(albedo.end(), {a.r, a.g, a.b});
         normal.insert(normal.end(), {n.x, n.y, n.z});
@@ -58,7 +59,7 @@ TEST_F(NetDenoiseTest, GivesSurfacesWhatTheNetGivesAndLeavesTheBackground) {
         denoiser.run({48, 36, {radiance.data()}, {albedo.data()}, {normal.data()}}, expected.data(), 1));
     int surfaces = 0, background = 0;
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        if (frame.aovs.pixels()[i].covered == 0) {
+        if (frame.guides.covered[i] == 0) {
             EXPECT_EQ(result.pixels[i], frame.radiance.pixels[i]);
             ++background;
         } else {
@@ -70,12 +71,16 @@ TEST_F(NetDenoiseTest, GivesSurfacesWhatTheNetGivesAndLeavesTheBackground) {
     EXPECT_GT(background, 100);
 }
 
-TEST_F(NetDenoiseTest, LeavesTheImageWithoutANetAovsOrTime) {
+TEST_F(NetDenoiseTest, LeavesTheImageWithoutANetGuidesOrTime) {
     NetDenoise effect;
-    EXPECT_EQ(&effect.apply(frame.radiance, frame.aovs, {.settings = settings}), &frame.radiance);
-    EXPECT_EQ(&effect.apply(frame.radiance, Aovs(), {.settings = settings, .net = net}), &frame.radiance);
+    const Guides& guides = frame.guides;
+    EXPECT_EQ(&effect.apply(frame.radiance, {}, {.settings = settings, .guides = &guides}), &frame.radiance);
+    EXPECT_EQ(&effect.apply(frame.radiance, {}, {.settings = settings, .net = net}), &frame.radiance);
+    const HdrImage other(47, 36);
+    EXPECT_EQ(&effect.apply(other, {}, {.settings = settings, .net = net, .guides = &guides}), &other);
     const std::atomic<bool> stop = true;
-    EXPECT_EQ(&effect.apply(frame.radiance, frame.aovs, {.settings = settings, .net = net, .stop = &stop}),
+    EXPECT_EQ(&effect.apply(frame.radiance, {},
+                            {.settings = settings, .net = net, .guides = &guides, .stop = &stop}),
               &frame.radiance);
 }
 

@@ -1,5 +1,7 @@
 #include "rtcore/settings/settings_table.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
