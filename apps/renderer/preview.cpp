@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kTurn = 5ms;
+constexpr auto kTurn = 5ms, kIdleTurn = 50ms;
 constexpr auto kPatience = 2s; // for a predecessor that is just dying
 
 // The size of frames is not known yet: their memory comes with the first of them.
@@ -48,6 +48,11 @@ Preview::~Preview() {
     thread_.join();
 }
 
+void Preview::setRun(std::uint64_t run) {
+    const std::lock_guard lock(mutex_);
+    options_.run = run;
+}
+
 bool Preview::render(const Work& work, rtcore::ImageRequest request) {
     begin(work);
     try {
@@ -74,6 +79,7 @@ void Preview::begin(const Work& work) {
     status_.polygons = work.view.scene.model.mesh.triangles.size();
     app::setView(work.view.camera, settings.width, settings.height, status_);
     work_ = &work;
+    wake_.notify_all();
 }
 
 void Preview::end() {
@@ -169,7 +175,8 @@ void Preview::run(const std::stop_token& stop) {
     try {
         while (!stop.stop_requested()) {
             serve();
-            wake_.wait_for(lock, stop, kTurn, [] { return false; });
+            const bool idle = work_ == nullptr;
+            wake_.wait_for(lock, stop, idle ? kIdleTurn : kTurn, [&] { return idle && work_ != nullptr; });
         }
     } catch (...) {
         failure_ = std::current_exception();

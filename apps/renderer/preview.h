@@ -35,6 +35,9 @@ class Preview {
     Preview(const Preview&) = delete;
     Preview& operator=(const Preview&) = delete;
 
+    /// Marks the frames of images to come, in place of the options' run.
+    void setRun(std::uint64_t run);
+
     /// The light on what images to come show, by rtcore::LightMeter.
     void meter(std::optional<float> white) { white_ = white; }
 
@@ -72,7 +75,7 @@ class Preview {
     void serve();
     void throwIfFailed() const;
 
-    const PreviewOptions options_;
+    PreviewOptions options_;       ///< its run is guarded by mutex_
     std::uint32_t allSamples_ = 1; ///< of each pixel of the whole image
     rtcore::PictureDeveloper developer_;
     std::optional<float> white_;

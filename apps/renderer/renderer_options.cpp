@@ -109,10 +109,15 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.preview && options.list) {
         throw app::UsageError("--preview and --list exclude each other: a preview shows one image");
     }
-    for (const char* ofPreview : {"run-id", "linger"}) {
+    for (const char* ofPreview : {"run-id", "linger", "stand-by"}) {
         if (!options.preview && arguments.has(ofPreview)) {
             throw app::UsageError("--" + std::string(ofPreview) + " needs --preview");
         }
+    }
+    if (options.standBy && (!options.outputs.empty() || arguments.has("linger"))) {
+        throw app::UsageError(
+            "--stand-by shows images as long as they are wanted, and writes none; leave out "
+            "--output and --linger");
     }
     if (options.debugScene && (options.list || options.preview)) {
         throw app::UsageError(
@@ -148,6 +153,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.video = readPath(arguments, "video");
     options.framesPerSecond = arguments.number("fps");
     options.preview = readPreview(arguments);
+    options.standBy = arguments.has("stand-by");
     if (options.preview || arguments.has("parent")) options.parent = app::parentOf(arguments);
     options.requeue = arguments.has("requeue");
     options.focusAt = readPosition(arguments, "focus-at");

@@ -35,6 +35,7 @@ struct RendererOptions {
     std::optional<std::filesystem::path> video;      ///< the film to make of the list
     std::optional<double> framesPerSecond;           ///< of the film
     std::optional<PreviewOptions> preview;           ///< show the image while it refines
+    bool standBy = false;                            ///< then those that standard input asks for
     std::optional<std::int64_t> parent;              ///< stop with this process; 0 = the parent
     bool requeue = false;                            ///< exit with TryAgain when SIGTERM stops the run
     std::optional<rtcore::Vec2> focusAt;             ///< pixels of what a lens is focused at

@@ -9,6 +9,7 @@
 #include "renderer/preview.h"
 #include "renderer/renderer_options.h"
 #include "renderer/settings_list.h"
+#include "renderer/stand_by.h"
 #include "renderer/verify.h"
 
 #include "common/cli/input_files.h"
@@ -70,6 +71,7 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     const auto ffmpeg = findFilmMaker(options);
     std::optional<Preview> preview;
     if (options.preview) preview.emplace(*options.preview);
+    if (options.standBy) return standBy(options, settingsFile, *preview, progress);
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
     const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);

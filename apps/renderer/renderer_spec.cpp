@@ -192,28 +192,33 @@ OptionGroup qualityOptions() {
 }
 
 OptionGroup previewOptions() {
-    return {"Preview",
-            {{.name = "preview",
-              .value = ValueKind::Text,
-              .argument = "NAME",
-              .help = "show the image while it is rendered, from coarse to fine, to programs that look for "
-                      "an instance of this name; without --output no file is written; stops with the process "
-                      "that started it",
-              .more = "The name has 1 to 32 letters, digits, `_` or `-`. Only one image is rendered; "
-                      "[protocol.md](protocol.md) has what viewers see"},
-             {.name = "run-id",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "mark the frames of the preview with N, so that viewers can tell runs apart [0]",
-              .minimum = 0,
-              .maximum = static_cast<double>(std::int64_t{1} << 53)},
-             {.name = "linger",
-              .value = ValueKind::Number,
-              .argument = "S",
-              .help = "seconds for which the last frame of the preview can be found [2]",
-              .more = "A signal ends the waiting, with exit code 0",
-              .minimum = 0,
-              .maximum = 1e6}}};
+    return {
+        "Preview",
+        {{.name = "preview",
+          .value = ValueKind::Text,
+          .argument = "NAME",
+          .help = "show the image while it is rendered, from coarse to fine, to programs that look for "
+                  "an instance of this name; without --output no file is written; stops with the process "
+                  "that started it",
+          .more = "The name has 1 to 32 letters, digits, `_` or `-`. Only one image is rendered; "
+                  "[protocol.md](protocol.md) has what viewers see"},
+         {.name = "run-id",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "mark the frames of the preview with N, so that viewers can tell runs apart [0]",
+          .minimum = 0,
+          .maximum = static_cast<double>(std::int64_t{1} << 53)},
+         {.name = "linger",
+          .value = ValueKind::Number,
+          .argument = "S",
+          .help = "seconds for which the last frame of the preview can be found [2]",
+          .more = "A signal ends the waiting, with exit code 0",
+          .minimum = 0,
+          .maximum = 1e6},
+         {.name = "stand-by",
+          .help = "after that image, show those that lines on standard input ask for, until it ends",
+          .more = "A line is `RUN<TAB>SCENE<TAB>CAMERA`: a run-id, a scene and a .cam file. It ends what is "
+                  "being rendered, as does an empty line. What has not changed is not loaded again"}}};
 }
 
 OptionGroup runOptions() {

@@ -72,7 +72,9 @@ class ProgressiveTest : public GuiTest {
         ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
         ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
     }
-    bool renders() const { return !childrenOf(::getpid(), kRenderer).isEmpty(); }
+    bool renders() { return window->view().activity().contains(QLatin1String("rendering")); }
+    /// The Renderer of the window; 0: there is none.
+    static pid_t rendererProcess() { return childrenOf(::getpid(), kRenderer).value(0).process; }
     /// The view as the Renderer by itself renders it.
     QImage rendered(int antialiasing) {
         const QSize size = window->session().status().resolution;
@@ -112,10 +114,35 @@ TEST_F(ProgressiveTest, AtRestThePictureBecomesTheRenderersOwn) {
     EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }))
         << window->notice().text().toStdString();
     EXPECT_NE(window->session().frame(), expected);
-    EXPECT_TRUE(comes([&] { return !renders(); })) << "the Renderer goes when it has done";
+    EXPECT_TRUE(comes([&] { return !renders(); }));
     QTest::qWait(600);
     EXPECT_FALSE(renders()) << "once is enough";
     EXPECT_FALSE(window->view().showsLive());
+}
+
+TEST_F(ProgressiveTest, TheRendererKeepsTheModelForTheNextView) {
+    ASSERT_NO_FATAL_FAILURE(open(2));
+    rendered(2); // beside the model, where it may be one of its textures
+    ASSERT_NO_FATAL_FAILURE(look(QStringLiteral("0.4 2 6 0 0 -1 60")));
+    ASSERT_TRUE(comes([&] { return !window->view().showsLive() && !renders(); }));
+    const pid_t first = rendererProcess();
+    ASSERT_NE(first, 0);
+    ASSERT_NO_FATAL_FAILURE(look(QStringLiteral("0.5 2 6 0 0 -1 60")));
+    const QImage moved = rendered(2);
+    EXPECT_TRUE(comes([&] { return window->view().picture() == moved; }));
+    EXPECT_EQ(rendererProcess(), first);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 1 off")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    const QImage edited = rendered(2);
+    EXPECT_NE(edited, moved);
+    EXPECT_TRUE(comes([&] { return window->view().picture() == edited; })) << "with what was edited";
+    EXPECT_EQ(rendererProcess(), first);
+    window->preferences().set(pref::stillAntialiasing, 3);
+    const QImage finer = rendered(3);
+    EXPECT_TRUE(comes([&] { return window->view().picture() == finer; }));
+    EXPECT_NE(rendererProcess(), first) << "other options need another";
+    action(ActionId::AtRestLive)->trigger();
+    EXPECT_TRUE(comes([&] { return rendererProcess() == 0; })) << "none is kept for nothing";
 }
 
 TEST_F(ProgressiveTest, QuickRenderIsTheRenderersPictureToo) {
@@ -127,7 +154,7 @@ TEST_F(ProgressiveTest, QuickRenderIsTheRenderersPictureToo) {
     EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }));
 }
 
-TEST_F(ProgressiveTest, AKeyShowsTheLivePictureInTheSameFrameAndEndsTheRenderer) {
+TEST_F(ProgressiveTest, AKeyShowsTheLivePictureInTheSameFrameAndEndsTheRendering) {
     ASSERT_NO_FATAL_FAILURE(open(16));
     ASSERT_TRUE(comes([&] { return renders(); }));
     ASSERT_TRUE(comes([&] { return !window->view().showsLive(); })) << "it refines what is seen";
@@ -263,7 +290,7 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
     }
     ::testing::Test::RecordProperty("pictures", shown);
     action(ActionId::AtRestLive)->trigger();
-    EXPECT_TRUE(comes([&] { return !renders(); })) << "none runs, and none is a zombie";
+    EXPECT_TRUE(comes([&] { return rendererProcess() == 0; })) << "none runs, and none is a zombie";
     EXPECT_LE(window->findChildren<QProcess*>().size(), 1) << "the server";
 }
 

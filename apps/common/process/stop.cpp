@@ -2,7 +2,21 @@
 
 #include "rtcore/platform/error.h"
 
+#include <atomic>
+
 namespace app {
+
+namespace {
+
+std::atomic<bool> workEnded{false};
+
+} // namespace
+
+bool stopRequested() noexcept { return stopSignal() != 0 || workEnded.load(std::memory_order_relaxed); }
+
+void endWork() noexcept { workEnded = true; }
+
+void beginWork() noexcept { workEnded = false; }
 
 void throwIfStopped() {
     if (stopRequested()) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");

@@ -21,9 +21,15 @@ void ignoreWritingSignals() noexcept;
 /// parent (parent.h). Safe from any thread.
 int stopSignal() noexcept;
 
-inline bool stopRequested() noexcept { return stopSignal() != 0; }
+/// Whether such a signal, or endWork(), asked to stop.
+bool stopRequested() noexcept;
 
-/// Throws rtcore::FileError (Stopped) when a signal asked to stop.
+/// Asks the work at hand to stop as a signal does, while the program goes on. Any thread.
+void endWork() noexcept;
+/// Before other work; a signal stays.
+void beginWork() noexcept;
+
+/// Throws rtcore::FileError (Stopped) when stopRequested().
 void throwIfStopped();
 
 /// 128 + the signal; Interrupted when work was stopped without one.

@@ -61,7 +61,9 @@ void RenderOperations::listen() {
     connect(&input, &InputCapture::keyPressed, this, &RenderOperations::interrupt);
     connect(&input, &InputCapture::turned, this, &RenderOperations::interrupt);
     connect(&context_.session, &Session::stateChanged, this, [this] {
-        if (!context_.session.live()) interrupt();
+        if (context_.session.live()) return;
+        interrupt();
+        preview_.leave();
     });
     connect(&context_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
     connect(&context_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
@@ -161,8 +163,11 @@ void RenderOperations::onFrame() {
 }
 
 void RenderOperations::onPreferences() {
+    if (!quick_ && !context_.preferences.get(pref::progressiveRendering)) {
+        if (settled_) interrupt();
+        return preview_.leave();
+    }
     const bool progressive = settled_ && !quick_;
-    if (progressive && !context_.preferences.get(pref::progressiveRendering)) return interrupt();
     if (progressive && !(stillQuality(context_.preferences) == rendered_)) return interrupt();
     if (!settled_ && mayRenderProgressively()) rest_.start();
 }
@@ -188,7 +193,8 @@ void RenderOperations::showActivity() {
     const FrameView& view = context_.view;
     if (preview_.active()) words.append(progressText());
     if (!preview_.active() && !view.showsLive()) words.append(tr("refined"));
-    if (!view.showsLive() && view.origin().paths) words.append(samplesText(view.origin().samples));
+    if (!view.showsLive() && view.origin().paths && view.origin().samples > 0)
+        words.append(samplesText(view.origin().samples));
     context_.view.setActivity(words.join(QStringLiteral("  ·  ")));
 }
 

@@ -24,9 +24,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPreviewPace = 15ms;
-constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last image is seen, however late that is
-constexpr int kMaxTries = 5;       ///< while the predecessor, on a busy machine, takes its time to die
-constexpr auto kEndPatience = 1s;  ///< with a Renderer that does not end when it is asked to
+constexpr int kMaxTries = 5;      ///< while the predecessor, on a busy machine, takes its time to die
+constexpr auto kKept = 10min;     ///< so long a Renderer holds its model for the next image
+constexpr auto kEndPatience = 1s; ///< with a Renderer that does not end when it is asked to
 
 int nextNumber() {
     static int number = 0;
@@ -34,7 +34,7 @@ int nextNumber() {
 }
 
 // Does not wait for the end. Until it has become a Renderer, a process may lose the request to end.
-void end(QProcess& process) {
+void endSoon(QProcess& process) {
     if (process.state() == QProcess::Starting) return process.kill();
     process.terminate();
     QTimer::singleShot(kEndPatience, &process, [&process] { process.kill(); });
@@ -47,11 +47,14 @@ PreviewProcess::PreviewProcess(Session& session, const ModelCache& models, QObje
     : QObject(parent), session_(session), models_(models), instance_(previewInstance(nextNumber())),
       run_(static_cast<quint64>(QDateTime::currentMSecsSinceEpoch()) * 1000) {
     connect(&timer_, &QTimer::timeout, this, &PreviewProcess::look);
+    patience_.setSingleShot(true);
+    patience_.setInterval(kKept);
+    connect(&patience_, &QTimer::timeout, this, &PreviewProcess::leave);
 }
 
 PreviewProcess::~PreviewProcess() {
     blockSignals(true);
-    cancel();
+    leave();
     const QList<QProcess*> dying = findChildren<QProcess*>();
     for (QProcess* process : dying) {
         process->disconnect();
@@ -65,8 +68,8 @@ PreviewProcess::~PreviewProcess() {
 
 qint64 PreviewProcess::process() const { return process_ == nullptr ? 0 : process_->processId(); }
 
-QString PreviewProcess::file(const QString& extension) const {
-    return folder_->file(QStringLiteral("%1.%2").arg(run_).arg(extension));
+QString PreviewProcess::file(const QString& extension, quint64 run) const {
+    return folder_->file(QStringLiteral("%1.%2").arg(run).arg(extension));
 }
 
 void PreviewProcess::render(const StillQuality& quality) {
@@ -74,6 +77,7 @@ void PreviewProcess::render(const StillQuality& quality) {
     if (folder_ == nullptr) folder_ = std::make_unique<PrivateFolder>("view");
     if (!folder_->trouble().isEmpty()) return fail(std::exchange(folder_, nullptr)->trouble());
     active_ = true;
+    patience_.stop();
     tries_ = 0;
     quality_ = quality;
     emit progressed();
@@ -83,22 +87,54 @@ void PreviewProcess::render(const StillQuality& quality) {
 // Answers that come after cancel() are another run's.
 void PreviewProcess::exportScene() {
     const auto wanted = [this, run = run_] { return active_ && run == run_; };
-    session_.send(command::exportScene(file(QStringLiteral("scn")).toStdString()), this,
-                  [this, wanted](const Answer& answer) {
-                      if (wanted() && !answer.done) fail(answer.text);
-                  });
-    session_.send(command::exportCamera(file(QStringLiteral("cam")).toStdString()), this,
-                  [this, wanted](const Answer& answer) {
-                      if (!wanted()) return;
-                      answer.done ? launch() : fail(answer.text);
-                  });
+    const auto fileOf = [this](const char* extension) {
+        return file(QLatin1String(extension), run_).toStdString();
+    };
+    session_.send(command::exportScene(fileOf("scn")), this, [this, wanted](const Answer& answer) {
+        if (wanted() && !answer.done) fail(answer.text);
+    });
+    session_.send(command::exportCamera(fileOf("cam")), this, [this, wanted](const Answer& answer) {
+        if (!wanted()) return;
+        answer.done ? ask() : fail(answer.text);
+    });
 }
 
-void PreviewProcess::launch() {
+QStringList PreviewProcess::options() const {
+    QStringList words{QStringLiteral("--preview=") + instance_, QStringLiteral("--stand-by"),
+                      QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
+                      QStringLiteral("--progress=none")};
+    return words + rendererOptions(quality_);
+}
+
+/// One that reads the scene's own model reads others as well, and has no use for what became of it since.
+bool PreviewProcess::serves(const QStringList& options, const QString& model) const {
+    return process_ != nullptr && process_->state() != QProcess::NotRunning && options == options_ &&
+           (model_.isEmpty() || model == model_);
+}
+
+/// The Renderer that is there, where it was started with the options that are wanted now, or another.
+void PreviewProcess::ask() {
+    const QStringList wanted = options();
+    const QString scene = file(QStringLiteral("scn"), run_), camera = file(QStringLiteral("cam"), run_);
+    const QString model = models_.find(scene);
+    if (serves(wanted, model)) {
+        process_->write(QStringLiteral("%1\t%2\t%3\n").arg(run_).arg(scene, camera).toUtf8());
+    } else {
+        end();
+        launch(wanted, model);
+    }
+    if (process_ == nullptr) return; // it failed to start
+    reader_.emplace(instance_, run_);
+    timer_.start(kPreviewPace);
+}
+
+void PreviewProcess::launch(const QStringList& options, const QString& model) {
     const QString program = programPath(QStringLiteral("Renderer"));
     if (program.isEmpty())
         return fail(tr("The program Renderer was found neither beside this one nor in PATH."));
     process_ = new QProcess(this);
+    options_ = options;
+    model_ = model;
     process_->setStandardOutputFile(QProcess::nullDevice());
     startInBackground(*process_);
     connect(process_, &QProcess::finished, this, [this](int exitCode, QProcess::ExitStatus status) {
@@ -107,19 +143,11 @@ void PreviewProcess::launch() {
     connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) fail(process_->errorString());
     });
-    QStringList words{file(QStringLiteral("scn")),
-                      QStringLiteral("--camera=") + file(QStringLiteral("cam")),
-                      QStringLiteral("--preview=") + instance_,
-                      QStringLiteral("--run-id=%1").arg(run_),
-                      QStringLiteral("--linger=%1").arg(kLingerSeconds),
-                      QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
-                      QStringLiteral("--progress=none")};
-    words += rendererOptions(quality_);
-    const QString model = models_.find(file(QStringLiteral("scn")));
+    QStringList words{file(QStringLiteral("scn"), run_),
+                      QStringLiteral("--camera=") + file(QStringLiteral("cam"), run_),
+                      QStringLiteral("--run-id=%1").arg(run_)};
     if (!model.isEmpty()) words.append(QStringLiteral("--model=") + model);
-    process_->start(program, words);
-    reader_.emplace(instance_, run_);
-    timer_.start(kPreviewPace);
+    process_->start(program, words + options);
 }
 
 void PreviewProcess::look() {
@@ -137,7 +165,7 @@ void PreviewProcess::look() {
 // Its last image can be read even now, by viewers that were attached before.
 void PreviewProcess::finish(int exitCode, bool crashed) {
     if (!crashed && exitCode == 0) look();
-    if (!active_) return;
+    if (!active_) return end();
     const bool later = !crashed && exitCode == static_cast<int>(app::ExitCode::TryAgain);
     if (later && ++tries_ < kMaxTries) return tryAgain();
     const QString words = translatedOutput(QString::fromUtf8(process_->readAllStandardError())).trimmed();
@@ -147,37 +175,48 @@ void PreviewProcess::finish(int exitCode, bool crashed) {
 void PreviewProcess::tryAgain() {
     timer_.stop();
     reader_.reset();
-    std::exchange(process_, nullptr)->deleteLater();
-    launch();
+    end();
+    ask();
 }
 
 void PreviewProcess::fail(const QString& text) {
     release();
+    end();
     emit failed(text);
 }
 
 void PreviewProcess::cancel() {
-    if (active_) release();
+    if (!active_) return;
+    if (process_ != nullptr) process_->write("\n");
+    release();
 }
 
+void PreviewProcess::leave() {
+    cancel();
+    end();
+}
+
+/// Its files stay until the next image but one: its Renderer may be about to read them.
 void PreviewProcess::release() {
     timer_.stop();
     reader_.reset();
-    if (process_ != nullptr) {
-        QProcess* const process = std::exchange(process_, nullptr);
-        process->disconnect(this);
-        // Its event reaps it; the destructor would wait for it.
-        connect(process, &QProcess::finished, process, &QObject::deleteLater);
-        process->state() == QProcess::NotRunning ? process->deleteLater() : end(*process);
-    }
     if (folder_ != nullptr) {
-        QFile::remove(file(QStringLiteral("scn")));
-        QFile::remove(file(QStringLiteral("cam")));
+        for (const char* extension : {"scn", "cam"}) QFile::remove(file(QLatin1String(extension), run_ - 1));
     }
     ++run_;
     active_ = false;
     progress_ = 0;
+    patience_.start();
     emit progressed();
+}
+
+void PreviewProcess::end() {
+    if (process_ == nullptr) return;
+    QProcess* const process = std::exchange(process_, nullptr);
+    process->disconnect(this);
+    // Its event reaps it; the destructor would wait for it.
+    connect(process, &QProcess::finished, process, &QObject::deleteLater);
+    process->state() == QProcess::NotRunning ? process->deleteLater() : endSoon(*process);
 }
 
 } // namespace gui
