@@ -33,12 +33,13 @@ struct FileStamp {
     friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// All that the scene is made of; without the view where the request has its own.
-std::string descriptionOf(const Request& request) {
+/// All that the scene is made of; without the view where the request has its own, and no light is placed by
+/// that of the scene.
+std::string descriptionOf(const Request& request, const rtcore::LightingOptions& lighting) {
     if (request.scene.extension() != ".scn") return request.scene.string();
     rtcore::SceneFile file = rtcore::readSceneFile(request.scene);
     file.bookmarks.clear();
-    if (!request.camera.empty()) {
+    if (!request.camera.empty() && !file.defaultLight && !lighting.preset) {
         file.camera.reset();
         file.cameraFile.reset();
     }
@@ -53,7 +54,7 @@ class OpenScene {
         : options_(options), settings_(settings), progress_(progress) {}
 
     void render(const Request& request, Preview& preview) {
-        std::string description = descriptionOf(request);
+        std::string description = descriptionOf(request, options_.lighting);
         if (maker_ == nullptr || description != description_ || changed()) {
             maker_.reset(); // its memory first
             options_.scene = request.scene;

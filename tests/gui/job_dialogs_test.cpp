@@ -8,6 +8,8 @@
 
 #include "bspbuilder/builder_spec.h"
 
+#include "rtcore/neural/net_files.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -140,12 +142,22 @@ TEST_F(JobDialogsTest, WhatPathsDoNotUseIsGrey) {
     EXPECT_TRUE(has("--integrator=path") && has("--samples=64"));
     for (const QString& word : dialog.arguments())
         EXPECT_FALSE(word.startsWith(QLatin1String("--a"))) << text(word);
+    auto* denoising = field<QComboBox>(dialog, "Denoise");
+    const bool net = !rtcore::findNet(rtcore::fileOf(rtcore::Net::Base)).file.empty();
+    EXPECT_TRUE(has(net ? "--denoise=base" : "--setting=path.filter=4")) << "unless the user wants noise";
+    denoising->setCurrentIndex(2);
+    EXPECT_TRUE(has("--denoise=large"));
+    denoising->setCurrentIndex(3);
+    EXPECT_TRUE(has("--denoise=off") && has("--setting=path.filter=4"));
+    denoising->setCurrentIndex(4);
+    EXPECT_TRUE(has("--denoise=off") && has("--setting=path.filter=0"));
     EXPECT_FALSE(has("--setting=path.seedPerFrame=true")) << "for lists";
     dialog.setSource(RenderDialog::Source::List);
     EXPECT_TRUE(has("--setting=path.seedPerFrame=true"));
     dialog.setSource(RenderDialog::Source::Scene);
 
     integrator->setCurrentIndex(0);
+    EXPECT_FALSE(denoising->isEnabled());
     EXPECT_EQ(dialog.arguments(), before);
     EXPECT_TRUE(rays->isEnabled() && antialiasing->isEnabled() && distance->isEnabled());
 }

@@ -161,6 +161,17 @@ TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
                                     QStringLiteral("--setting=exposure.recorded=automatic"),
                                     QStringLiteral("--setting=path.filter=4"),
                                     QStringLiteral("--setting=denoise.net=automatic")}));
+    const auto denoising = [&] { return rendererOptions(stillQuality(preferences)).mid(4); };
+    preferences.set(pref::stillDenoise, QStringLiteral("filter"));
+    EXPECT_EQ(denoising(), (QStringList{QStringLiteral("--setting=path.filter=4"),
+                                        QStringLiteral("--setting=denoise.net=off")}));
+    const QStringList off{QStringLiteral("--setting=path.filter=0"),
+                          QStringLiteral("--setting=denoise.net=off")};
+    preferences.set(pref::stillDenoise, QStringLiteral("off"));
+    EXPECT_EQ(denoising(), off);
+    preferences.set(pref::stillDenoise, QString());
+    preferences.set(pref::stillFilter, 0);
+    EXPECT_EQ(denoising(), off) << "as it was stored before there were nets";
     std::vector<std::string> words{"room.obj", "-o", "a.png", "-w", "8", "-h", "8"};
     for (const QString& option : byPaths) words.push_back(option.toStdString());
     EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);

@@ -5,6 +5,7 @@
 #include "gui/dialogs/key_bindings_page.h"
 #include "gui/models/at_rest.h"
 #include "gui/models/mouse_scheme.h"
+#include "gui/models/still_quality.h"
 #include "gui/session/session.h"
 #include "gui/view/plain_widgets.h"
 
@@ -181,8 +182,8 @@ void ConfigureDialog::addStillQuality(QFormLayout& form) {
     const QString asLive = tr("same as viewport");
     constexpr int kMaxPaths = 65536, kMaxFilterPasses = 8;
     addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 0, kMaxPaths, {}, asLive);
-    addNumber(form, tr("Global illumination, noise &filter:"), pref::stillFilter, 0, kMaxFilterPasses,
-              tr(" passes"), tr("none"));
+    addDenoise(form);
+    addNumber(form, tr("Passes of the &filter:"), pref::stillFilter, 1, kMaxFilterPasses, {}, {});
     addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMaxSamples, {}, {});
     auto* occlusion = new QComboBox;
     occlusion->addItem(asLive, QStringLiteral("live"));
@@ -195,6 +196,16 @@ void ConfigureDialog::addStillQuality(QFormLayout& form) {
     addNumber(form, tr("Quick render, occlusion &rays:"), pref::stillOcclusionSamples, 0, kMaxRays, {},
               asLive);
     addNumber(form, tr("Quick render, &bloom:"), pref::stillBloom, -1, kMaxBloom, tr(" pixels"), asLive);
+}
+
+void ConfigureDialog::addDenoise(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->addItem(tr("by a net; by the filter where its weights are missing"), nameOf(StillDenoise::Net));
+    box->addItem(tr("by the filter"), nameOf(StillDenoise::Filter));
+    box->addItem(tr("off"), nameOf(StillDenoise::Off));
+    box->setCurrentIndex(qMax(0, box->findData(nameOf(stillDenoise(preferences_)))));
+    form.addRow(tr("Global illumination, &denoise:"), box);
+    stores_.append([this, box] { preferences_.set(pref::stillDenoise, box->currentData().toString()); });
 }
 
 void ConfigureDialog::addSensitivity(QFormLayout& form) {

@@ -39,6 +39,7 @@ class ConfigureDialog : public QDialog {
     void addAtRest(QFormLayout& form);
     void addScale(QFormLayout& form);
     void addStillQuality(QFormLayout& form);
+    void addDenoise(QFormLayout& form);
     void addSensitivity(QFormLayout& form);
     void askForBindings();
     void finish();

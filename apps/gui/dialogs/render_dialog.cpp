@@ -6,9 +6,12 @@
 #include "gui/models/option_names.h"
 #include "gui/processes/private_folder.h"
 #include "gui/processes/programs.h"
+#include "gui/session/server_sentence.h"
 
 #include "renderer/film_format.h"
 #include "renderer/renderer_spec.h"
+
+#include "rtcore/neural/net_files.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,6 +20,7 @@
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QStandardItemModel>
 
 namespace gui {
 
@@ -29,9 +33,10 @@ QStringList ownOptions() {
                                              "video",        "integrator", "samples",
                                              "antialiasing", "bloom",      "ambient-occlusion",
                                              "ao-samples",   "set",        "no-ambient-occlusion",
-                                             "format",       "preview",    "run-id",
-                                             "linger",       "progress",   "parent",
-                                             "requeue",      "verify",     "debug-scene"};
+                                             "denoise",      "stand-by",   "format",
+                                             "preview",      "run-id",     "linger",
+                                             "progress",     "parent",     "requeue",
+                                             "verify",       "debug-scene"};
     QStringList names;
     for (const char* name : kNames) names.append(QLatin1String(name));
     return names;
@@ -39,6 +44,8 @@ QStringList ownOptions() {
 
 enum Size { AsTheScene, Fixed };
 enum Integrator { IntegratorAsTheScene, Whitted, Path };
+/// In the order of their items.
+enum Denoising { UsualNet, SmallNet, LargeNet, Filter, NotDenoised };
 enum Occlusion { OcclusionAsTheScene, OcclusionOn, OcclusionOff };
 
 QString filmFilter() {
@@ -106,6 +113,7 @@ void RenderDialog::makeFields(const RenderContext& context) {
     samples_->setSpecialValueText(tr("from scene"));
     samples_->setSuffix(tr(" samples per pixel"));
     integratorRow_ = rowOfFields({integrator_, samples_});
+    makeDenoising();
     newNoise_ = new QCheckBox(tr("&Vary noise per frame"));
     newNoise_->setChecked(true);
     newNoise_->setToolTip(tr("Noise that stands still in a film looks like dirt on the glass.") +
@@ -125,6 +133,22 @@ void RenderDialog::makeFields(const RenderContext& context) {
     bloom_->setSuffix(tr(" pixels"));
 }
 
+/// By a net, where its weights are: the image of few samples is finished then.
+void RenderDialog::makeDenoising() {
+    denoising_ = new QComboBox;
+    denoising_->addItems({tr("by the net"), tr("by the small net, faster"), tr("by the large net, slower"),
+                          tr("by the filter"), tr("off")});
+    denoising_->setAccessibleName(tr("Denoise"));
+    const rtcore::FoundNet net = rtcore::findNet(rtcore::fileOf(rtcore::Net::Base));
+    if (!net.file.empty()) return;
+    auto* items = qobject_cast<QStandardItemModel*>(denoising_->model());
+    for (const int item : {UsualNet, SmallNet, LargeNet}) {
+        items->item(item)->setEnabled(false);
+        items->item(item)->setToolTip(translated(net.missing));
+    }
+    denoising_->setCurrentIndex(Filter);
+}
+
 void RenderDialog::layOut() {
     form().addRow(tr("&What:"), source_);
     form().addRow(tr("&Scene or model:"), scene_);
@@ -135,6 +159,7 @@ void RenderDialog::layOut() {
     form().addRow(tr("&Output:"), output_);
     form().addRow(tr("&Resolution:"), sizeRow_);
     form().addRow(tr("&Quality:"), integratorRow_);
+    form().addRow(tr("De&noise:"), denoising_);
     form().addRow(QString(), newNoise_);
     form().addRow(tr("&Anti-aliasing:"), antialiasing_);
     form().addRow(tr("Ambient occl&usion:"), occlusionRow_);
@@ -147,6 +172,7 @@ void RenderDialog::layOut() {
                                                         {output_, "output"},
                                                         {integrator_, "integrator"},
                                                         {samples_, "samples"},
+                                                        {denoising_, "denoise"},
                                                         {antialiasing_, "antialiasing"},
                                                         {occlusionRays_, "ao-samples"},
                                                         {occlusion_, "ambient-occlusion"},
@@ -162,7 +188,7 @@ void RenderDialog::listen() {
     connect(list_, &FileField::pathChanged, this, &RenderDialog::proposeFilm);
     for (FileField* field : {scene_, camera_, list_, output_, film_, settings_})
         connect(field, &FileField::pathChanged, this, &RenderDialog::check);
-    for (QComboBox* box : {size_, integrator_, occlusion_}) {
+    for (QComboBox* box : {size_, integrator_, occlusion_, denoising_}) {
         connect(box, &QComboBox::currentIndexChanged, this, &RenderDialog::enableFields);
         connect(box, &QComboBox::currentIndexChanged, this, &RenderDialog::check);
     }
@@ -178,6 +204,7 @@ void RenderDialog::enableFields() {
     width_->setEnabled(size_->currentIndex() == Fixed);
     height_->setEnabled(size_->currentIndex() == Fixed);
     samples_->setEnabled(byPaths());
+    denoising_->setEnabled(byPaths());
     newNoise_->setEnabled(byPaths());
     antialiasing_->setEnabled(!byPaths());
     occlusion_->setEnabled(!byPaths());
@@ -271,7 +298,27 @@ QStringList RenderDialog::integratorArguments() const {
     if (samples_->value() > 0) words.append(QStringLiteral("--samples=%1").arg(samples_->value()));
     if (source() == Source::List && newNoise_->isChecked())
         words.append(QStringLiteral("--setting=path.seedPerFrame=true"));
-    return words;
+    return words + denoisingArguments();
+}
+
+QStringList RenderDialog::denoisingArguments() const {
+    const auto off = [](int passes) {
+        return QStringList{QStringLiteral("--denoise=off"),
+                           QStringLiteral("--setting=path.filter=%1").arg(passes)};
+    };
+    constexpr int kPasses = 4; // as for the image at rest
+    switch (denoising_->currentIndex()) {
+    case UsualNet:
+        return {QStringLiteral("--denoise=base")};
+    case SmallNet:
+        return {QStringLiteral("--denoise=small")};
+    case LargeNet:
+        return {QStringLiteral("--denoise=large")};
+    case Filter:
+        return off(kPasses);
+    default:
+        return off(0) << QStringLiteral("--setting=denoise.passes=0");
+    }
 }
 
 QStringList RenderDialog::occlusionArguments() const {

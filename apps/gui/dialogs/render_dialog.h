@@ -52,6 +52,7 @@ class RenderDialog : public JobDialog {
 
   private:
     void makeFields(const RenderContext& context);
+    void makeDenoising();
     void layOut();
     void listen();
     void onSource();
@@ -62,6 +63,7 @@ class RenderDialog : public JobDialog {
     QString exported(const QString& name) const;
     QStringList qualityArguments() const;
     QStringList integratorArguments() const;
+    QStringList denoisingArguments() const;
     QStringList occlusionArguments() const;
     bool byPaths() const;
     void enableFields();
@@ -72,7 +74,7 @@ class RenderDialog : public JobDialog {
     QComboBox* source_;
     FileField *scene_, *camera_, *list_, *output_, *film_, *settings_;
     QLineEdit* frames_;
-    QComboBox *size_, *integrator_, *occlusion_;
+    QComboBox *size_, *integrator_, *denoising_, *occlusion_;
     QSpinBox *width_, *height_, *samples_, *antialiasing_, *occlusionRays_, *bloom_;
     QCheckBox* newNoise_; ///< in each frame of a list
     QWidget *sizeRow_, *integratorRow_, *occlusionRow_;

@@ -26,8 +26,9 @@ inline const Preference<QString> theme{"display/theme", QStringLiteral("system")
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<bool> globalIllumination{"render/globalIllumination", true}; ///< at rest
-inline const Preference<int> stillPathSamples{"render/stillPathSamples", 0}; ///< 0 = as the live frame
-inline const Preference<int> stillFilter{"render/stillFilter", 4};           ///< passes over paths; 0 = none
+inline const Preference<int> stillPathSamples{"render/stillPathSamples", 0};     ///< 0 = as the live frame
+inline const Preference<QString> stillDenoise{"render/stillDenoise", QString()}; ///< StillDenoise
+inline const Preference<int> stillFilter{"render/stillFilter", 4}; ///< passes over paths where no net is
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live frame
 inline const Preference<QString> stillOcclusion{"render/stillOcclusion", QStringLiteral("live")}; ///< on, off

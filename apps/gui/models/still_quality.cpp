@@ -4,10 +4,30 @@
 
 namespace gui {
 
+StillDenoise stillDenoise(const Preferences& preferences) {
+    const QString stored = preferences.get(pref::stillDenoise);
+    for (const StillDenoise each : {StillDenoise::Net, StillDenoise::Filter, StillDenoise::Off})
+        if (stored == nameOf(each)) return each;
+    return preferences.get(pref::stillFilter) > 0 ? StillDenoise::Net : StillDenoise::Off;
+}
+
+QString nameOf(StillDenoise how) {
+    switch (how) {
+    case StillDenoise::Net:
+        return QStringLiteral("net");
+    case StillDenoise::Filter:
+        return QStringLiteral("filter");
+    case StillDenoise::Off:
+        break;
+    }
+    return QStringLiteral("off");
+}
+
 StillQuality stillQuality(const Preferences& preferences) {
     StillQuality quality;
     quality.byPaths = preferences.get(pref::globalIllumination);
     quality.paths = preferences.get(pref::stillPathSamples);
+    quality.denoise = stillDenoise(preferences);
     quality.filter = preferences.get(pref::stillFilter);
     quality.antialiasing = preferences.get(pref::stillAntialiasing);
     quality.bloom = preferences.get(pref::stillBloom);
@@ -26,10 +46,11 @@ QStringList rendererOptions(const StillQuality& quality) {
         if (quality.paths > 0) options.append(QStringLiteral("--samples=%1").arg(quality.paths));
         // There is more light than in the live frame, whose exposure comes with the camera. Noise is filtered
         // from the first sample to the last, so that the image never gets worse.
+        const bool off = quality.denoise == StillDenoise::Off, byNet = quality.denoise == StillDenoise::Net;
         return options << QStringLiteral("--setting=exposure.recorded=automatic")
-                       << QStringLiteral("--setting=path.filter=%1").arg(quality.filter)
+                       << QStringLiteral("--setting=path.filter=%1").arg(off ? 0 : quality.filter)
                        << QStringLiteral("--setting=denoise.net=%1")
-                              .arg(quality.filter > 0 ? QLatin1String("automatic") : QLatin1String("off"));
+                              .arg(byNet ? QLatin1String("automatic") : QLatin1String("off"));
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));

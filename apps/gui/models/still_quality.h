@@ -1,6 +1,7 @@
 /// How well an image at rest is rendered: progressive rendering and quick render.
 #pragma once
 
+#include <QString>
 #include <QStringList>
 
 namespace gui {
@@ -10,12 +11,21 @@ class Preferences;
 /// Ambient occlusion of a still image: as in the live frame, on, or off.
 enum class StillOcclusion { AsLive, On, Off };
 
+/// How noise is taken from an image by paths.
+enum class StillDenoise { Net, Filter, Off };
+
+/// By its stored name: "net", "filter", "off". Else by what was stored before there were nets: no passes of
+/// the filter mean that noise stays.
+StillDenoise stillDenoise(const Preferences& preferences);
+QString nameOf(StillDenoise how);
+
 struct StillQuality {
     bool byPaths = false; ///< with all light that surfaces send to each other
     int paths = 0;        ///< per pixel; 0 = as the scene's settings have it, which its quality sets
-    int filter = 4;       ///< passes that take noise from these; 0 = none
-    int antialiasing = 1; ///< n x n samples per pixel; not of paths, nor is occlusion
-    int bloom = -1;       ///< pixels; -1 = as the live frame
+    StillDenoise denoise = StillDenoise::Net; ///< of these; without weights by the filter
+    int filter = 4;                           ///< its passes
+    int antialiasing = 1;                     ///< n x n samples per pixel; not of paths, nor is occlusion
+    int bloom = -1;                           ///< pixels; -1 = as the live frame
     StillOcclusion occlusion = StillOcclusion::AsLive;
     int occlusionSamples = 0; ///< rays per point; 0 = as the live frame
 

@@ -1482,16 +1482,24 @@ Alt+%2</translation>
         <translation>&amp;Tažení:</translation>
     </message>
     <message>
-        <source>Global illumination, noise &amp;filter:</source>
-        <translation>Globální osvětlení, &amp;filtr šumu:</translation>
-    </message>
-    <message>
-        <source> passes</source>
-        <translation> průchodů</translation>
-    </message>
-    <message>
         <source>Image at &amp;rest:</source>
         <translation>Obraz v klid&amp;u:</translation>
+    </message>
+    <message>
+        <source>Passes of the &amp;filter:</source>
+        <translation>Průchody &amp;filtru:</translation>
+    </message>
+    <message>
+        <source>by a net; by the filter where its weights are missing</source>
+        <translation>sítí; filtrem tam, kde chybějí její váhy</translation>
+    </message>
+    <message>
+        <source>by the filter</source>
+        <translation>filtrem</translation>
+    </message>
+    <message>
+        <source>Global illumination, &amp;denoise:</source>
+        <translation>Globální osvětlení, odstra&amp;nění šumu:</translation>
     </message>
 </context>
 <context>
@@ -2879,6 +2887,30 @@ Alt+%2</translation>
     <message>
         <source>&amp;Quality:</source>
         <translation>&amp;Kvalita:</translation>
+    </message>
+    <message>
+        <source>by the net</source>
+        <translation>sítí</translation>
+    </message>
+    <message>
+        <source>by the small net, faster</source>
+        <translation>malou sítí, rychleji</translation>
+    </message>
+    <message>
+        <source>by the large net, slower</source>
+        <translation>velkou sítí, pomaleji</translation>
+    </message>
+    <message>
+        <source>by the filter</source>
+        <translation>filtrem</translation>
+    </message>
+    <message>
+        <source>Denoise</source>
+        <translation>Odstranit šum</translation>
+    </message>
+    <message>
+        <source>De&amp;noise:</source>
+        <translation>O&amp;dstranit šum:</translation>
     </message>
 </context>
 <context>

@@ -1013,6 +1013,14 @@
         <translation>kolik sekund lze najít poslední snímek náhledu [2]</translation>
     </message>
     <message>
+        <source>Stand by</source>
+        <translation>Pohotovost</translation>
+    </message>
+    <message>
+        <source>after that image, show those that lines on standard input ask for, until it ends</source>
+        <translation>po tomto obrázku ukazovat ty, o které žádají řádky na standardním vstupu, dokud neskončí</translation>
+    </message>
+    <message>
         <source>Running</source>
         <translation>Běh</translation>
     </message>

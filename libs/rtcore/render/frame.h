@@ -21,7 +21,7 @@ struct CheckedPixel {
 struct Frame {
     HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
     std::vector<std::uint8_t>
-        covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
+        covered;   ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
     Aovs aovs;     ///< empty unless they were asked for
     Guides guides; ///< the same
     std::vector<SeenPoint> seen; ///< per pixel; empty unless they were asked for

@@ -51,7 +51,7 @@ bool PathImages::renderPaths(const View& view, RenderControl& control, const Ima
     if (request.show) {
         const bool filtered = !denoisesByNet(view.settings);
         if (filtered) {
-            const Share own = share();
+            const Span own = span();
             enter({own.before, 0}, control);
             if (!findSurfaces(view, control, 1)) return false;
             enter(own, control);
@@ -73,14 +73,14 @@ bool PathImages::renderPaths(const View& view, RenderControl& control, const Ima
 /// was.
 bool PathImages::findGuides(const View& view, RenderControl& control, GuideRays rays, Frame& frame) {
     if (!frame.guides.empty() && guideRays_ == rays) return true;
-    const Share own = share();
+    const Span own = span();
     const std::uint64_t tiles = control.tiles, done = control.tilesDone;
-    if (!frame.guides.empty()) setShare({fraction(control), 0});
+    if (!frame.guides.empty()) setSpan({fraction(control), 0});
     const bool whole = rays_.renderGuides(view, 1, rays, control, frame.guides);
     guideRays_ = rays;
     control.tilesDone = done;
     control.tiles = tiles;
-    setShare(own);
+    setSpan(own);
     return whole;
 }
 
@@ -96,23 +96,23 @@ bool PathImages::findSurfaces(const View& view, RenderControl& control, int samp
 }
 
 /// Begins work that the control counts from 0.
-void PathImages::enter(const Share& share, RenderControl& control) {
+void PathImages::enter(const Span& span, RenderControl& control) {
     control.tilesDone = 0;
-    setShare(share);
+    setSpan(span);
 }
 
-void PathImages::setShare(const Share& share) {
+void PathImages::setSpan(const Span& span) {
     const std::lock_guard lock(mutex_);
-    share_ = share;
+    span_ = span;
 }
 
-PathImages::Share PathImages::share() const {
+PathImages::Span PathImages::span() const {
     const std::lock_guard lock(mutex_);
-    return share_;
+    return span_;
 }
 
 double PathImages::fraction(const RenderControl& control) const {
-    const Share now = share();
+    const Span now = span();
     return now.before + now.size * std::min(control.fraction(), 1.0);
 }
 

@@ -17,12 +17,12 @@ class PathImages : public ImageRenderer {
 
   private:
     /// The part of an image's time that the work at hand takes, which its control counts.
-    struct Share {
+    struct Span {
         double before = 0, size = 0;
     };
-    void enter(const Share& share, RenderControl& control);
-    void setShare(const Share& share);
-    Share share() const;
+    void enter(const Span& span, RenderControl& control);
+    void setSpan(const Span& span);
+    Span span() const;
     bool findSurfaces(const View& view, RenderControl& control, int samples);
     bool findGuides(const View& view, RenderControl& control, GuideRays rays, Frame& frame);
     bool showCoarse(const View& view, RenderControl& control, const ImageRequest& request);
@@ -34,7 +34,7 @@ class PathImages : public ImageRenderer {
     Frame coarse_;   ///< the first that is shown
     GuideRays guideRays_ = GuideRays::All;
     mutable std::mutex mutex_; ///< guards all below
-    Share share_;
+    Span span_;
 };
 
 } // namespace rtcore

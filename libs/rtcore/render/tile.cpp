@@ -151,11 +151,11 @@ void TileRenderer::traceRays() {
 }
 
 void TileRenderer::addNormals() {
-    const float share = 1.0F / static_cast<float>(settings_->antialiasing * settings_->antialiasing);
+    const float weight = 1.0F / static_cast<float>(settings_->antialiasing * settings_->antialiasing);
     const std::span<const Vec3> normals = integrator_.normals();
     const auto width = static_cast<std::size_t>(settings_->width);
     for (std::size_t i = 0; i < samples_.size(); ++i)
-        (*normals_)[samples_[i].y * width + samples_[i].x] += normals[i] * share;
+        (*normals_)[samples_[i].y * width + samples_[i].x] += normals[i] * weight;
 }
 
 /// Keeps for each pixel the hit of the sample in its middle, or next to it; of another where that is not
