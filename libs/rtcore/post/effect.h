@@ -15,6 +15,8 @@ namespace rtcore {
 
 class Aovs;
 class UNet;
+struct NetReport;
+struct SampleHalves;
 
 /// Parameters shared by all effects of an image.
 struct EffectRun {
@@ -23,6 +25,8 @@ struct EffectRun {
     float exposure = 1;             ///< the constant c of L = Y / (Y + c); for EffectStage::Display
     std::shared_ptr<const UNet> net = {};    ///< of netOf() the settings; null: there is none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
+    const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
+    NetReport* netReport = nullptr;          ///< gets what a net did; null: nobody wants to know
 };
 
 /// The pixels from column `left` to before `right` of row `y` of an image of `width` x `height`.

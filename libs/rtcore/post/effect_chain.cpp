@@ -11,11 +11,13 @@ EffectChain::EffectChain() {
 
 const HdrImage& EffectChain::apply(const Frame& frame, const EffectRun& run) {
     const HdrImage* picture = &frame.radiance;
+    EffectRun withHalves = run;
+    if (!frame.halves.empty()) withHalves.halves = &frame.halves;
     for (std::size_t i = 0; i < effects_.size(); ++i) {
         const EffectRow& row = *effects()[i];
         if (row.stage != EffectStage::Radiance || !row.wanted(run.settings)) continue;
         if (row.needsAovs && frame.aovs.empty()) continue;
-        picture = &effects_[i]->apply(*picture, frame.aovs, run);
+        picture = &effects_[i]->apply(*picture, frame.aovs, withHalves);
         if (run.stop != nullptr && *run.stop) return frame.radiance;
     }
     return *picture;

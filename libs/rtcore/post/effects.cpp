@@ -5,6 +5,8 @@
 #include "rtcore/post/local_exposure.h"
 #include "rtcore/post/net_denoise.h"
 #include "rtcore/render/aovs.h"
+#include "rtcore/render/image_sums.h"
+#include "rtcore/render/sample_halves.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +25,7 @@ std::span<const EffectRow* const> effects() { return kEffects; }
 std::size_t effectBytesPerPixel(const RenderSettings& settings) {
     std::size_t bytes = effectsNeedAovs(settings) ? Aovs::bytesPerPixel() : 0;
     for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
+    if (mixesWithNet(settings)) bytes += SampleHalves::kBytesPerPixel + ImageSums::kHalfBytesPerPixel;
     return bytes;
 }
 

@@ -3,6 +3,7 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/render/aovs.h"
+#include "rtcore/render/sample_halves.h"
 #include "rtcore/render/seen_point.h"
 #include "rtcore/scene/image.h"
 
@@ -27,6 +28,7 @@ struct Frame {
     std::vector<float> metered;
     /// Pixels traced for comparison in a frame that reuses samples: they stand for all of its pixels.
     std::vector<CheckedPixel> checked;
+    SampleHalves halves; ///< of radiance; empty but for images by paths that are mixed with a net's
     RayStatistics statistics;
 };
 

@@ -60,6 +60,7 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     }
     frame.metered.clear();
     frame.checked.clear();
+    frame.halves = {};
 }
 
 /// Prepares everything that depends on the scene and the settings.
