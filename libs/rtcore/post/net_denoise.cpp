@@ -83,24 +83,30 @@ void NetDenoise::keepBackground(const HdrImage& picture, const Aovs& aovs, int t
     }
 }
 
-/// Makes what the net makes of a half without its bright dots.
-bool NetDenoise::clean(const HdrImage& half, const HdrImage& other, const Aovs& aovs, const EffectRun& run,
-                       HdrImage& result, TakenDots& dots) {
-    const TakenDots taken = copyWithoutDots(half, other, input_, run.threads);
+/// Runs the net on a half without its bright dots, and takes their light from input_, the mean of all samples.
+bool NetDenoise::cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const Aovs& aovs,
+                           const EffectRun& run, HdrImage& result, TakenDots& dots) {
+    const TakenDots taken = copyWithoutDots(half, other, image_, run.threads);
     dots.pixels += taken.pixels;
     dots.light += taken.light;
-    return runNet(input_, aovs, run, result);
+    for (std::size_t i = 0; i < half.pixels.size(); ++i)
+        if (image_.pixels[i] != half.pixels[i])
+            input_.pixels[i] = input_.pixels[i] - (half.pixels[i] - image_.pixels[i]) * fraction;
+    return runNet(image_, aovs, run, result);
 }
 
 bool NetDenoise::mix(const HdrImage& picture, const Aovs& aovs, const EffectRun& run, NetReport& report) {
     const SampleHalves& halves = *run.halves;
+    const float fraction = halves.firstFraction;
     TakenDots dots;
-    if (!clean(halves.first, halves.second, aovs, run, image_, dots) ||
-        !clean(halves.second, halves.first, aovs, run, second_, dots))
+    input_ = picture;
+    if (!cleanHalf(halves.first, halves.second, fraction, aovs, run, first_, dots) ||
+        !cleanHalf(halves.second, halves.first, 1 - fraction, aovs, run, second_, dots) ||
+        !runNet(input_, aovs, run, image_))
         return false;
     coverage_.resize(picture.pixels.size());
     std::ranges::transform(aovs.pixels(), coverage_.begin(), coverageOf);
-    const EstimatedError error = mixWithNet({picture, halves, image_, second_, coverage_}, image_, run.threads);
+    const EstimatedError error = mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
     report.mixed = true;
     report.error = error.all;
     report.largestError = error.largestBlock;

@@ -21,23 +21,24 @@ std::optional<Net> netOf(const RenderSettings& settings);
 /// The U-Net of Open Image Denoise over radiance, albedo and normals. Pixels that all samples saw as
 /// background have no noise, and stay to the bit; so does the whole image without EffectRun::net, or without
 /// AOVs of its size. With halves of at least kMixedSamples it is mixed with the sampled image (net_mix.h), for
-/// which the net runs twice. Not for parts of previews.
+/// which the net runs three times. Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
 
     /// Memory that is kept for each pixel, beside that of the net for a tile (NetDenoiser::kMaxPixels).
-    static constexpr std::size_t bytesPerPixel() { return 3 * sizeof(Colour) + sizeof(PixelCoverage); }
+    static constexpr std::size_t bytesPerPixel() { return 4 * sizeof(Colour) + sizeof(PixelCoverage); }
 
   private:
     bool runNet(const HdrImage& picture, const Aovs& aovs, const EffectRun& run, HdrImage& result);
     bool mix(const HdrImage& picture, const Aovs& aovs, const EffectRun& run, NetReport& report);
-    bool clean(const HdrImage& half, const HdrImage& other, const Aovs& aovs, const EffectRun& run,
-               HdrImage& result, TakenDots& dots);
+    bool cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const Aovs& aovs,
+                   const EffectRun& run, HdrImage& result, TakenDots& dots);
     void keepBackground(const HdrImage& picture, const Aovs& aovs, int threads);
 
     std::optional<NetDenoiser> denoiser_; ///< of the net that was used last
-    HdrImage image_, second_, input_;     ///< the last two where it mixes
+    HdrImage image_;                      ///< the result
+    HdrImage first_, second_, input_;     ///< of the halves, and without bright dots, where it mixes
     std::vector<PixelCoverage> coverage_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int kBlock = 8;
 constexpr float kKey = 0.18F;                       ///< of the usual exposure
 constexpr double kDarkest = 0.01;                   ///< what squares of darker pixels count as, of the mean's
-constexpr double kExactCodes = 0.25, kNoisyCodes = 1; ///< standard errors: not seen, and seen
+constexpr double kExactCodes = 0.25, kNoisyCodes = 0.5; ///< standard errors: not seen, and nearly seen
 
 /// A mean over the channels.
 double meanProduct(Colour a, Colour b) {
@@ -30,10 +30,6 @@ double squared(double a) { return a * a; }
 
 std::size_t pixelIndex(const HdrImage& image, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-}
-
-Colour meanOfNets(const NetMixInput& input, std::size_t i) {
-    return (input.netFirst.pixels[i] + input.netSecond.pixels[i]) * 0.5F;
 }
 
 /// f (1 - f): the variance of the mean of all samples, as a fraction of the expected (A - B)^2.
@@ -66,26 +62,57 @@ class UsualDisplay {
     float scale_;
 };
 
-/// Sums over the pixels of a block that are covered alike; squares by UsualDisplay::weight().
+/// Sums over pixels that are covered alike, of squares by UsualDisplay::weight().
 struct BlockPool {
-    double error = 0; ///< squared, of the mean of the nets' images; below 0 by chance where it is small
-    double noise = 0; ///< variance of the sampled image
+    double apart = 0;   ///< D: net's image less sampled one
+    double noise = 0;   ///< V, variance of the sampled image
+    double kept = 0;    ///< C, of its noise in the net's image
+    double nets = 0;    ///< variance of the mean of the nets of the halves
+    double squares = 0; ///< of D - V + C
     double pixels = 0;
 
     void add(const BlockPool& other, double times) {
-        error += other.error * times;
+        apart += other.apart * times;
         noise += other.noise * times;
+        kept += other.kept * times;
+        nets += other.nets * times;
+        squares += other.squares * times;
         pixels += other.pixels * times;
     }
 };
-/// What a pixel adds, yet without a weight.
-BlockPool poolOf(const NetMixInput& input, std::size_t i) {
+
+BlockPool poolOf(const NetMixInput& input, std::size_t i, double weight) {
     const Colour a = input.halves.first.pixels[i], b = input.halves.second.pixels[i];
     const Colour netA = input.netFirst.pixels[i], netB = input.netSecond.pixels[i];
-    const double apart = squared(a - b);
-    const double one = (squared(netA - b) + squared(netB - a)) / 2 - apart / 2;
-    return {one - squared(netA - netB) / 4, noiseOfMean(input.halves) * apart, 1};
+    const Colour between = a - b;
+    BlockPool pool{.apart = squared(input.net.pixels[i] - input.sampled.pixels[i]) * weight,
+                   .noise = noiseOfMean(input.halves) * squared(between) * weight,
+                   .kept = ((meanProduct(netA - b, between) - meanProduct(netB - a, between)) / 2 -
+                            squared(between) / 2) / 2 * weight,
+                   .nets = squared(netA - netB) / 4 * weight,
+                   .pixels = 1};
+    pool.squares = squared(pool.apart - pool.noise + pool.kept);
+    return pool;
 }
+
+/// Expected squares of a pixel, by its pool.
+struct ExpectedSquares {
+    double net;   ///< of the net's image: its error, E
+    double noise; ///< of the sampled image, V
+    double kept;  ///< of the noise that both have, C
+    double sure;  ///< E - C, less a standard error
+
+    explicit ExpectedSquares(const BlockPool& pool) {
+        const double apart = pool.apart / pool.pixels, all = pool.noise / pool.pixels;
+        kept = std::clamp(pool.kept / pool.pixels, 0.0, all);
+        // Halves that share the strata of a sequence differ by more than their noise explains.
+        noise = std::min(all, apart + 2 * kept);
+        const double wrong = apart - all + kept;
+        const double variance = std::max(pool.squares / pool.pixels - squared(wrong), 0.0) / pool.pixels;
+        sure = std::max(wrong - std::sqrt(variance), 0.0);
+        net = std::max(apart - noise + 2 * kept, pool.nets / pool.pixels);
+    }
+};
 
 /// Pixels of an image without those beyond its borders, in blocks.
 struct PixelBlocks {
@@ -188,13 +215,18 @@ class BlockPools {
         return pool;
     }
 
+    /// The same without its neighbours.
+    const BlockPool& ofBlock(int x, int y, PixelCoverage coverage) const {
+        return pools_[indexOf(x / kBlock, y / kBlock, coverage)];
+    }
+
   private:
     void fill(const NetMixInput& input, const UsualDisplay& display, int column, int row) {
         blocks_.forEach(column, row, [&](int x, int y) {
             const std::size_t i = pixelIndex(input.sampled, x, y);
             if (input.coverage[i] == PixelCoverage::None) return;
-            pools_[indexOf(column, row, input.coverage[i])].add(
-                poolOf(input, i), display.weight(luminance(meanOfNets(input, i))));
+            const double weight = display.weight(luminance(input.net.pixels[i]));
+            pools_[indexOf(column, row, input.coverage[i])].add(poolOf(input, i, weight), 1);
         });
     }
     std::size_t indexOf(int column, int row, PixelCoverage coverage) const {
@@ -213,23 +245,27 @@ struct MixedPixel {
     double error = 0;
 };
 
+/// k that leaves the smallest error; of less where the pixel's own noise is larger than that of its pool.
+double fractionOfSampled(const ExpectedSquares& squares, double noiseAround) {
+    const double noise = std::max(squares.noise, noiseAround) - squares.kept;
+    return squares.sure > 0 ? squares.sure / (squares.sure + std::max(noise, 0.0)) : 0;
+}
+
 MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const UsualDisplay& display, int x,
                       int y) {
     const std::size_t i = pixelIndex(input.sampled, x, y);
     const Colour sampled = input.sampled.pixels[i];
     const PixelCoverage coverage = input.coverage[i];
     if (coverage == PixelCoverage::None) return {sampled};
-    const Colour net = meanOfNets(input, i);
+    const Colour net = input.net.pixels[i];
     const float light = luminance(net);
     const double weight = display.weight(light), codes = squared(display.codes(light));
-    const BlockPool pool = pools.at(x, y, coverage);
-    const double around = noiseAround(input, x, y, coverage) * weight;
-    const double error = std::max(pool.error / pool.pixels, 0.0);
-    const double noise = std::max(pool.noise / pool.pixels, around);
-    const double mixed = error > 0 ? error / (error + noise) : 0;
-    const double k = std::max(mixed, exactness(std::sqrt(around / weight * codes)));
-    const double left = (squared(1 - k) * error + squared(k) * noise) / weight * codes;
-    return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k), left};
+    const double around = noiseAround(input, x, y, coverage);
+    const ExpectedSquares smooth(pools.at(x, y, coverage)), block(pools.ofBlock(x, y, coverage));
+    const double k = std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)));
+    const double error =
+        squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
+    return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k), error / weight * codes};
 }
 
 } // namespace
