@@ -61,7 +61,13 @@ TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     std::size_t sum = Aovs::bytesPerPixel();
     for (const EffectRow* row : effects()) sum += row->bytesPerPixel;
     EXPECT_EQ(effectBytesPerPixel(everything()), sum - kNetDenoiseEffect.bytesPerPixel);
-    EXPECT_EQ(effectBytesPerPixel(everythingByNet()), sum - kDenoiseEffect.bytesPerPixel);
+    RenderSettings byNet = everythingByNet();
+    byNet.denoise.mix = false;
+    EXPECT_EQ(effectBytesPerPixel(byNet), sum - kDenoiseEffect.bytesPerPixel);
+    byNet.denoise.mix = true;
+    byNet.path.samples = kMixedSamples;
+    EXPECT_EQ(effectBytesPerPixel(byNet), sum - kDenoiseEffect.bytesPerPixel + 2 * sizeof(Colour) + 28)
+        << "halves, and their sums";
     RenderSettings bloom;
     bloom.bloom.radius = 3;
     EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";
