@@ -26,7 +26,7 @@ struct EffectRun {
     std::shared_ptr<const UNet> net = {};    ///< of netOf() the settings; null: there is none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
     const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
-    NetReport* netReport = nullptr;          ///< gets what a net did; null: nobody wants to know
+    NetReport* netReport = nullptr;          ///< gets the effect of a net; null: not told
 };
 
 /// The pixels from column `left` to before `right` of row `y` of an image of `width` x `height`.

@@ -83,7 +83,8 @@ void NetDenoise::keepBackground(const HdrImage& picture, const Aovs& aovs, int t
     }
 }
 
-/// Runs the net on a half without its bright dots, and takes their light from input_, the mean of all samples.
+/// Runs the net on a half without its bright dots, and takes their light from input_, the mean of all
+/// samples.
 bool NetDenoise::cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const Aovs& aovs,
                            const EffectRun& run, HdrImage& result, TakenDots& dots) {
     const TakenDots taken = copyWithoutDots(half, other, image_, run.threads);
@@ -106,7 +107,8 @@ bool NetDenoise::mix(const HdrImage& picture, const Aovs& aovs, const EffectRun&
         return false;
     coverage_.resize(picture.pixels.size());
     std::ranges::transform(aovs.pixels(), coverage_.begin(), coverageOf);
-    const EstimatedError error = mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
+    const EstimatedError error =
+        mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
     report.mixed = true;
     report.error = error.all;
     report.largestError = error.largestBlock;

@@ -20,8 +20,8 @@ std::optional<Net> netOf(const RenderSettings& settings);
 
 /// The U-Net of Open Image Denoise over radiance, albedo and normals. Pixels that all samples saw as
 /// background have no noise, and stay to the bit; so does the whole image without EffectRun::net, or without
-/// AOVs of its size. With halves of at least kMixedSamples it is mixed with the sampled image (net_mix.h), for
-/// which the net runs three times. Not for parts of previews.
+/// AOVs of its size. With halves of at least kMixedSamples it is mixed with the sampled image (net_mix.h),
+/// for which the net runs three times. Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;

@@ -14,8 +14,8 @@ namespace rtcore {
 namespace {
 
 constexpr int kBlock = 8;
-constexpr float kKey = 0.18F;                       ///< of the usual exposure
-constexpr double kDarkest = 0.01;                   ///< what squares of darker pixels count as, of the mean's
+constexpr float kKey = 0.18F;     ///< of the usual exposure
+constexpr double kDarkest = 0.01; ///< what squares of darker pixels count as, of the mean's
 constexpr double kExactCodes = 0.25, kNoisyCodes = 0.5; ///< standard errors: not seen, and nearly seen
 
 /// A mean over the channels.
@@ -88,7 +88,8 @@ BlockPool poolOf(const NetMixInput& input, std::size_t i, double weight) {
     BlockPool pool{.apart = squared(input.net.pixels[i] - input.sampled.pixels[i]) * weight,
                    .noise = noiseOfMean(input.halves) * squared(between) * weight,
                    .kept = ((meanProduct(netA - b, between) - meanProduct(netB - a, between)) / 2 -
-                            squared(between) / 2) / 2 * weight,
+                            squared(between) / 2) /
+                           2 * weight,
                    .nets = squared(netA - netB) / 4 * weight,
                    .pixels = 1};
     pool.squares = squared(pool.apart - pool.noise + pool.kept);
@@ -167,8 +168,7 @@ double noiseAround(const NetMixInput& input, int x, int y, PixelCoverage coverag
 
 /// 1 where the standard error is not seen, 0 where it is.
 double exactness(double standardErrorInCodes) {
-    const double t =
-        std::clamp((kNoisyCodes - standardErrorInCodes) / (kNoisyCodes - kExactCodes), 0.0, 1.0);
+    const double t = std::clamp((kNoisyCodes - standardErrorInCodes) / (kNoisyCodes - kExactCodes), 0.0, 1.0);
     return t * t * (3 - 2 * t);
 }
 
@@ -262,9 +262,9 @@ MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const U
     const double weight = display.weight(light), codes = squared(display.codes(light));
     const double around = noiseAround(input, x, y, coverage);
     const ExpectedSquares smooth(pools.at(x, y, coverage)), block(pools.ofBlock(x, y, coverage));
-    const double k = std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)));
-    const double error =
-        squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
+    const double k =
+        std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)));
+    const double error = squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
     return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k), error / weight * codes};
 }
 

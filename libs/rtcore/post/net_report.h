@@ -1,4 +1,4 @@
-/// What a net did to an image.
+/// A net's report on an image.
 #pragma once
 
 #include "rtcore/settings/render_settings.h"

@@ -149,8 +149,10 @@ void ImageSums::halfMeans(SampleHalves& halves) const {
         all += whole.samples;
         first += half.samples;
     }
-    halves.firstFraction = all > 0 ? static_cast<float>(static_cast<double>(first) / static_cast<double>(all)) : 0.5F;
-    halves.samples = static_cast<std::uint32_t>((all + samples_.size() / 2) / std::max<std::size_t>(samples_.size(), 1));
+    halves.firstFraction =
+        all > 0 ? static_cast<float>(static_cast<double>(first) / static_cast<double>(all)) : 0.5F;
+    halves.samples =
+        static_cast<std::uint32_t>((all + samples_.size() / 2) / std::max<std::size_t>(samples_.size(), 1));
 }
 
 ImageSums::Pixel ImageSums::pixel(int x, int y) const { return at(sums_, samples_, index(x, y)); }

@@ -67,7 +67,7 @@ class ImageSums {
     void halfMeans(SampleHalves& halves) const;
 
     Pixel pixel(int x, int y) const;
-    Pixel firstHalf(int x, int y) const; ///< needs hasHalves()
+    Pixel firstHalf(int x, int y) const;               ///< needs hasHalves()
     std::uint64_t dropped() const { return dropped_; } ///< samples that were not finite
     std::uint64_t clipped() const { return clipped_; } ///< samples that were added with a channel clipped
 

@@ -201,10 +201,11 @@ bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
         for (int task = 0; task < tasks; ++task) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
             errors.guard([&] {
-                worker.render(cut, task, range, control.cancel, [&](const SampleId& id, Colour radiance, int hit) {
-                    sums_.add(id.x, id.y, radiance, id.sub);
-                    hits_[id.y * static_cast<std::size_t>(settings.width) + id.x] += hit != 0 ? 1U : 0U;
-                });
+                worker.render(
+                    cut, task, range, control.cancel, [&](const SampleId& id, Colour radiance, int hit) {
+                        sums_.add(id.x, id.y, radiance, id.sub);
+                        hits_[id.y * static_cast<std::size_t>(settings.width) + id.x] += hit != 0 ? 1U : 0U;
+                    });
             });
             const PixelArea area = cut.area(task);
             control.tilesDone.fetch_add(static_cast<std::uint64_t>(area.columns) *

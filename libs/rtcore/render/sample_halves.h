@@ -12,7 +12,7 @@ namespace rtcore {
 /// What the two differ in is noise, and what one of them shows knows nothing of the other's noise: by that
 /// the error of an image is estimated without a reference.
 struct SampleHalves {
-    HdrImage first, second;   ///< means; both empty: none are kept
+    HdrImage first, second;     ///< means; both empty: none are kept
     float firstFraction = 0.5F; ///< of all samples, those of `first`
     std::uint32_t samples = 0;  ///< of each pixel, of both together
 

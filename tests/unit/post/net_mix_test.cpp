@@ -1,4 +1,5 @@
-// A mixed image is the net's where that is right, the sampled one where that is exact, and its error is known.
+// A mixed image is the net's where that is right, the sampled one where that is exact, and its error is
+// known.
 #include "rtcore/post/net_mix.h"
 
 #include "rtcore/neural/transfer.h"
@@ -111,7 +112,8 @@ TEST(NetMix, EstimatesItsError) {
     struct Case {
         float noise, fault;
     };
-    for (const auto& [noise, fault] : {Case{0.2F, 0.1F}, Case{0.1F, 0.1F}, Case{0.1F, 0.3F}, Case{0.02F, 0.3F}}) {
+    for (const auto& [noise, fault] :
+         {Case{0.2F, 0.1F}, Case{0.1F, 0.1F}, Case{0.1F, 0.3F}, Case{0.02F, 0.3F}}) {
         const MadeImages made(noise, fault);
         HdrImage shown;
         const EstimatedError error = made.mix(shown);
@@ -155,9 +157,8 @@ TEST(NetMix, HasTheSameBitsForAnyThreadsAndInPlace) {
     const EstimatedError error = made.mix(one);
     for (const int threads : {2, 3}) {
         HdrImage shown = made.net;
-        const EstimatedError other =
-            mixWithNet({made.sampled, shown, made.halves, made.netFirst, made.netSecond, made.coverage}, shown,
-                       threads);
+        const EstimatedError other = mixWithNet(
+            {made.sampled, shown, made.halves, made.netFirst, made.netSecond, made.coverage}, shown, threads);
         EXPECT_EQ(shown.pixels, one.pixels) << threads;
         EXPECT_EQ(other.all, error.all);
         EXPECT_EQ(other.largestBlock, error.largestBlock);

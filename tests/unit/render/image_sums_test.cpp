@@ -153,7 +153,8 @@ TEST(ImageSums, HalvesHaveTheSameBitsInAnyOrderOfAddingAndMerging) {
     merged.merge(sumsFrom(1, 3));
     EXPECT_TRUE(merged == all);
     const ImageSums before = merged;
-    EXPECT_EQ(refusalOf(merged, sumsOf(samples, 0, 1)), "only some of the parts have halves of their samples");
+    EXPECT_EQ(refusalOf(merged, sumsOf(samples, 0, 1)),
+              "only some of the parts have halves of their samples");
     EXPECT_TRUE(merged == before);
 }
 

@@ -101,8 +101,8 @@ TEST_F(NetDenoiseTest, MixesWhereTheFrameHasHalves) {
     for (const int threads : {1, 2, 3}) {
         NetReport report;
         EffectChain chain;
-        const HdrImage& result = chain.apply(
-            frame, {.settings = settings, .threads = threads, .net = net, .netReport = &report});
+        const HdrImage& result =
+            chain.apply(frame, {.settings = settings, .threads = threads, .net = net, .netReport = &report});
         if (threads == 1) one = result;
         EXPECT_EQ(result.pixels, one.pixels) << threads;
         EXPECT_TRUE(report.ran && report.mixed);
@@ -122,12 +122,9 @@ TEST_F(NetDenoiseTest, DoesNotMixFewSamplesNorWhereItIsNotToldTo) {
     SampleHalves halves = noisyHalves(frame.radiance);
     NetReport report;
     const auto apply = [&] {
-        return effect.apply(frame.radiance, frame.aovs,
-                            {.settings = settings,
-                             .threads = 1,
-                             .net = net,
-                             .halves = &halves,
-                             .netReport = &report});
+        return effect.apply(
+            frame.radiance, frame.aovs,
+            {.settings = settings, .threads = 1, .net = net, .halves = &halves, .netReport = &report});
     };
     EXPECT_NE(apply().pixels, alone.pixels);
     EXPECT_TRUE(report.mixed);
