@@ -20,8 +20,8 @@ float brightestAround(const HdrImage& image, int x, int y) {
     return brightest;
 }
 
-/// How bright the pixel may be; what is darker stays.
-float limitOf(const HdrImage& half, const HdrImage& other, int x, int y) {
+/// Of the pixels around, and of what the other half shows.
+float brightestBeside(const HdrImage& half, const HdrImage& other, int x, int y) {
     return std::max(brightestAround(half, x, y), luminance(other.at(x, y)));
 }
 
@@ -38,8 +38,8 @@ TakenDots copyWithoutDots(const HdrImage& half, const HdrImage& other, HdrImage&
             const float light = luminance(colour);
             input.at(x, y) = colour;
             if (!(light > kTimes * luminance(other.at(x, y)))) continue;
-            const float limit = limitOf(half, other, x, y);
-            if (!(light > kTimes * limit) || !(limit > 0)) continue;
+            const float limit = kTimes * brightestBeside(half, other, x, y);
+            if (!(light > limit) || !(limit > 0)) continue;
             input.at(x, y) = colour * (limit / light);
             ++taken.pixels;
             taken.light += static_cast<double>(light - limit);
