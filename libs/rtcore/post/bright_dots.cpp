@@ -9,7 +9,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kTimes = 4; ///< a dot beside its neighbours, and the other half
+constexpr float kTimes = 16; ///< a dot beside its neighbours, and the other half
 
 float brightestAround(const HdrImage& image, int x, int y) {
     float brightest = 0;

@@ -14,8 +14,6 @@ namespace rtcore {
 namespace {
 
 constexpr int kBlock = 8;
-/// How much the pixels around a block count beside it where its error is told: alone it misses rare light.
-constexpr double kAroundBlock = 0.35;
 constexpr float kKey = 0.18F;     ///< of the usual exposure
 constexpr double kDarkest = 0.01; ///< what squares of darker pixels count as, of the mean's
 constexpr double kExactCodes = 0.25, kNoisyCodes = 0.5; ///< standard errors: not seen, and nearly seen
@@ -263,10 +261,7 @@ MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const U
     const float light = luminance(net);
     const double weight = display.weight(light), codes = squared(display.codes(light));
     const double around = noiseAround(input, x, y, coverage);
-    const BlockPool pool = pools.at(x, y, coverage);
-    BlockPool ofBlock = pools.ofBlock(x, y, coverage);
-    ofBlock.add(pool, kAroundBlock);
-    const ExpectedSquares smooth(pool), block(ofBlock);
+    const ExpectedSquares smooth(pools.at(x, y, coverage)), block(pools.ofBlock(x, y, coverage));
     const double k =
         std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)));
     const double error = squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
