@@ -15,10 +15,11 @@ struct TakenDots {
     double light = 0;       ///< luminances taken, summed over pixels
 };
 
-/// Copies `half`, of which `other` is the other one, into `input`, each bright dot as bright as its
-/// surroundings: a pixel more than four times as bright as all its eight neighbours, and as `other` there.
-/// Its own noise explains such an excess: what is really there, both halves have seen. The colour of a dot
-/// stays. Not in place. The same bits for any number of threads.
+/// Copies `half`, of which `other` is the other one, into `input`, with each bright dot clamped: a pixel more
+/// than sixteen times as bright as each of its eight neighbours, and as `other` there, counts as sixteen
+/// times as bright as the brightest of these. Its own noise explains what is above: both halves have seen
+/// what is really there. Less than that is mostly light that the samples around have missed. The colour of a
+/// dot stays. Not in place. The same bits for any number of threads.
 TakenDots copyWithoutDots(const HdrImage& half, const HdrImage& other, HdrImage& input, int threads);
 
 } // namespace rtcore

@@ -18,10 +18,10 @@ TEST(BrightDots, ThatOneHalfSawAreTaken) {
     const TakenDots taken = copyWithoutDots(half, evenImage(), input, 1);
     EXPECT_EQ(half.pixels, before.pixels);
     EXPECT_EQ(taken.pixels, 2U);
-    EXPECT_NEAR(taken.light, luminance({30, 60, 15}) - 0.5F + 19.5F, 1e-3);
-    EXPECT_NEAR(luminance(input.at(4, 4)), 0.5F, 1e-5);
+    EXPECT_NEAR(taken.light, luminance({30, 60, 15}) - 8 + 12, 1e-3);
+    EXPECT_NEAR(luminance(input.at(4, 4)), 8, 1e-4) << "16 times what is around";
     EXPECT_NEAR(input.at(4, 4).g, 2 * input.at(4, 4).r, 1e-6) << "its colour stays";
-    EXPECT_NEAR(luminance(input.at(0, 8)), 0.5F, 1e-5);
+    EXPECT_NEAR(luminance(input.at(0, 8)), 8, 1e-4);
     EXPECT_EQ(input.at(4, 5), half.at(4, 5));
 }
 
@@ -31,6 +31,14 @@ TEST(BrightDots, ThatBothHalvesSawStay) {
     other.at(4, 4) = kWhite * 40.0F;
     EXPECT_EQ(copyWithoutDots(half, other, input, 1).pixels, 0U);
     EXPECT_EQ(input.pixels, half.pixels);
+}
+
+TEST(BrightDots, AreMuchBrighterThanAllAround) {
+    HdrImage half = evenImage(), input;
+    half.at(4, 4) = kWhite * 7.9F;
+    EXPECT_EQ(copyWithoutDots(half, evenImage(), input, 1).pixels, 0U);
+    half.at(4, 4) = kWhite * 8.1F;
+    EXPECT_EQ(copyWithoutDots(half, evenImage(), input, 1).pixels, 1U);
 }
 
 TEST(BrightDots, AreSinglePixels) {
