@@ -25,8 +25,12 @@ const rtcore::Frame* PreviewFilter::apply(const rtcore::Frame& frame, const rtco
     rtcore::RenderSettings filter = settings;
     const bool finallyFiltered = byNet || rtcore::filterPasses(settings) > 0;
     if (!finallyFiltered) filter.denoise.passes = kPasses;
-    const rtcore::HdrImage& smooth =
-        this->smooth(frame, surfaces, {.settings = filter, .threads = threads, .net = net_, .stop = &stop});
+    const rtcore::HdrImage& smooth = this->smooth(frame, surfaces,
+                                                  {.settings = filter,
+                                                   .threads = threads,
+                                                   .net = net_,
+                                                   .stop = &stop,
+                                                   .halves = frame.halves.empty() ? nullptr : &frame.halves});
     if (&smooth == &frame.radiance) return &frame;
     const float noisy =
         finallyFiltered ? 0 : static_cast<float>(samples) / static_cast<float>(settings.path.samples);
