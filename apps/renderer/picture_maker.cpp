@@ -257,6 +257,8 @@ const rtcore::HdrImage& PictureMaker::finish(const rtcore::RenderSettings& setti
     const app::ProgressScope scope(progress_, {"denoising", nullptr, &cancel}, index, count);
     const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads, &cancel);
     app::throwIfStopped();
+    const std::string done = rtcore::textOf(developer_.netReport(), settings.denoise.net);
+    if (options_.verbose && !done.empty()) progress_.print(done);
     return radiance;
 }
 
@@ -282,7 +284,9 @@ float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radia
 
 void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance,
                          const rtcore::RenderSettings& settings) {
-    const std::vector<rtcore::ImageText> texts = app::imageTexts(settings);
+    std::vector<rtcore::ImageText> texts = app::imageTexts(settings);
+    const std::string net = rtcore::textOf(developer_.netReport(), settings.denoise.net);
+    if (!net.empty()) texts.push_back({"denoising", net});
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (isStandardOutput(output)) {

@@ -27,8 +27,13 @@ const rtcore::Frame* PreviewFilter::apply(const rtcore::ImagePass& pass,
     rtcore::RenderSettings filter = settings;
     const bool finallyFiltered = byNet || rtcore::filterPasses(settings) > 0;
     if (!finallyFiltered) filter.denoise.passes = kPasses;
-    const rtcore::HdrImage& smooth = this->smooth(
-        pass, {.settings = filter, .threads = threads, .net = net_, .guides = pass.guides, .stop = &stop});
+    const rtcore::HdrImage& smooth =
+        this->smooth(pass, {.settings = filter,
+                            .threads = threads,
+                            .net = net_,
+                            .guides = pass.guides,
+                            .stop = &stop,
+                            .halves = frame.halves.empty() ? nullptr : &frame.halves});
     if (&smooth == &frame.radiance) return &frame;
     const float noisy =
         finallyFiltered ? 0 : static_cast<float>(pass.samples) / static_cast<float>(settings.path.samples);

@@ -91,7 +91,10 @@ float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& setti
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,
                                          const std::atomic<bool>* stop) {
-    return effects_.apply(frame, {.settings = settings, .threads = threads, .net = net_, .stop = stop});
+    netReport_ = {};
+    return effects_.apply(
+        frame,
+        {.settings = settings, .threads = threads, .net = net_, .stop = stop, .netReport = &netReport_});
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,

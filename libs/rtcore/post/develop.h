@@ -3,6 +3,7 @@
 
 #include "rtcore/post/effect_chain.h"
 #include "rtcore/post/exposure.h"
+#include "rtcore/post/net_report.h"
 #include "rtcore/post/tone_map_block.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
@@ -48,6 +49,8 @@ class PictureDeveloper {
 
     /// For images from now on whose settings ask for it (netOf()); null: they stay as they are.
     void useNet(std::shared_ptr<const UNet> net) { net_ = std::move(net); }
+    /// What the net did in the last finish().
+    const NetReport& netReport() const { return netReport_; }
 
   private:
     std::optional<float> average(const Frame& frame, bool background, int threads);
@@ -55,6 +58,7 @@ class PictureDeveloper {
     std::vector<LuminanceHistogram> histograms_; ///< by thread
     EffectChain effects_;
     std::shared_ptr<const UNet> net_;
+    NetReport netReport_;
     std::vector<std::vector<Colour>> rows_; ///< by thread
 };
 

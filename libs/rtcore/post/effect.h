@@ -16,6 +16,8 @@ namespace rtcore {
 class Aovs;
 class UNet;
 struct Guides;
+struct NetReport;
+struct SampleHalves;
 
 /// Parameters shared by all effects of an image.
 struct EffectRun {
@@ -25,6 +27,8 @@ struct EffectRun {
     std::shared_ptr<const UNet> net = {};    ///< of netOf() the settings; null: there is none
     const Guides* guides = nullptr;          ///< of the frame; null: it has none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
+    const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
+    NetReport* netReport = nullptr;          ///< gets the effect of a net; null: not told
 };
 
 /// The pixels from column `left` to before `right` of row `y` of an image of `width` x `height`.

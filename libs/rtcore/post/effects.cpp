@@ -6,6 +6,8 @@
 #include "rtcore/post/net_denoise.h"
 #include "rtcore/render/aovs.h"
 #include "rtcore/render/guides.h"
+#include "rtcore/render/image_sums.h"
+#include "rtcore/render/sample_halves.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +33,7 @@ std::size_t effectBytesPerPixel(const RenderSettings& settings) {
     std::size_t bytes = effectsNeedAovs(settings) ? Aovs::bytesPerPixel() : 0;
     if (effectsNeedGuides(settings)) bytes += Guides::bytesPerPixel();
     for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
+    if (mixesWithNet(settings)) bytes += SampleHalves::kBytesPerPixel + ImageSums::kHalfBytesPerPixel;
     return bytes;
 }
 

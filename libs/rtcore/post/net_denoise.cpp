@@ -2,6 +2,10 @@
 
 #include "rtcore/platform/threads.h"
 #include "rtcore/render/guides.h"
+#include "rtcore/render/sample_halves.h"
+
+#include <algorithm>
+#include <cstdint>
 
 namespace rtcore {
 
@@ -10,6 +14,25 @@ namespace {
 PixelPlane planeOf(const HdrImage& picture) { return {&picture.pixels[0].r, sizeof(Colour) / sizeof(float)}; }
 
 PixelPlane planeOf(const std::vector<Vec3>& vectors) { return {&vectors[0].x, sizeof(Vec3) / sizeof(float)}; }
+
+PixelCoverage coverageOf(std::uint8_t covered) {
+    constexpr std::uint8_t kFull = 255;
+    if (covered == 0) return PixelCoverage::None;
+    return covered < kFull ? PixelCoverage::Part : PixelCoverage::Full;
+}
+
+/// Whether the halves are those of the picture, and of enough samples.
+bool halvesServe(const HdrImage& picture, const EffectRun& run) {
+    return run.halves != nullptr && run.settings.denoise.mix &&
+           run.halves->samples >= static_cast<std::uint32_t>(kMixedSamples) &&
+           run.halves->first.width == picture.width && run.halves->first.height == picture.height;
+}
+
+double lightOf(const HdrImage& picture) {
+    double sum = 0;
+    for (const Colour pixel : picture.pixels) sum += static_cast<double>(luminance(pixel));
+    return sum;
+}
 
 } // namespace
 
@@ -26,26 +49,75 @@ std::optional<Net> netOf(const RenderSettings& settings) {
 }
 
 const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs&, const EffectRun& run) {
+    NetReport report;
+    if (run.netReport != nullptr) *run.netReport = report;
     if (run.net == nullptr || run.guides == nullptr || picture.empty()) return picture;
-    const Guides& guides = *run.guides;
-    if (guides.albedo.width != picture.width || guides.albedo.height != picture.height) return picture;
+    const HdrImage& guide = run.guides->albedo;
+    if (guide.width != picture.width || guide.height != picture.height) return picture;
     if (!denoiser_ || &denoiser_->net() != run.net.get()) denoiser_.emplace(run.net);
-    if (image_.width != picture.width || image_.height != picture.height)
-        image_ = HdrImage(picture.width, picture.height);
+    const bool mixes = halvesServe(picture, run);
+    if (!(mixes ? mix(picture, run, report) : runNet(picture, run, image_))) return picture;
+    if (!mixes) keepBackground(picture, run);
+    report.ran = true;
+    if (run.netReport != nullptr) *run.netReport = report;
+    return image_;
+}
+
+bool NetDenoise::runNet(const HdrImage& picture, const EffectRun& run, HdrImage& result) {
+    if (result.width != picture.width || result.height != picture.height)
+        result = HdrImage(picture.width, picture.height);
     const NoisyImage noisy{.width = picture.width,
                            .height = picture.height,
                            .radiance = planeOf(picture),
-                           .albedo = planeOf(guides.albedo),
-                           .normal = planeOf(guides.normals)};
-    if (!denoiser_->run(noisy, &image_.pixels[0].r, run.threads, run.stop)) return picture;
+                           .albedo = planeOf(run.guides->albedo),
+                           .normal = planeOf(run.guides->normals)};
+    return denoiser_->run(noisy, &result.pixels[0].r, run.threads, run.stop);
+}
+
+void NetDenoise::keepBackground(const HdrImage& picture, const EffectRun& run) {
+    const std::vector<std::uint8_t>& covered = run.guides->covered;
     const auto width = static_cast<std::size_t>(picture.width);
 #pragma omp parallel for schedule(static) num_threads(threadsFor(run.threads))
     for (int y = 0; y < picture.height; ++y) {
         const std::size_t row = static_cast<std::size_t>(y) * width;
         for (std::size_t i = row; i < row + width; ++i)
-            if (guides.covered[i] == 0) image_.pixels[i] = picture.pixels[i];
+            if (covered[i] == 0) image_.pixels[i] = picture.pixels[i];
     }
-    return image_;
+}
+
+/// Runs the net on a half without its bright dots, and takes their light from input_, the mean of all
+/// samples.
+bool NetDenoise::cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const EffectRun& run,
+                           HdrImage& result, TakenDots& dots) {
+    const TakenDots taken = copyWithoutDots(half, other, image_, run.threads);
+    dots.pixels += taken.pixels;
+    dots.light += taken.light;
+    for (std::size_t i = 0; i < half.pixels.size(); ++i)
+        if (image_.pixels[i] != half.pixels[i])
+            input_.pixels[i] = input_.pixels[i] - (half.pixels[i] - image_.pixels[i]) * fraction;
+    return runNet(image_, run, result);
+}
+
+bool NetDenoise::mix(const HdrImage& picture, const EffectRun& run, NetReport& report) {
+    const SampleHalves& halves = *run.halves;
+    const float fraction = halves.firstFraction;
+    TakenDots dots;
+    input_ = picture;
+    if (!cleanHalf(halves.first, halves.second, fraction, run, first_, dots) ||
+        !cleanHalf(halves.second, halves.first, 1 - fraction, run, second_, dots) ||
+        !runNet(input_, run, image_))
+        return false;
+    coverage_.resize(picture.pixels.size());
+    std::ranges::transform(run.guides->covered, coverage_.begin(), coverageOf);
+    const EstimatedError error =
+        mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
+    report.mixed = true;
+    report.error = error.all;
+    report.largestError = error.largestBlock;
+    report.dots = dots.pixels;
+    const double light = lightOf(halves.first) + lightOf(halves.second);
+    report.lightOfDots = light > 0 ? static_cast<float>(dots.light / light) : 0;
+    return true;
 }
 
 constinit const EffectRow kNetDenoiseEffect{.name = "denoise by a net",

@@ -3,11 +3,15 @@
 
 #include "rtcore/neural/net_denoiser.h"
 #include "rtcore/neural/net_files.h"
+#include "rtcore/post/bright_dots.h"
 #include "rtcore/post/effect.h"
+#include "rtcore/post/net_mix.h"
+#include "rtcore/post/net_report.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
 #include <optional>
+#include <vector>
 
 namespace rtcore {
 
@@ -16,17 +20,26 @@ std::optional<Net> netOf(const RenderSettings& settings);
 
 /// The U-Net of Open Image Denoise over radiance and the frame's guides. Pixels that all of their rays saw as
 /// background have no noise, and stay to the bit; so does the whole image without EffectRun::net, or without
-/// guides of its size. Not for parts of previews.
+/// guides of its size. With halves of at least kMixedSamples it is mixed with the sampled image (net_mix.h),
+/// for which the net runs three times. Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
 
     /// Memory that is kept for each pixel, beside that of the net for a tile (NetDenoiser::kMaxPixels).
-    static constexpr std::size_t bytesPerPixel() { return sizeof(Colour); }
+    static constexpr std::size_t bytesPerPixel() { return 4 * sizeof(Colour) + sizeof(PixelCoverage); }
 
   private:
+    bool runNet(const HdrImage& picture, const EffectRun& run, HdrImage& result);
+    bool mix(const HdrImage& picture, const EffectRun& run, NetReport& report);
+    bool cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const EffectRun& run,
+                   HdrImage& result, TakenDots& dots);
+    void keepBackground(const HdrImage& picture, const EffectRun& run);
+
     std::optional<NetDenoiser> denoiser_; ///< of the net that was used last
-    HdrImage image_;
+    HdrImage image_;                      ///< the result
+    HdrImage first_, second_, input_;     ///< of the halves, and without bright dots, where it mixes
+    std::vector<PixelCoverage> coverage_;
 };
 
 extern const EffectRow kNetDenoiseEffect;

@@ -4,6 +4,7 @@
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/render/aovs.h"
 #include "rtcore/render/guides.h"
+#include "rtcore/render/sample_halves.h"
 #include "rtcore/render/seen_point.h"
 #include "rtcore/scene/image.h"
 
@@ -29,6 +30,7 @@ struct Frame {
     std::vector<float> metered;
     /// Pixels traced for comparison in a frame that reuses samples: they stand for all of its pixels.
     std::vector<CheckedPixel> checked;
+    SampleHalves halves; ///< of radiance; empty but for images by paths that are mixed with a net's
     RayStatistics statistics;
 };
 

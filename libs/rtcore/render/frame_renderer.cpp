@@ -81,6 +81,7 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     frame.guides = {};
     frame.metered.clear();
     frame.checked.clear();
+    frame.halves = {};
 }
 
 /// Prepares everything that depends on the scene and the settings.

@@ -37,7 +37,7 @@ void increase(std::uint64_t& counter, std::uint64_t more) {
 
 } // namespace
 
-ImageSums::ImageSums(int width, int height, float meanLuminance)
+ImageSums::ImageSums(int width, int height, float meanLuminance, bool halves)
     : width_(width), height_(height),
       unitExponent_(ceilLog2(std::isfinite(meanLuminance) && meanLuminance > 0 ? meanLuminance : 1) -
                     kBitsOfMean),
@@ -46,14 +46,18 @@ ImageSums::ImageSums(int width, int height, float meanLuminance)
     const std::size_t pixels = index(0, height);
     resizeLarge(sums_, 3 * pixels);
     resizeLarge(samples_, pixels);
+    if (!halves) return;
+    resizeLarge(halfSums_, 3 * pixels);
+    resizeLarge(halfSamples_, pixels);
 }
 
 double ImageSums::largest() const { return static_cast<double>(kMaxUnits) * unit_; }
 
-void ImageSums::addRow(int x, int y, std::span<const Colour> samples) {
+void ImageSums::addRow(int x, int y, std::span<const Colour> samples, std::uint32_t index) {
     assert(x >= 0 && y >= 0 && y < height_ && samples.size() <= static_cast<std::size_t>(width_ - x));
     std::uint64_t dropped = 0, clipped = 0;
-    std::size_t i = index(x, y);
+    const bool half = hasHalves() && inFirstHalf(index);
+    std::size_t i = this->index(x, y);
     for (const Colour& sample : samples) {
         const std::size_t pixel = i++;
         if (!isFinite(sample)) {
@@ -65,10 +69,13 @@ void ImageSums::addRow(int x, int y, std::span<const Colour> samples) {
                                           sample.b * unitsPerOne_};
         bool beyond = false;
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            sums_[3 * pixel + channel] += toUnits(units[channel]);
+            const std::int64_t rounded = toUnits(units[channel]);
+            sums_[3 * pixel + channel] += rounded;
+            if (half) halfSums_[3 * pixel + channel] += rounded;
             beyond |= std::fabs(units[channel]) > static_cast<double>(kMaxUnits);
         }
         ++samples_[pixel];
+        if (half) ++halfSamples_[pixel];
         clipped += beyond ? 1 : 0;
     }
     increase(dropped_, dropped);
@@ -86,6 +93,8 @@ void ImageSums::checkMerge(const ImageSums& other) const {
                         "scenes, views or settings",
                         unitExponent_, other.unitExponent_));
     }
+    if (other.hasHalves() != hasHalves())
+        throw std::invalid_argument("only some of the parts have halves of their samples");
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         if (other.samples_[i] > kMaxSamples - samples_[i]) {
             throw std::invalid_argument(
@@ -98,24 +107,59 @@ void ImageSums::merge(const ImageSums& other) {
     checkMerge(other);
     for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
     for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
+    for (std::size_t i = 0; i < halfSums_.size(); ++i) halfSums_[i] += other.halfSums_[i];
+    for (std::size_t i = 0; i < halfSamples_.size(); ++i) halfSamples_[i] += other.halfSamples_[i];
     dropped_ += other.dropped_;
     clipped_ += other.clipped_;
 }
 
-void ImageSums::mean(HdrImage& image) const {
-    if (image.width != width_ || image.height != height_) image = HdrImage(width_, height_);
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const double samples = std::max(samples_[i], 1U);
-        const auto meanOf = [&](std::size_t channel) {
-            return static_cast<float>(static_cast<double>(sums_[3 * i + channel]) / samples * unit_);
-        };
-        image.pixels[i] = {meanOf(0), meanOf(1), meanOf(2)};
-    }
+ImageSums::Pixel ImageSums::at(const std::vector<std::int64_t>& sums,
+                               const std::vector<std::uint32_t>& samples, std::size_t pixel) const {
+    return {{sums[3 * pixel], sums[3 * pixel + 1], sums[3 * pixel + 2]}, samples[pixel]};
 }
 
-ImageSums::Pixel ImageSums::pixel(int x, int y) const {
-    const std::size_t i = index(x, y);
-    return {{sums_[3 * i], sums_[3 * i + 1], sums_[3 * i + 2]}, samples_[i]};
+Colour ImageSums::mean(const Pixel& pixel) const {
+    const double samples = std::max(pixel.samples, 1U);
+    const auto meanOf = [&](std::size_t channel) {
+        return static_cast<float>(static_cast<double>(pixel.sum[channel]) / samples * unit_);
+    };
+    return {meanOf(0), meanOf(1), meanOf(2)};
+}
+
+void ImageSums::mean(HdrImage& image) const {
+    if (image.width != width_ || image.height != height_) image = HdrImage(width_, height_);
+    for (std::size_t i = 0; i < samples_.size(); ++i) image.pixels[i] = mean(at(sums_, samples_, i));
+}
+
+void ImageSums::halfMeans(SampleHalves& halves) const {
+    if (!hasHalves()) {
+        halves = {};
+        return;
+    }
+    for (HdrImage* image : {&halves.first, &halves.second})
+        if (image->width != width_ || image->height != height_) *image = HdrImage(width_, height_);
+    std::uint64_t all = 0, first = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const Pixel whole = at(sums_, samples_, i), half = at(halfSums_, halfSamples_, i);
+        Pixel rest{{}, whole.samples - half.samples};
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            rest.sum[channel] = whole.sum[channel] - half.sum[channel];
+        halves.first.pixels[i] = mean(half);
+        halves.second.pixels[i] = mean(rest);
+        all += whole.samples;
+        first += half.samples;
+    }
+    halves.firstFraction =
+        all > 0 ? static_cast<float>(static_cast<double>(first) / static_cast<double>(all)) : 0.5F;
+    halves.samples =
+        static_cast<std::uint32_t>((all + samples_.size() / 2) / std::max<std::size_t>(samples_.size(), 1));
+}
+
+ImageSums::Pixel ImageSums::pixel(int x, int y) const { return at(sums_, samples_, index(x, y)); }
+
+ImageSums::Pixel ImageSums::firstHalf(int x, int y) const {
+    assert(hasHalves());
+    return at(halfSums_, halfSamples_, index(x, y));
 }
 
 } // namespace rtcore

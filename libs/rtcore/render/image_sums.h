@@ -7,6 +7,7 @@
 /// < 2^63, so no sum overflows. At the mean, there would be room for 2^63 / 2^25 = 2^38 samples.
 #pragma once
 
+#include "rtcore/render/sample_halves.h"
 #include "rtcore/scene/image.h"
 
 #include <array>
@@ -33,20 +34,26 @@ class ImageSums {
     ImageSums() = default;
     /// Without samples. `meanLuminance`, of a small pass that every part of the image's work repeats to the
     /// bit, chooses the unit; a value that is not finite or not above 0 counts as 1.
-    ImageSums(int width, int height, float meanLuminance);
+    /// `halves`: the sums of SampleHalves::first are kept beside those of all samples.
+    ImageSums(int width, int height, float meanLuminance, bool halves = false);
+
+    /// Memory for each pixel, and what halves add to it.
+    static constexpr std::size_t kBytesPerPixel = 3 * sizeof(std::int64_t) + sizeof(std::uint32_t);
+    static constexpr std::size_t kHalfBytesPerPixel = kBytesPerPixel;
 
     int width() const { return width_; }
     int height() const { return height_; }
     double largest() const; ///< that a channel of a sample is clipped to
 
     /// Adds a sample of the pixel (x, y), which has fewer than kMaxSamples. A sample that is not finite is
-    /// only counted, in dropped(). Values may be negative.
-    void add(int x, int y, Colour sample) { addRow(x, y, {&sample, 1}); }
-    /// Adds one sample to each of the pixels from (x, y) to the right.
-    void addRow(int x, int y, std::span<const Colour> samples);
+    /// only counted, in dropped(). Values may be negative. `index` among the pixel's samples, which decides
+    /// its half.
+    void add(int x, int y, Colour sample, std::uint32_t index = 0) { addRow(x, y, {&sample, 1}, index); }
+    /// Adds one sample, of that index, to each of the pixels from (x, y) to the right.
+    void addRow(int x, int y, std::span<const Colour> samples, std::uint32_t index = 0);
 
     /// Adds the samples of `other`, which may be this. Throws std::invalid_argument and leaves this as it was
-    /// when size or unit differ, or a pixel would get more than kMaxSamples.
+    /// when size or unit differ, only one has halves, or a pixel would get more than kMaxSamples.
     void merge(const ImageSums& other);
 
     /// Means of the pixels' samples, black where there are none: an image such as Frame::radiance, whose
@@ -54,7 +61,13 @@ class ImageSums {
     /// samples.
     void mean(HdrImage& image) const;
 
+    bool hasHalves() const { return !halfSamples_.empty(); }
+    /// Means of the halves: the second is the whole without the first. Empty where none are kept; memory is
+    /// reused as by mean().
+    void halfMeans(SampleHalves& halves) const;
+
     Pixel pixel(int x, int y) const;
+    Pixel firstHalf(int x, int y) const;               ///< needs hasHalves()
     std::uint64_t dropped() const { return dropped_; } ///< samples that were not finite
     std::uint64_t clipped() const { return clipped_; } ///< samples that were added with a channel clipped
 
@@ -65,12 +78,17 @@ class ImageSums {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
     void checkMerge(const ImageSums& other) const;
+    Pixel at(const std::vector<std::int64_t>& sums, const std::vector<std::uint32_t>& samples,
+             std::size_t pixel) const;
+    Colour mean(const Pixel& pixel) const;
 
     int width_ = 0, height_ = 0;
     int unitExponent_ = 0;
     double unit_ = 1, unitsPerOne_ = 1; ///< powers of two: products with them are exact
     std::vector<std::int64_t> sums_;    ///< three for each pixel
     std::vector<std::uint32_t> samples_;
+    std::vector<std::int64_t> halfSums_; ///< of the first half, as sums_; empty without halves
+    std::vector<std::uint32_t> halfSamples_;
     std::uint64_t dropped_ = 0, clipped_ = 0; ///< changed through std::atomic_ref while samples are added
 };
 

@@ -74,7 +74,7 @@ class PathRenderer::Worker {
         integrator_.stopWhen(stop);
     }
 
-    /// Calls use(x, y, radiance, hit) with each sample, pixel by pixel. False when it was stopped.
+    /// Calls use(id, radiance, hit) with each sample, pixel by pixel. False when it was stopped.
     template <typename Use>
     bool render(const Cut& cut, int task, const SampleRange& range, const std::atomic<bool>& stop,
                 Use&& use) {
@@ -84,7 +84,7 @@ class PathRenderer::Worker {
             integrator_.trace(rays_, samples_);
             if (stop.load(std::memory_order_relaxed)) return false;
             for (std::size_t i = 0; i < samples_.size(); ++i)
-                use(samples_[i].x, samples_[i].y, integrator_.radiance().colourAt(i), integrator_.hit()[i]);
+                use(samples_[i], integrator_.radiance().colourAt(i), integrator_.hit()[i]);
         }
         return true;
     }
@@ -160,12 +160,13 @@ void PathRenderer::measure() {
     std::vector<double> seen;
     const Cut cut = cutOf(small.width, small.height, 1, 0);
     for (int task = 0; task < cut.count(); ++task) {
-        worker.render(cut, task, {0, 1}, never, [&](int, int, Colour radiance, int) {
+        worker.render(cut, task, {0, 1}, never, [&](const SampleId&, Colour radiance, int) {
             const double light = luminance(radiance);
             seen.push_back(std::isfinite(light) ? std::max(light, 0.0) : 0);
         });
     }
-    sums_ = ImageSums(view_->settings.width, view_->settings.height, static_cast<float>(usualMean(seen)));
+    sums_ = ImageSums(view_->settings.width, view_->settings.height, static_cast<float>(usualMean(seen)),
+                      mixesWithNet(view_->settings));
 }
 
 bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame, const Show& show) {
@@ -216,11 +217,11 @@ bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
         for (int task = 0; task < tasks; ++task) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
             errors.guard([&] {
-                worker.render(cut, task, range, control.cancel, [&](int x, int y, Colour radiance, int hit) {
-                    sums_.add(x, y, radiance);
-                    hits_[static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.width) +
-                          static_cast<std::size_t>(x)] += hit != 0 ? 1U : 0U;
-                });
+                worker.render(
+                    cut, task, range, control.cancel, [&](const SampleId& id, Colour radiance, int hit) {
+                        sums_.add(id.x, id.y, radiance, id.sub);
+                        hits_[id.y * static_cast<std::size_t>(settings.width) + id.x] += hit != 0 ? 1U : 0U;
+                    });
             });
             const PixelArea area = cut.area(task);
             control.tilesDone.fetch_add(static_cast<std::uint64_t>(area.columns) *
@@ -236,6 +237,7 @@ bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
 
 void PathRenderer::develop(Frame& frame) const {
     sums_.mean(frame.radiance);
+    sums_.halfMeans(frame.halves);
     frame.covered.resize(hits_.size());
     for (std::size_t i = 0; i < hits_.size(); ++i) {
         const auto width = static_cast<std::size_t>(sums_.width());

@@ -57,7 +57,7 @@ class PathRenderer {
 
     const ImageSums& sums() const { return sums_; }
     const LightSet& lights() const { return lights_; }
-    /// The means so far: radiance and coverage; without AOVs.
+    /// The means so far: radiance, where a net is mixed with it its halves, and coverage; without AOVs.
     void develop(Frame& frame) const;
 
   private:

@@ -94,6 +94,7 @@ struct AreaLightSettings {
 struct DenoiseSettings {
     int passes = 0;                   ///< of the filter; 0 = off
     DenoiseNet net = DenoiseNet::Off; ///< in place of the filter, of Integrator::Path
+    bool mix = true; ///< the net's image with the sampled one, by the errors of both: mixesWithNet()
 
     friend bool operator==(const DenoiseSettings&, const DenoiseSettings&) = default;
 };
@@ -155,6 +156,15 @@ struct RenderSettings {
 /// Whether a net takes the noise of an image of those settings away.
 inline bool denoisesByNet(const RenderSettings& settings) {
     return settings.integrator == Integrator::Path && settings.denoise.net != DenoiseNet::Off;
+}
+
+/// Samples of a pixel from which on its noise is known well enough: that of fewer misses rare light.
+inline constexpr int kMixedSamples = 64;
+
+/// Whether an image of those settings is that of a net mixed with the sampled one, for which the samples are
+/// kept in halves.
+inline bool mixesWithNet(const RenderSettings& settings) {
+    return denoisesByNet(settings) && settings.denoise.mix && settings.path.samples >= kMixedSamples;
 }
 
 /// Passes of the filter that smooths the noise of an image of those settings.

@@ -328,6 +328,12 @@ std::vector<Setting> makeTable() {
             .changing(SettingChange::Display)
             .usedBy(Integrator::Path)
             .notInBrowsers(),
+        row<&S::denoise, &DenoiseSettings::mix>(
+            "denoise.mix", "from 64 samples on, the net's image is mixed with the sampled one: each where it "
+                           "has the smaller error")
+            .changing(SettingChange::Display)
+            .usedBy(Integrator::Path)
+            .notInBrowsers(),
         row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
                                        "size of the bloom around bright spots")
             .zeroIs("off")

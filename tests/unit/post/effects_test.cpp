@@ -62,8 +62,13 @@ TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     for (const EffectRow* row : effects()) sum += row->bytesPerPixel;
     EXPECT_EQ(effectBytesPerPixel(everything()),
               Aovs::bytesPerPixel() + sum - kNetDenoiseEffect.bytesPerPixel);
-    EXPECT_EQ(effectBytesPerPixel(everythingByNet()),
-              Guides::bytesPerPixel() + sum - kDenoiseEffect.bytesPerPixel);
+    RenderSettings byNet = everythingByNet();
+    byNet.denoise.mix = false;
+    const std::size_t ofNet = Guides::bytesPerPixel() + sum - kDenoiseEffect.bytesPerPixel;
+    EXPECT_EQ(effectBytesPerPixel(byNet), ofNet);
+    byNet.denoise.mix = true;
+    byNet.path.samples = kMixedSamples;
+    EXPECT_EQ(effectBytesPerPixel(byNet), ofNet + 2 * sizeof(Colour) + 28) << "halves, and their sums";
     RenderSettings bloom;
     bloom.bloom.radius = 3;
     EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";

@@ -111,6 +111,53 @@ TEST(ImageSums, ARowIsItsPixels) {
     EXPECT_EQ(test::samplesOf(byRow), 3U);
 }
 
+TEST(ImageSums, HalvesAreOctaveByOctave) {
+    std::string halves;
+    for (std::uint32_t i = 0; i < 32; ++i) halves += inFirstHalf(i) ? 'A' : 'B';
+    EXPECT_EQ(halves, "ABABAABBAAAABBBBAAAAAAAABBBBBBBB");
+}
+
+TEST(ImageSums, KeepTheFirstHalfBesideTheWhole) {
+    ImageSums sums(2, 1, 1, true), plain(2, 1, 1);
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        sums.add(0, 0, kWhite * static_cast<float>(i + 1), i);
+        plain.add(0, 0, kWhite * static_cast<float>(i + 1), i);
+    }
+    sums.add(1, 0, {NAN, 0, 0}, 0);
+    EXPECT_EQ(sums.pixel(0, 0), plain.pixel(0, 0));
+    EXPECT_EQ(sums.firstHalf(0, 0).samples, 4U) << "0, 2, 4 and 5";
+    EXPECT_EQ(sums.firstHalf(1, 0).samples, 0U);
+    SampleHalves halves;
+    sums.halfMeans(halves);
+    EXPECT_EQ(halves.first.at(0, 0), kWhite * 3.75F);
+    EXPECT_EQ(halves.second.at(0, 0), kWhite * 3.0F);
+    EXPECT_EQ(halves.first.at(1, 0), Colour{});
+    EXPECT_FLOAT_EQ(halves.firstFraction, 4 / 6.0F);
+    EXPECT_EQ(halves.samples, 3U) << "the mean of 6 and 0";
+    plain.halfMeans(halves);
+    EXPECT_TRUE(halves.empty()) << "none are kept";
+}
+
+TEST(ImageSums, HalvesHaveTheSameBitsInAnyOrderOfAddingAndMerging) {
+    const std::vector<PlacedSample> samples = mixedSamples(4000);
+    const auto sumsFrom = [&](std::size_t first, std::size_t step) {
+        ImageSums sums(kSumsWidth, kSumsHeight, 0.7F, true);
+        for (std::size_t i = first; i < samples.size(); i += step)
+            sums.add(samples[i].x, samples[i].y, samples[i].colour, static_cast<std::uint32_t>(i % 64));
+        return sums;
+    };
+    const ImageSums all = sumsFrom(0, 1);
+    ImageSums merged = sumsFrom(2, 3);
+    merged.merge(sumsFrom(0, 3));
+    EXPECT_FALSE(merged == all);
+    merged.merge(sumsFrom(1, 3));
+    EXPECT_TRUE(merged == all);
+    const ImageSums before = merged;
+    EXPECT_EQ(refusalOf(merged, sumsOf(samples, 0, 1)),
+              "only some of the parts have halves of their samples");
+    EXPECT_TRUE(merged == before);
+}
+
 TEST(ImageSums, TheUnitIsAPowerOfTwoOfTheMean) {
     EXPECT_EQ(unitExponentOf(emptySums(1)), -25);
     EXPECT_EQ(unitExponentOf(emptySums(0.75F)), -25);

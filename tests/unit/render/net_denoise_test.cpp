@@ -1,4 +1,5 @@
 // A net works on what the frame holds; the background, and frames without a net, stay.
+#include "rtcore/post/effect_chain.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/post/net_denoise.h"
 #include "rtcore/settings/settings_table.h"
@@ -10,6 +11,7 @@
 
 #include <atomic>
 #include <memory>
+#include <random>
 #include <vector>
 
 namespace rtcore {
@@ -82,6 +84,66 @@ TEST_F(NetDenoiseTest, LeavesTheImageWithoutANetGuidesOrTime) {
     EXPECT_EQ(&effect.apply(frame.radiance, {},
                             {.settings = settings, .net = net, .guides = &guides, .stop = &stop}),
               &frame.radiance);
+}
+
+/// Halves that are the frame's radiance with noise.
+SampleHalves noisyHalves(const HdrImage& radiance) {
+    SampleHalves halves{.first = radiance, .second = radiance, .samples = kMixedSamples};
+    std::mt19937 random(4);
+    for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
+        const float noise = 0.2F * static_cast<float>(random() % 1000) / 1000;
+        halves.first.pixels[i] = radiance.pixels[i] * (1 + noise);
+        halves.second.pixels[i] = radiance.pixels[i] * (1 - noise);
+    }
+    return halves;
+}
+
+TEST_F(NetDenoiseTest, MixesWhereTheFrameHasHalves) {
+    frame.halves = noisyHalves(frame.radiance);
+    frame.halves.first.at(24, 18) = kWhite * 1000.0F;
+    const HdrImage before = frame.radiance;
+    HdrImage one;
+    for (const int threads : {1, 2, 3}) {
+        NetReport report;
+        EffectChain chain;
+        const HdrImage& result =
+            chain.apply(frame, {.settings = settings, .threads = threads, .net = net, .netReport = &report});
+        if (threads == 1) one = result;
+        EXPECT_EQ(result.pixels, one.pixels) << threads;
+        EXPECT_TRUE(report.ran && report.mixed);
+        EXPECT_GT(report.error, 0);
+        EXPECT_GE(report.largestError, report.error);
+        EXPECT_EQ(report.dots, 1U);
+        EXPECT_GT(report.lightOfDots, 0.1F);
+    }
+    EXPECT_EQ(frame.radiance.pixels, before.pixels);
+    EXPECT_EQ(one.at(0, 0), frame.radiance.at(0, 0)) << "background";
+}
+
+TEST_F(NetDenoiseTest, DoesNotMixFewSamplesNorWhereItIsNotToldTo) {
+    NetDenoise effect;
+    const HdrImage alone = effect.apply(
+        frame.radiance, {}, {.settings = settings, .threads = 1, .net = net, .guides = &frame.guides});
+    SampleHalves halves = noisyHalves(frame.radiance);
+    NetReport report;
+    const auto apply = [&] {
+        return effect.apply(frame.radiance, {},
+                            {.settings = settings,
+                             .threads = 1,
+                             .net = net,
+                             .guides = &frame.guides,
+                             .halves = &halves,
+                             .netReport = &report});
+    };
+    EXPECT_NE(apply().pixels, alone.pixels);
+    EXPECT_TRUE(report.mixed);
+    halves.samples = kMixedSamples - 1;
+    EXPECT_EQ(apply().pixels, alone.pixels);
+    EXPECT_TRUE(report.ran);
+    EXPECT_FALSE(report.mixed);
+    halves.samples = kMixedSamples;
+    settings.denoise.mix = false;
+    EXPECT_EQ(apply().pixels, alone.pixels);
 }
 
 TEST_F(NetDenoiseTest, StandsInPlaceOfTheFilterForPathsOnly) {

@@ -54,6 +54,40 @@ TEST(PathRenderer, DevelopsMeansAndCoverage) {
     EXPECT_NEAR(paths.radiance.pixels.front().r, whitted.radiance.pixels.front().r, 1e-6);
 }
 
+TEST(PathRenderer, KeepsHalvesWhereANetIsMixedWithTheImage) {
+    const test::TracedScene traced(test::softlyLitScene());
+    RenderSettings settings = test::sampleSettings(35, 21);
+    settings.integrator = Integrator::Path;
+    settings.denoise.net = DenoiseNet::Base;
+    settings.path.samples = kMixedSamples;
+    const Camera camera = test::sampleCamera();
+    const auto developed = [&](const std::vector<SampleRange>& ranges, int threads) {
+        PathRenderer renderer;
+        renderer.begin({traced.scene, traced.tracer, camera, settings}, threads);
+        RenderControl control{.threads = threads};
+        for (const SampleRange& range : ranges) EXPECT_TRUE(renderer.add(range, control));
+        Frame frame;
+        renderer.develop(frame);
+        return frame;
+    };
+    const Frame whole = developed({{0, 8}}, 1), other = developed({{5, 8}, {0, 5}}, 3);
+    ASSERT_FALSE(whole.halves.empty());
+    EXPECT_EQ(whole.halves.samples, 8U);
+    EXPECT_EQ(whole.halves.firstFraction, 0.5F);
+    EXPECT_EQ(whole.halves.first.pixels, other.halves.first.pixels);
+    EXPECT_EQ(whole.halves.second.pixels, other.halves.second.pixels);
+    EXPECT_NE(whole.halves.first.pixels, whole.halves.second.pixels);
+    for (std::size_t i = 0; i < whole.radiance.pixels.size(); ++i) {
+        const Colour mean = (whole.halves.first.pixels[i] + whole.halves.second.pixels[i]) * 0.5F;
+        EXPECT_NEAR(mean.g, whole.radiance.pixels[i].g, 1e-5F * (1 + mean.g));
+    }
+    settings.path.samples = kMixedSamples - 1;
+    EXPECT_TRUE(developed({{0, 8}}, 1).halves.empty()) << "too few";
+    settings.path.samples = kMixedSamples;
+    settings.denoise.mix = false;
+    EXPECT_TRUE(developed({{0, 8}}, 1).halves.empty()) << "not wanted";
+}
+
 TEST(PathRenderer, StopsWhenItIsTold) {
     const test::TracedScene traced(test::sampleScene());
     const RenderSettings settings = test::sampleSettings(70, 41);

@@ -1,0 +1,299 @@
+#include "rtcore/post/net_mix.h"
+
+#include "rtcore/neural/transfer.h"
+#include "rtcore/platform/threads.h"
+#include "rtcore/simd/portable_math.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kBlock = 8;
+constexpr float kKey = 0.18F;     ///< of the usual exposure
+constexpr double kDarkest = 0.01; ///< what squares of darker pixels count as, of the mean's
+constexpr double kExactCodes = 0.25, kNoisyCodes = 0.5; ///< standard errors: not seen, and nearly seen
+
+/// A mean over the channels.
+double meanProduct(Colour a, Colour b) {
+    return (static_cast<double>(a.r) * static_cast<double>(b.r) +
+            static_cast<double>(a.g) * static_cast<double>(b.g) +
+            static_cast<double>(a.b) * static_cast<double>(b.b)) /
+           3;
+}
+double squared(Colour a) { return meanProduct(a, a); }
+double squared(double a) { return a * a; }
+
+std::size_t pixelIndex(const HdrImage& image, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+}
+
+/// f (1 - f): the variance of the mean of all samples, as a fraction of the expected (A - B)^2.
+double noiseOfMean(const SampleHalves& halves) {
+    const auto fraction = static_cast<double>(halves.firstFraction);
+    return fraction * (1 - fraction);
+}
+
+/// How bright and how coarse a usual display shows a radiance.
+class UsualDisplay {
+  public:
+    UsualDisplay(const HdrImage& image, int threads)
+        : scale_(exposureForNet({&image.pixels[0].r, sizeof(Colour) / sizeof(float)}, image.width,
+                                image.height, threads)) {}
+
+    /// Codes of 255 for a radiance near that luminance.
+    double codes(float luminance) const {
+        const float x = std::max(luminance, 0.0F) * scale_, shown = x / (1 + x);
+        const float slope =
+            shown <= 0.0031308F ? 12.92F : 1.055F / 2.4F * portablePow(shown, 1.0F / 2.4F - 1);
+        return static_cast<double>(255 * scale_ * slope / ((1 + x) * (1 + x)));
+    }
+    /// What a squared error at that luminance counts.
+    double weight(float luminance) const {
+        const double x = static_cast<double>(luminance) * static_cast<double>(scale_ / kKey);
+        return 1 / (x * x + kDarkest);
+    }
+
+  private:
+    float scale_;
+};
+
+/// Sums over pixels that are covered alike, of squares by UsualDisplay::weight().
+struct BlockPool {
+    double apart = 0;   ///< D: net's image less sampled one
+    double noise = 0;   ///< V, variance of the sampled image
+    double kept = 0;    ///< C, of its noise in the net's image
+    double nets = 0;    ///< variance of the mean of the nets of the halves
+    double squares = 0; ///< of D - V + C
+    double pixels = 0;
+
+    void add(const BlockPool& other, double times) {
+        apart += other.apart * times;
+        noise += other.noise * times;
+        kept += other.kept * times;
+        nets += other.nets * times;
+        squares += other.squares * times;
+        pixels += other.pixels * times;
+    }
+};
+
+BlockPool poolOf(const NetMixInput& input, std::size_t i, double weight) {
+    const Colour a = input.halves.first.pixels[i], b = input.halves.second.pixels[i];
+    const Colour netA = input.netFirst.pixels[i], netB = input.netSecond.pixels[i];
+    const Colour between = a - b;
+    BlockPool pool{.apart = squared(input.net.pixels[i] - input.sampled.pixels[i]) * weight,
+                   .noise = noiseOfMean(input.halves) * squared(between) * weight,
+                   .kept = ((meanProduct(netA - b, between) - meanProduct(netB - a, between)) / 2 -
+                            squared(between) / 2) /
+                           2 * weight,
+                   .nets = squared(netA - netB) / 4 * weight,
+                   .pixels = 1};
+    pool.squares = squared(pool.apart - pool.noise + pool.kept);
+    return pool;
+}
+
+/// Expected squares of a pixel, by its pool.
+struct ExpectedSquares {
+    double net;   ///< of the net's image: its error, E
+    double noise; ///< of the sampled image, V
+    double kept;  ///< of the noise that both have, C
+    double sure;  ///< E - C, less a standard error
+
+    explicit ExpectedSquares(const BlockPool& pool) {
+        const double apart = pool.apart / pool.pixels, all = pool.noise / pool.pixels;
+        kept = std::clamp(pool.kept / pool.pixels, 0.0, all);
+        // Halves that share the strata of a sequence differ by more than their noise explains.
+        noise = std::min(all, apart + 2 * kept);
+        const double wrong = apart - all + kept;
+        const double variance = std::max(pool.squares / pool.pixels - squared(wrong), 0.0) / pool.pixels;
+        sure = std::max(wrong - std::sqrt(variance), 0.0);
+        net = std::max(apart - noise + 2 * kept, pool.nets / pool.pixels);
+    }
+};
+
+/// Pixels of an image without those beyond its borders, in blocks.
+struct PixelBlocks {
+    int width, height;
+
+    int columns() const { return (width + kBlock - 1) / kBlock; }
+    int rows() const { return (height + kBlock - 1) / kBlock; }
+    /// use(pixel) with each of the block, in their order.
+    template <typename Use>
+    void forEach(int column, int row, Use&& use) const {
+        for (int y = row * kBlock; y < std::min((row + 1) * kBlock, height); ++y) {
+            for (int x = column * kBlock; x < std::min((column + 1) * kBlock, width); ++x) use(x, y);
+        }
+    }
+};
+
+/// The two blocks whose middles are nearest on a line, and how much the second one counts.
+class NearBlocks {
+  public:
+    struct Part {
+        int block;
+        double times;
+    };
+
+    NearBlocks(int position, int blocks) {
+        const double at = (position + 0.5) / kBlock - 0.5;
+        const int below = static_cast<int>(std::floor(at));
+        parts_ = {{{std::clamp(below, 0, blocks - 1), 1 - (at - below)},
+                   {std::clamp(below + 1, 0, blocks - 1), at - below}}};
+    }
+    const std::array<Part, 2>& both() const { return parts_; }
+
+  private:
+    std::array<Part, 2> parts_;
+};
+
+/// The variance of the mean at a pixel, by those around it that are covered alike.
+double noiseAround(const NetMixInput& input, int x, int y, PixelCoverage coverage) {
+    const HdrImage& first = input.halves.first;
+    double sum = 0;
+    int pixels = 0;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, first.height - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, first.width - 1); ++u) {
+            const std::size_t i = pixelIndex(first, u, v);
+            if (input.coverage[i] != coverage) continue;
+            sum += squared(first.pixels[i] - input.halves.second.pixels[i]);
+            ++pixels;
+        }
+    }
+    return noiseOfMean(input.halves) * sum / pixels;
+}
+
+/// 1 where the standard error is not seen, 0 where it is.
+double exactness(double standardErrorInCodes) {
+    const double t = std::clamp((kNoisyCodes - standardErrorInCodes) / (kNoisyCodes - kExactCodes), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+/// Squared errors of a row of blocks.
+struct RowError {
+    double sum = 0, largestBlock = 0;
+
+    void add(double ofBlock, int pixels) {
+        sum += ofBlock;
+        largestBlock = std::max(largestBlock, ofBlock / pixels);
+    }
+};
+
+EstimatedError errorOf(const std::vector<RowError>& rows, std::size_t pixels) {
+    double sum = 0, largest = 0;
+    for (const RowError& row : rows) {
+        sum += row.sum;
+        largest = std::max(largest, row.largestBlock);
+    }
+    return {static_cast<float>(std::sqrt(sum / static_cast<double>(pixels))),
+            static_cast<float>(std::sqrt(largest))};
+}
+
+/// Pools of all blocks, and of a pixel by those around it, without seams.
+class BlockPools {
+  public:
+    BlockPools(const NetMixInput& input, const UsualDisplay& display, int threads)
+        : blocks_{input.sampled.width, input.sampled.height},
+          pools_(2 * static_cast<std::size_t>(blocks_.columns()) * static_cast<std::size_t>(blocks_.rows())) {
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+        for (int row = 0; row < blocks_.rows(); ++row) {
+            for (int column = 0; column < blocks_.columns(); ++column) fill(input, display, column, row);
+        }
+    }
+
+    /// Needs a pixel that surfaces cover.
+    BlockPool at(int x, int y, PixelCoverage coverage) const {
+        const NearBlocks across(x, blocks_.columns()), down(y, blocks_.rows());
+        BlockPool pool;
+        for (const auto& [row, times] : down.both()) {
+            for (const auto& [column, timesAcross] : across.both())
+                pool.add(pools_[indexOf(column, row, coverage)], times * timesAcross);
+        }
+        return pool;
+    }
+
+    /// The same without its neighbours.
+    const BlockPool& ofBlock(int x, int y, PixelCoverage coverage) const {
+        return pools_[indexOf(x / kBlock, y / kBlock, coverage)];
+    }
+
+  private:
+    void fill(const NetMixInput& input, const UsualDisplay& display, int column, int row) {
+        blocks_.forEach(column, row, [&](int x, int y) {
+            const std::size_t i = pixelIndex(input.sampled, x, y);
+            if (input.coverage[i] == PixelCoverage::None) return;
+            const double weight = display.weight(luminance(input.net.pixels[i]));
+            pools_[indexOf(column, row, input.coverage[i])].add(poolOf(input, i, weight), 1);
+        });
+    }
+    std::size_t indexOf(int column, int row, PixelCoverage coverage) const {
+        return 2 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks_.columns()) +
+                    static_cast<std::size_t>(column)) +
+               (coverage == PixelCoverage::Full ? 1 : 0);
+    }
+
+    PixelBlocks blocks_;
+    std::vector<BlockPool> pools_;
+};
+
+/// A mixed pixel with what its squared error is estimated to be, in codes.
+struct MixedPixel {
+    Colour colour;
+    double error = 0;
+};
+
+/// k that leaves the smallest error; of less where the pixel's own noise is larger than that of its pool.
+double fractionOfSampled(const ExpectedSquares& squares, double noiseAround) {
+    const double noise = std::max(squares.noise, noiseAround) - squares.kept;
+    return squares.sure > 0 ? squares.sure / (squares.sure + std::max(noise, 0.0)) : 0;
+}
+
+MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const UsualDisplay& display, int x,
+                      int y) {
+    const std::size_t i = pixelIndex(input.sampled, x, y);
+    const Colour sampled = input.sampled.pixels[i];
+    const PixelCoverage coverage = input.coverage[i];
+    if (coverage == PixelCoverage::None) return {sampled};
+    const Colour net = input.net.pixels[i];
+    const float light = luminance(net);
+    const double weight = display.weight(light), codes = squared(display.codes(light));
+    const double around = noiseAround(input, x, y, coverage);
+    const ExpectedSquares smooth(pools.at(x, y, coverage)), block(pools.ofBlock(x, y, coverage));
+    const double k =
+        std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)));
+    const double error = squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
+    return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k), error / weight * codes};
+}
+
+} // namespace
+
+EstimatedError mixWithNet(const NetMixInput& input, HdrImage& shown, int threads) {
+    const HdrImage& sampled = input.sampled;
+    const UsualDisplay display(sampled, threads);
+    const BlockPools pools(input, display, threads);
+    if (shown.width != sampled.width || shown.height != sampled.height)
+        shown = HdrImage(sampled.width, sampled.height);
+    const PixelBlocks blocks{sampled.width, sampled.height};
+    std::vector<RowError> rows(static_cast<std::size_t>(blocks.rows()));
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int row = 0; row < blocks.rows(); ++row) {
+        RowError& ofRow = rows[static_cast<std::size_t>(row)];
+        for (int column = 0; column < blocks.columns(); ++column) {
+            double sum = 0;
+            int pixels = 0;
+            blocks.forEach(column, row, [&](int x, int y) {
+                const MixedPixel mixed = mixedPixel(input, pools, display, x, y);
+                shown.at(x, y) = mixed.colour;
+                sum += mixed.error;
+                ++pixels;
+            });
+            ofRow.add(sum, pixels);
+        }
+    }
+    return errorOf(rows, sampled.pixels.size());
+}
+
+} // namespace rtcore
