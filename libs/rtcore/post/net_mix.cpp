@@ -64,11 +64,11 @@ class UsualDisplay {
 
 /// Sums over pixels that are covered alike, of squares by UsualDisplay::weight().
 struct BlockPool {
-    double apart = 0;   ///< D: net's image less sampled one
-    double noise = 0;   ///< V, variance of the sampled image
-    double kept = 0;    ///< C, of its noise in the net's image
-    double nets = 0;    ///< variance of the mean of the nets of the halves
-    double squares = 0; ///< of D - V + C
+    double apart = 0;  ///< D: net's image less sampled one
+    double noise = 0;  ///< V, variance of the sampled image
+    double kept = 0;   ///< C, of its noise in the net's image
+    double nets = 0;   ///< variance of the mean of the nets of the halves
+    double unsure = 0; ///< variance of a pixel's D - V + C due to noise
     double pixels = 0;
 
     void add(const BlockPool& other, double times) {
@@ -76,7 +76,7 @@ struct BlockPool {
         noise += other.noise * times;
         kept += other.kept * times;
         nets += other.nets * times;
-        squares += other.squares * times;
+        unsure += other.unsure * times;
         pixels += other.pixels * times;
     }
 };
@@ -92,7 +92,7 @@ BlockPool poolOf(const NetMixInput& input, std::size_t i, double weight) {
                            2 * weight,
                    .nets = squared(netA - netB) / 4 * weight,
                    .pixels = 1};
-    pool.squares = squared(pool.apart - pool.noise + pool.kept);
+    pool.unsure = pool.noise * (pool.noise + 2 * pool.apart);
     return pool;
 }
 
@@ -109,8 +109,7 @@ struct ExpectedSquares {
         // Halves that share the strata of a sequence differ by more than their noise explains.
         noise = std::min(all, apart + 2 * kept);
         const double wrong = apart - all + kept;
-        const double variance = std::max(pool.squares / pool.pixels - squared(wrong), 0.0) / pool.pixels;
-        sure = std::max(wrong - std::sqrt(variance), 0.0);
+        sure = std::max(wrong - std::sqrt(pool.unsure) / pool.pixels, 0.0);
         net = std::max(apart - noise + 2 * kept, pool.nets / pool.pixels);
     }
 };
