@@ -1,14 +1,13 @@
 #include "renderer/requests.h"
 
 #include "common/process/stop.h"
+#include "common/process/terminal.h"
 
 #include "rtcore/platform/error.h"
 
 #include <array>
 #include <charconv>
 #include <chrono>
-#include <poll.h>
-#include <unistd.h>
 #include <utility>
 
 namespace renderer {
@@ -76,22 +75,20 @@ bool Requests::pending() {
 void Requests::read(const std::stop_token& stop) {
     std::array<char, 4096> bytes{};
     while (!stop.stop_requested()) {
-        pollfd input{STDIN_FILENO, POLLIN, 0};
-        if (::poll(&input, 1, static_cast<int>(std::chrono::milliseconds(kLook).count())) <= 0) continue;
-        const ssize_t got = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+        const std::optional<std::string_view> got = app::readInput(bytes, kLook);
         const std::lock_guard lock(mutex_);
-        if (got <= 0) {
+        if (!got) {
             ended_ = came_ = true;
             app::endWork();
             wake_.notify_all();
             return;
         }
-        for (const char byte : std::string_view(bytes.data(), static_cast<std::size_t>(got))) {
-            if (byte != '\n') {
-                if (unfinished_.size() < kMaxLine) unfinished_ += byte;
-                continue;
+        for (const char byte : *got) {
+            if (byte == '\n') {
+                take(std::exchange(unfinished_, {}));
+            } else if (unfinished_.size() < kMaxLine) {
+                unfinished_ += byte;
             }
-            take(std::exchange(unfinished_, {}));
         }
     }
 }

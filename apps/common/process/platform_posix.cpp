@@ -204,6 +204,16 @@ std::optional<int> terminalColumns() {
     return known ? std::max<int>(20, size.ws_col) : 80;
 }
 
+std::optional<std::string_view> readInput(std::span<char> bytes,
+                                          std::chrono::milliseconds patience) noexcept {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (::poll(&input, 1, static_cast<int>(patience.count())) <= 0) return std::string_view();
+    const ssize_t got = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (got < 0 && (errno == EINTR || errno == EAGAIN)) return std::string_view();
+    if (got <= 0) return std::nullopt;
+    return std::string_view(bytes.data(), static_cast<std::size_t>(got));
+}
+
 void writeOutput(std::string_view bytes) {
     const int error = writeAll(STDOUT_FILENO, bytes);
     if (error == EINTR) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");

@@ -1,8 +1,10 @@
 /// The standard streams, and this process, as the operating system sees them.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace app {
@@ -26,5 +28,9 @@ bool errorTakesMore() noexcept;
 
 /// The most memory that this process has held so far.
 std::uint64_t peakMemoryBytes() noexcept;
+
+/// Bytes that came on standard input, into `bytes`: an empty text where none came in time, nothing once the
+/// input has ended. One thread.
+std::optional<std::string_view> readInput(std::span<char> bytes, std::chrono::milliseconds patience) noexcept;
 
 } // namespace app

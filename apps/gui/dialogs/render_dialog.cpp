@@ -4,6 +4,7 @@
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/option_fields.h"
 #include "gui/models/option_names.h"
+#include "gui/models/plain_text.h"
 #include "gui/processes/private_folder.h"
 #include "gui/processes/programs.h"
 #include "gui/session/server_sentence.h"
@@ -144,7 +145,7 @@ void RenderDialog::makeDenoising() {
     auto* items = qobject_cast<QStandardItemModel*>(denoising_->model());
     for (const int item : {UsualNet, SmallNet, LargeNet}) {
         items->item(item)->setEnabled(false);
-        items->item(item)->setToolTip(translated(net.missing));
+        items->item(item)->setToolTip(plainTip(translated(net.missing)));
     }
     denoising_->setCurrentIndex(Filter);
 }
