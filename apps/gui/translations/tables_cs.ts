@@ -392,6 +392,14 @@
         <translation>Velká</translation>
     </message>
     <message>
+        <source>Mix</source>
+        <translation>Míchání</translation>
+    </message>
+    <message>
+        <source>from 64 samples on, the net's image is mixed with the sampled one: each where it has the smaller error</source>
+        <translation>od 64 vzorků se obraz sítě mísí s vzorkovaným: každý tam, kde má menší chybu</translation>
+    </message>
+    <message>
         <source>Bloom</source>
         <translation>Záře</translation>
     </message>
