@@ -38,6 +38,7 @@ inline std::vector<WithoutEffect> withoutEachEffect(const rtcore::RenderSettings
     std::vector<WithoutEffect> result;
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {
         if (setting.name == "width" || setting.name == "height" || setting.name == "antialiasing") continue;
+        if (setting.integrator && *setting.integrator != all.integrator) continue;
         const bool isSwitch = setting.type == rtcore::SettingType::Boolean;
         const rtcore::SettingValue off = isSwitch ? rtcore::SettingValue(false) : setting.defaultValue;
         if (setting.get(all) == off) continue;
