@@ -27,7 +27,8 @@ float brightestBeside(const HdrImage& half, const HdrImage& other, int x, int y)
 
 } // namespace
 
-TakenDots copyWithoutDots(const HdrImage& half, const HdrImage& other, HdrImage& input, int threads) {
+TakenDots copyWithoutDots(const HdrImage& half, const HdrImage& other, HdrImage& input,
+                          [[maybe_unused]] int threads) {
     if (input.width != half.width || input.height != half.height) input = HdrImage(half.width, half.height);
     std::vector<TakenDots> rows(static_cast<std::size_t>(half.height));
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))

@@ -194,7 +194,7 @@ EstimatedError errorOf(const std::vector<RowError>& rows, std::size_t pixels) {
 /// Pools of all blocks, and of a pixel by those around it, without seams.
 class BlockPools {
   public:
-    BlockPools(const NetMixInput& input, const UsualDisplay& display, int threads)
+    BlockPools(const NetMixInput& input, const UsualDisplay& display, [[maybe_unused]] int threads)
         : blocks_{input.sampled.width, input.sampled.height},
           pools_(2 * static_cast<std::size_t>(blocks_.columns()) * static_cast<std::size_t>(blocks_.rows())) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
