@@ -33,10 +33,13 @@ struct FileStamp {
     friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
+/// Those are compared by what they say.
+bool isDescription(const std::filesystem::path& scene) { return scene.extension() == ".scn"; }
+
 /// All that the scene is made of; without the view where the request has its own, and no light is placed by
 /// that of the scene.
 std::string descriptionOf(const Request& request, const rtcore::LightingOptions& lighting) {
-    if (request.scene.extension() != ".scn") return request.scene.string();
+    if (!isDescription(request.scene)) return request.scene.string();
     rtcore::SceneFile file = rtcore::readSceneFile(request.scene);
     file.bookmarks.clear();
     if (!request.camera.empty() && !file.defaultLight && !lighting.preset) {
@@ -61,7 +64,7 @@ class OpenScene {
             rtcore::LoadedScene loaded = loadWithProgress(options_, progress_);
             stamps_.clear();
             for (const std::filesystem::path& file : loaded.files)
-                if (file != request.scene) stamps_.emplace_back(file);
+                if (file != request.scene || !isDescription(file)) stamps_.emplace_back(file);
             const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
             ownCamera_ = ofScene.value_or("");
             maker_ = std::make_unique<PictureMaker>(std::move(loaded), settings_, options_, progress_);

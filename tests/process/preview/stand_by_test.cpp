@@ -105,7 +105,12 @@ TEST_F(StandBy, LoadsAgainWhatHasChanged) {
     writeText(folder() / "room.obj", "v -9 0 -9\nv 9 0 -9\nv 0 0 9\nf 1 3 2\n");
     ask(4, "c.scn", "0.cam");
     EXPECT_TRUE(isImageOf(lastOf(4), "c.scn", "0.cam")) << "the model's file is another one";
-    EXPECT_EQ(loads(), 4);
+    ask(5, "room.obj", "0.cam");
+    lastOf(5);
+    writeText(folder() / "room.obj", "v -9 0 -9\nv 9 0 -9\nv 0 2 9\nf 1 3 2\n");
+    ask(6, "room.obj", "0.cam");
+    EXPECT_TRUE(isImageOf(lastOf(6), "room.obj", "0.cam")) << "the same where it is the scene itself";
+    EXPECT_EQ(loads(), 6);
 }
 
 TEST_F(StandBy, GivesUpWhatIsNotWantedAnyMore) {
