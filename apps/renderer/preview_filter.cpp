@@ -33,7 +33,8 @@ const rtcore::Frame* PreviewFilter::apply(const rtcore::ImagePass& pass,
                             .net = net_,
                             .guides = pass.guides,
                             .stop = &stop,
-                            .halves = frame.halves.empty() ? nullptr : &frame.halves});
+                            .halves = frame.halves.empty() ? nullptr : &frame.halves,
+                            .covered = &frame.covered});
     if (&smooth == &frame.radiance) return &frame;
     const float noisy =
         finallyFiltered ? 0 : static_cast<float>(pass.samples) / static_cast<float>(settings.path.samples);

@@ -8,8 +8,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 namespace rtcore {
 
@@ -28,7 +30,8 @@ struct EffectRun {
     const Guides* guides = nullptr;          ///< of the frame; null: it has none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
     const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
-    NetReport* netReport = nullptr;          ///< gets the effect of a net; null: not told
+    const std::vector<std::uint8_t>* covered = nullptr; ///< Frame::covered; null: not known
+    NetReport* netReport = nullptr;                     ///< gets the effect of a net; null: not told
 };
 
 /// The pixels from column `left` to before `right` of row `y` of an image of `width` x `height`.

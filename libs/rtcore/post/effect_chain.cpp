@@ -13,6 +13,7 @@ const HdrImage& EffectChain::apply(const Frame& frame, const EffectRun& run) {
     const HdrImage* picture = &frame.radiance;
     EffectRun own = run;
     own.guides = frame.guides.empty() ? nullptr : &frame.guides;
+    own.covered = &frame.covered;
     own.halves = frame.halves.empty() ? nullptr : &frame.halves;
     for (std::size_t i = 0; i < effects_.size(); ++i) {
         const EffectRow& row = *effects()[i];

@@ -4,7 +4,6 @@
 #include "rtcore/render/guides.h"
 #include "rtcore/render/sample_halves.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace rtcore {
@@ -15,10 +14,11 @@ PixelPlane planeOf(const HdrImage& picture) { return {&picture.pixels[0].r, size
 
 PixelPlane planeOf(const std::vector<Vec3>& vectors) { return {&vectors[0].x, sizeof(Vec3) / sizeof(float)}; }
 
-PixelCoverage coverageOf(std::uint8_t covered) {
+/// `byRays`, `bySamples`: as Frame::covered.
+PixelCoverage coverageOf(std::uint8_t byRays, std::uint8_t bySamples) {
     constexpr std::uint8_t kFull = 255;
-    if (covered == 0) return PixelCoverage::None;
-    return covered < kFull ? PixelCoverage::Part : PixelCoverage::Full;
+    if (byRays == 0 && bySamples == 0) return PixelCoverage::None;
+    return byRays < kFull ? PixelCoverage::Part : PixelCoverage::Full;
 }
 
 /// Whether the halves are those of the picture, and of enough samples.
@@ -55,6 +55,7 @@ const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs&, const Ef
     const HdrImage& guide = run.guides->albedo;
     if (guide.width != picture.width || guide.height != picture.height) return picture;
     if (!denoiser_ || &denoiser_->net() != run.net.get()) denoiser_.emplace(run.net);
+    findCoverage(picture, run);
     const bool mixes = halvesServe(picture, run);
     if (!(mixes ? mix(picture, run, report) : runNet(picture, run, image_))) return picture;
     if (!mixes) keepBackground(picture, run);
@@ -74,14 +75,22 @@ bool NetDenoise::runNet(const HdrImage& picture, const EffectRun& run, HdrImage&
     return denoiser_->run(noisy, &result.pixels[0].r, run.threads, run.stop);
 }
 
-void NetDenoise::keepBackground(const HdrImage& picture, const EffectRun& run) {
-    const std::vector<std::uint8_t>& covered = run.guides->covered;
+/// Few samples may see a surface at an outline where the rays of the guides see none.
+void NetDenoise::findCoverage(const HdrImage& picture, const EffectRun& run) {
+    const std::vector<std::uint8_t>& byRays = run.guides->covered;
+    const bool known = run.covered != nullptr && run.covered->size() == picture.pixels.size();
+    coverage_.resize(picture.pixels.size());
+    for (std::size_t i = 0; i < coverage_.size(); ++i)
+        coverage_[i] = coverageOf(byRays[i], known ? (*run.covered)[i] : byRays[i]);
+}
+
+void NetDenoise::keepBackground(const HdrImage& picture, [[maybe_unused]] const EffectRun& run) {
     const auto width = static_cast<std::size_t>(picture.width);
 #pragma omp parallel for schedule(static) num_threads(threadsFor(run.threads))
     for (int y = 0; y < picture.height; ++y) {
         const std::size_t row = static_cast<std::size_t>(y) * width;
         for (std::size_t i = row; i < row + width; ++i)
-            if (covered[i] == 0) image_.pixels[i] = picture.pixels[i];
+            if (coverage_[i] == PixelCoverage::None) image_.pixels[i] = picture.pixels[i];
     }
 }
 
@@ -107,8 +116,6 @@ bool NetDenoise::mix(const HdrImage& picture, const EffectRun& run, NetReport& r
         !cleanHalf(halves.second, halves.first, 1 - fraction, run, second_, dots) ||
         !runNet(input_, run, image_))
         return false;
-    coverage_.resize(picture.pixels.size());
-    std::ranges::transform(run.guides->covered, coverage_.begin(), coverageOf);
     const EstimatedError error =
         mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
     report.mixed = true;

@@ -18,10 +18,10 @@ namespace rtcore {
 /// The net of the settings; nothing where they use none.
 std::optional<Net> netOf(const RenderSettings& settings);
 
-/// The U-Net of Open Image Denoise over radiance and the frame's guides. Pixels that all of their rays saw as
-/// background have no noise, and stay to the bit; so does the whole image without EffectRun::net, or without
-/// guides of its size. With halves of at least kMixedSamples it is mixed with the sampled image (net_mix.h),
-/// for which the net runs three times. Not for parts of previews.
+/// The U-Net of Open Image Denoise over radiance and the frame's guides. Pixels that all of their rays and
+/// samples saw as background have no noise, and stay to the bit; so does the whole image without
+/// EffectRun::net, or without guides of its size. With halves of at least kMixedSamples it is mixed with the
+/// sampled image (net_mix.h), for which the net runs three times. Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
@@ -34,6 +34,7 @@ class NetDenoise final : public Effect {
     bool mix(const HdrImage& picture, const EffectRun& run, NetReport& report);
     bool cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const EffectRun& run,
                    HdrImage& result, TakenDots& dots);
+    void findCoverage(const HdrImage& picture, const EffectRun& run);
     void keepBackground(const HdrImage& picture, const EffectRun& run);
 
     std::optional<NetDenoiser> denoiser_; ///< of the net that was used last

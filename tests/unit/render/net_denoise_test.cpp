@@ -73,6 +73,17 @@ TEST_F(NetDenoiseTest, GivesSurfacesWhatTheNetGivesAndLeavesTheBackground) {
     EXPECT_GT(background, 100);
 }
 
+TEST_F(NetDenoiseTest, DenoisesOutlinesThatSamplesHitAndTheRaysOfGuidesDoNot) {
+    ASSERT_EQ(frame.guides.covered[0], 0);
+    const auto first = [&] {
+        return EffectChain().apply(frame, {.settings = settings, .threads = 1, .net = net}).pixels[0];
+    };
+    frame.covered[0] = 0;
+    EXPECT_EQ(first(), frame.radiance.pixels[0]) << "background";
+    frame.covered[0] = 64;
+    EXPECT_NE(first(), frame.radiance.pixels[0]);
+}
+
 TEST_F(NetDenoiseTest, LeavesTheImageWithoutANetGuidesOrTime) {
     NetDenoise effect;
     const Guides& guides = frame.guides;
