@@ -106,7 +106,7 @@ inside() {
 }
 by_qemu() { inside qemu-aarch64-static "$@"; }
 
-tests=${RT_ARM64_TESTS:-"simd kernels trees image accel accel_validation math sampling scene settings shading render post live
+tests=${RT_ARM64_TESTS:-"simd kernels trees image accel accel_validation math sampling scene settings shading neural pathtracing render post live
 motion import images bsp text debug platform"}
 
 build() {
@@ -165,6 +165,13 @@ compare_images() {
     same shafts data/gallery/shafts.scn --setting=fog.shafts=8 --setting=exposure.local=0.5 --setting=denoise.passes=2 -b 3
     same mist data/gallery/mist.scn -aon 8 --setting=depthOfField.on=true --setting=depthOfField.focus=5 \
         --setting=toneMapping=channels
+    same paths data/mirrors/mirrors.scn --integrator=path --samples=2 --setting=path.filter=0
+    if [ -f build/nets/rt_hdr_calb_cnrm.tza ]; then
+        same net data/mirrors/mirrors.scn --integrator=path --samples=2 --denoise=base
+        same mixed data/mirrors/mirrors.scn --integrator=path --samples=16 --denoise=small
+    else
+        say "there are no weights in build/nets: without images by nets"
+    fi
     same mirrors data/mirrors/mirrors.scn --setting=adaptive=0.05 -b 2 --setting=bloom.kernel=airy
 }
 

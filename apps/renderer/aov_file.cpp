@@ -53,12 +53,14 @@ void addImage(const std::string& layer, const rtcore::HdrImage& image, Channels&
 } // namespace
 
 void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance,
-               const rtcore::Frame& frame, std::span<const rtcore::ImageText> texts) {
+               const rtcore::Frame& frame, const std::vector<float>& errors,
+               std::span<const rtcore::ImageText> texts) {
     Channels channels;
     addImage("", radiance, channels);
     addAovs(frame.aovs, channels);
     if (!frame.guides.empty()) addGuides(frame.guides, channels);
     if (&radiance != &frame.radiance) addImage("sampled.", frame.radiance, channels);
+    if (!errors.empty()) channels.push_back({"error.Y", errors.data(), 1});
     rtcore::writeExrChannels(path, radiance.width, radiance.height, channels, texts);
 }
 

@@ -7,14 +7,17 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace renderer {
 
 /// Replaces `path` by an EXR with the radiance as R, G, B and the AOVs depth, normal, albedo, direct and
 /// occlusion, by the names that other programs look for; with guideAlbedo and guideNormal where the frame has
-/// guides, and with `sampled` where effects made the radiance another than the frame's. Its AOVs are not
-/// empty, and all are of the size of `radiance`. Throws rtcore::FileError CannotWrite.
+/// guides, with `sampled` where effects made the radiance another than the frame's, and with `error` where
+/// `errors`, EstimatedError::pixels, are not empty. Its AOVs are not empty, and all are of the size of
+/// `radiance`. Throws rtcore::FileError CannotWrite.
 void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance,
-               const rtcore::Frame& frame, std::span<const rtcore::ImageText> texts);
+               const rtcore::Frame& frame, const std::vector<float>& errors,
+               std::span<const rtcore::ImageText> texts);
 
 } // namespace renderer

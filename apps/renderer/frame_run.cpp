@@ -40,6 +40,11 @@ std::string places(const FrameTask& frame) {
 
 } // namespace
 
+FrameRun::FrameRun(const RendererOptions& options, app::Progress& progress, PictureMaker& maker, Film* film)
+    : options_(options), progress_(progress), maker_(maker), film_(film) {
+    if (options.report) report_.emplace(*options.report, options);
+}
+
 void FrameRun::renderOne(const FrameTask& frame) { make(frame, 1, 1); }
 
 void FrameRun::renderList(std::vector<FrameTask> frames) {
@@ -102,10 +107,12 @@ void FrameRun::renderListed(const FrameTask& frame, int index, int count) {
 }
 
 void FrameRun::make(const FrameTask& frame, int index, int count) {
-    report(frame, maker_.make(frame, index, count));
+    const FrameReport made = maker_.make(frame, index, count);
+    if (report_) report_->add(frame, made);
+    tell(frame, made);
 }
 
-void FrameRun::report(const FrameTask& frame, const FrameReport& report) {
+void FrameRun::tell(const FrameTask& frame, const FrameReport& report) {
     if (options_.verbose) {
         const double rays = static_cast<double>(report.rays.total());
         const double speed = report.renderSeconds > 0 ? rays / report.renderSeconds * 1e-6 : 0.0;

@@ -5,20 +5,22 @@
 #include "renderer/frame_list.h"
 #include "renderer/picture_maker.h"
 #include "renderer/renderer_options.h"
+#include "renderer/report_file.h"
 
 #include "common/process/exit_codes.h"
 #include "common/progress/progress.h"
 
+#include <optional>
 #include <vector>
 
 namespace renderer {
 
-/// Keeps count of the frames that fail. `film` may be null. All that it gets must outlive it.
+/// Keeps count of the frames that fail, and the report of the others where one is asked for. `film` may be
+/// null. All that it gets must outlive it.
 class FrameRun {
   public:
     FrameRun(const RendererOptions& options, app::Progress& progress, PictureMaker& maker,
-             Film* film = nullptr)
-        : options_(options), progress_(progress), maker_(maker), film_(film) {}
+             Film* film = nullptr);
 
     /// The one frame of a run without a list. Throws as PictureMaker::make does.
     void renderOne(const FrameTask& frame);
@@ -35,12 +37,13 @@ class FrameRun {
     void findFinished(std::vector<FrameTask>& frames);
     void renderListed(const FrameTask& frame, int index, int count);
     void make(const FrameTask& frame, int index, int count);
-    void report(const FrameTask& frame, const FrameReport& report);
+    void tell(const FrameTask& frame, const FrameReport& report);
 
     const RendererOptions& options_;
     app::Progress& progress_;
     PictureMaker& maker_;
     Film* film_;
+    std::optional<ReportFile> report_;
     int asked_ = 0, failed_ = 0;
     app::ExitCode result_ = app::ExitCode::Done;
 };

@@ -78,7 +78,8 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     focus(camera, settings);
     chooseNet(settings);
 
-    FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
+    FrameReport report{
+        .width = settings.width, .height = settings.height, .rays = {}, .net = {}, .settings = settings};
     auto start = std::chrono::steady_clock::now();
     render(camera, settings, index, count);
     report.renderSeconds = app::secondsSince(start);
@@ -87,10 +88,12 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
 
     start = std::chrono::steady_clock::now();
     const rtcore::HdrImage& radiance = finish(settings, index, count);
+    report.net = developer_.netReport();
     const float exposure = develop(task, radiance, settings);
     write(task, radiance, settings);
     // This must come last: a viewer that has seen it may end this process.
-    if (preview_ != nullptr) preview_->finish(developed_, exposure);
+    if (preview_ != nullptr)
+        preview_->finish(developed_, exposure, {developer_.netReport(), developer_.netErrors()});
     report.writeSeconds = app::secondsSince(start);
     return report;
 }
@@ -199,7 +202,18 @@ void PictureMaker::chooseNet(rtcore::RenderSettings& settings) {
         chooseNetByItself(settings);
         return;
     }
+    if (wanted) checkDigest(*wanted);
     useNet(wanted ? nets_.of(*wanted) : nullptr);
+}
+
+/// Images that another program began go on with the same weights, or not at all.
+void PictureMaker::checkDigest(rtcore::Net net) const {
+    const rtcore::NetFile& file = rtcore::fileOf(net);
+    if (std::string_view(file.sha256).starts_with(options_.netDigest)) return;
+    throw rtcore::FileError(rtcore::FailureKind::BadData, "--denoise",
+                            fmt::format("the weights of {} have the SHA-256 {} here, not {}; use the version "
+                                        "of this suite that knows those",
+                                        file.name, file.sha256, options_.netDigest));
 }
 
 void PictureMaker::chooseNetByItself(rtcore::RenderSettings& settings) {
@@ -254,11 +268,14 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
 const rtcore::HdrImage& PictureMaker::finish(const rtcore::RenderSettings& settings, int index, int count) {
     if (!rtcore::denoisesByNet(settings)) return developer_.finish(frame_, settings, options_.threads);
     std::atomic<bool> cancel = false;
-    const app::ProgressScope scope(progress_, {"denoising", nullptr, &cancel}, index, count);
-    const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads, &cancel);
+    std::atomic<float> done = 0;
+    const app::ProgressScope scope(
+        progress_, {"denoising", [&done] { return static_cast<double>(done.load()); }, &cancel}, index,
+        count);
+    const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads, &cancel, &done);
     app::throwIfStopped();
-    const std::string done = rtcore::textOf(developer_.netReport(), settings.denoise.net);
-    if (options_.verbose && !done.empty()) progress_.print(done);
+    const std::string effect = rtcore::textOf(developer_.netReport(), settings.denoise.net);
+    if (options_.verbose && !effect.empty()) progress_.print(effect);
     return radiance;
 }
 
@@ -287,12 +304,14 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
     std::vector<rtcore::ImageText> texts = app::imageTexts(settings);
     const std::string net = rtcore::textOf(developer_.netReport(), settings.denoise.net);
     if (!net.empty()) texts.push_back({"denoising", net});
+    if (const auto used = rtcore::netOf(settings); used && !net.empty())
+        texts.push_back({"weights", std::string("SHA-256 ") + rtcore::fileOf(*used).sha256});
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat, texts)));
         } else if (options_.aovs && rtcore::isExr(output)) {
-            writeAovs(output, radiance, frame_, texts);
+            writeAovs(output, radiance, frame_, developer_.netErrors(), texts);
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance, texts);
         } else {

@@ -26,6 +26,8 @@ struct FrameReport {
     std::uint64_t samples = 0; ///< of an image that does without some of them: all that it could take
     double renderSeconds = 0, writeSeconds = 0;
     rtcore::RayStatistics rays;
+    rtcore::NetReport net;
+    rtcore::RenderSettings settings; ///< with the net that was chosen
 };
 
 /// Not for several threads at once: it uses all of them itself.
@@ -78,6 +80,7 @@ class PictureMaker {
     /// Reads the net that the settings ask for, before any light is traced, which would be lost where there
     /// is none; in place of "automatic", they get what is there.
     void chooseNet(rtcore::RenderSettings& settings);
+    void checkDigest(rtcore::Net net) const;
     void chooseNetByItself(rtcore::RenderSettings& settings);
     void useNet(const std::shared_ptr<const rtcore::UNet>& net);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);

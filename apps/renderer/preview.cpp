@@ -1,10 +1,9 @@
 #include "renderer/preview.h"
 
+#include "common/frames/error_byte.h"
 #include "common/frames/frame_status.h"
 #include "common/process/seconds_since.h"
 #include "common/process/stop.h"
-
-#include "ipc/layout/frame_info.h"
 
 #include "rtcore/settings/integrator_traits.h"
 #include "rtcore/upsample/upsample.h"
@@ -73,7 +72,10 @@ void Preview::begin(const Work& work) {
     begun_ = Clock::now();
     picture_ = rtcore::LdrImage(settings.width, settings.height);
     effects_ = {};
-    samples_ = 0;
+    info_ = {};
+    info_.samples = 0;
+    info_.width = static_cast<std::uint32_t>(settings.width);
+    info_.height = static_cast<std::uint32_t>(settings.height);
     allSamples_ = static_cast<std::uint32_t>(rtcore::samplesPerPixel(settings));
     status_ = {};
     status_.polygons = work.view.scene.model.mesh.triangles.size();
@@ -88,13 +90,15 @@ void Preview::end() {
     throwIfFailed();
 }
 
-void Preview::finish(const rtcore::LdrImage& picture, float exposure) {
+void Preview::finish(const rtcore::LdrImage& picture, float exposure, const PictureErrors& errors) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
-    samples_ = allSamples_;
+    info_.samples = allSamples_;
     status_.frameSeconds = app::secondsSince(begun_);
     status_.exposure = exposure;
-    publish(picture, ipc::kPreviewDone);
+    picture_ = picture;
+    mark(errors);
+    publish(ipc::kPreviewDone);
     status_.progress = 1;
     status_.idle = 1;
     server_->setStatus(status_);
@@ -133,9 +137,10 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
         for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = opaque;
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
-        samples_ = pass.samples;
+        info_.samples = pass.samples;
+        mark({filter_.report(), filter_.errors()});
     }
-    publish(picture_, tagUnderWay());
+    publish(tagUnderWay());
     pace_.shown(Clock::now(), Clock::now());
 }
 
@@ -150,7 +155,7 @@ void Preview::showTiles() {
     for (const rtcore::PixelArea& tile : tiles) {
         rtcore::developPart(work_->frame.radiance, how, effects_, tile, picture_);
     }
-    publish(picture_, tagUnderWay());
+    publish(tagUnderWay());
     pace_.shown(start, Clock::now());
 }
 
@@ -160,14 +165,21 @@ std::uint64_t Preview::tagUnderWay() const {
     return std::min(static_cast<std::uint64_t>(parts), ipc::kPreviewDone - 1);
 }
 
-void Preview::publish(const rtcore::LdrImage& picture, std::uint64_t tag) {
-    ipc::FrameInfo info;
-    info.run = options_.run;
-    info.width = static_cast<std::uint32_t>(picture.width);
-    info.height = static_cast<std::uint32_t>(picture.height);
-    info.samples = samples_;
-    info.tag = tag;
-    server_->publishFrame(info, std::as_bytes(std::span(picture.pixels)));
+/// Writes what is known of its errors into picture_.
+void Preview::mark(const PictureErrors& errors) {
+    const bool known = errors.report.estimated && errors.pixels.size() == picture_.pixels.size();
+    info_.format = known ? ipc::PixelFormat::Rgb8Error8 : ipc::PixelFormat::Rgba8;
+    info_.error = known ? app::thousandths(errors.report.error) : 0;
+    info_.largestError = known ? app::thousandths(errors.report.largestError) : 0;
+    if (!known) return;
+    for (std::size_t i = 0; i < errors.pixels.size(); ++i)
+        picture_.pixels[i].a = app::errorByte(errors.pixels[i]);
+}
+
+void Preview::publish(std::uint64_t tag) {
+    info_.run = options_.run;
+    info_.tag = tag;
+    server_->publishFrame(info_, std::as_bytes(std::span(picture_.pixels)));
 }
 
 void Preview::run(const std::stop_token& stop) {

@@ -7,6 +7,7 @@
 #include "renderer/preview_pace.h"
 
 #include "ipc/endpoint/server.h"
+#include "ipc/layout/frame_info.h"
 
 #include "rtcore/post/develop.h"
 #include "rtcore/render/image_renderer.h"
@@ -20,8 +21,15 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace renderer {
+
+/// The errors that a net left in an image.
+struct PictureErrors {
+    const rtcore::NetReport& report;
+    const std::vector<float>& pixels; ///< empty: none are known
+};
 
 /// One thread calls it; a thread of its own answers clients, shows tiles as they are finished, and tells how
 /// far the image is.
@@ -58,7 +66,7 @@ class Preview {
 
     /// Shows the image that render() gave, developed with `exposure`: the last one of the run, when its
     /// files stand.
-    void finish(const rtcore::LdrImage& picture, float exposure);
+    void finish(const rtcore::LdrImage& picture, float exposure, const PictureErrors& errors);
     /// Until viewers had time to find the last frame, or a signal asks to stop.
     void linger();
 
@@ -70,7 +78,8 @@ class Preview {
     void showPass(const rtcore::ImagePass& pass);
     void showTiles();
     std::uint64_t tagUnderWay() const;
-    void publish(const rtcore::LdrImage& picture, std::uint64_t tag);
+    void publish(std::uint64_t tag);
+    void mark(const PictureErrors& errors);
     void run(const std::stop_token& stop);
     void serve();
     void throwIfFailed() const;
@@ -88,8 +97,8 @@ class Preview {
     ipc::Status status_;
     const Work* work_ = nullptr; ///< null: nothing is being rendered
     rtcore::LdrImage picture_;
+    ipc::FrameInfo info_;         ///< of picture_
     rtcore::EffectChain effects_; ///< for parts, by the last whole pass
-    std::uint32_t samples_ = 0;   ///< that each pixel of picture_ has at least; 0: not even one of its own
     PreviewPace pace_;
     Clock::time_point begun_;    ///< the rendering
     std::exception_ptr failure_; ///< of the thread

@@ -10,6 +10,8 @@ constexpr int kPasses = 5; ///< of the denoiser: one sample of each pixel needs 
 
 const rtcore::HdrImage& PreviewFilter::smooth(const rtcore::ImagePass& pass, const rtcore::EffectRun& run) {
     const rtcore::HdrImage& radiance = pass.frame.radiance;
+    report_ = {};
+    errors_.clear();
     if (!rtcore::denoisesByNet(run.settings))
         return pass.surfaces == nullptr ? radiance : denoiser_.apply(radiance, *pass.surfaces, run);
     const NetPace::Clock::time_point begun = NetPace::Clock::now();
@@ -34,7 +36,9 @@ const rtcore::Frame* PreviewFilter::apply(const rtcore::ImagePass& pass,
                             .guides = pass.guides,
                             .stop = &stop,
                             .halves = frame.halves.empty() ? nullptr : &frame.halves,
-                            .covered = &frame.covered});
+                            .covered = &frame.covered,
+                            .netReport = &report_,
+                            .netErrors = &errors_});
     if (&smooth == &frame.radiance) return &frame;
     const float noisy =
         finallyFiltered ? 0 : static_cast<float>(pass.samples) / static_cast<float>(settings.path.samples);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace renderer {
 
@@ -29,11 +30,17 @@ class PreviewFilter {
     const rtcore::Frame* apply(const rtcore::ImagePass& pass, const rtcore::RenderSettings& settings,
                                int threads, const std::atomic<bool>& stop);
 
+    /// The error that the net left in the last image.
+    const rtcore::NetReport& report() const { return report_; }
+    const std::vector<float>& errors() const { return errors_; } ///< of its pixels; empty: not known
+
   private:
     const rtcore::HdrImage& smooth(const rtcore::ImagePass& pass, const rtcore::EffectRun& run);
 
     std::shared_ptr<const rtcore::UNet> net_;
     rtcore::NetDenoise netDenoiser_;
+    rtcore::NetReport report_;
+    std::vector<float> errors_;
     NetPace pace_;
     rtcore::Denoiser denoiser_;
     rtcore::Frame filtered_;

@@ -7,6 +7,8 @@
 #include "common/settings/lighting_options.h"
 #include "common/settings/setting_option.h"
 
+#include "rtcore/neural/net_files.h"
+
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
@@ -16,6 +18,8 @@
 namespace renderer {
 
 namespace {
+
+constexpr std::size_t kDigestDigits = 8; ///< of the example
 
 std::optional<PreviewOptions> readPreview(const app::Arguments& arguments) {
     const auto instance = arguments.text("preview");
@@ -50,6 +54,21 @@ const std::vector<SettingOption>& settingOptions() {
     return table;
 }
 
+/// The value of --denoise without the digest of its weights, and that.
+std::pair<std::string, std::string> netAndDigest(const std::string& value) {
+    const std::size_t at = value.find('@');
+    if (at == std::string::npos) return {value, ""};
+    const std::string net = value.substr(0, at), digest = value.substr(at + 1);
+    if (net == "off" || net == "automatic")
+        throw app::UsageError("option '--denoise': a digest is of the weights of small, base or large");
+    const bool good = !digest.empty() && digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!good)
+        throw app::UsageError("option '--denoise': '" + digest +
+                              "' is not the beginning of a SHA-256, such as " +
+                              std::string(rtcore::fileOf(rtcore::Net::Base).sha256).substr(0, kDigestDigits));
+    return {net, digest};
+}
+
 std::vector<rtcore::SettingAssignment> readSettings(const app::Arguments& arguments) {
     std::vector<rtcore::SettingAssignment> settings;
     for (const app::Occurrence& given : arguments.options()) {
@@ -57,7 +76,9 @@ std::vector<rtcore::SettingAssignment> readSettings(const app::Arguments& argume
         for (const SettingOption& row : settingOptions()) {
             if (given.name != row.option) continue;
             for (const auto& [name, value] : row.assignments) {
-                settings.push_back(app::settingOf(given.name, name, value != nullptr ? value : given.value));
+                const std::string own =
+                    given.name == "denoise" ? netAndDigest(given.value).first : given.value;
+                settings.push_back(app::settingOf(given.name, name, value != nullptr ? value : own));
             }
         }
     }
@@ -119,6 +140,13 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
             "--stand-by shows images as long as they are wanted, and writes none; leave out "
             "--output and --linger");
     }
+    if (options.report && (options.standBy || options.verify || options.debugScene)) {
+        throw app::UsageError("--report is of images that are rendered; leave out --stand-by, --verify and "
+                              "--debug-scene");
+    }
+    if (options.report && options.report->extension() != ".json") {
+        throw app::UsageError("--report writes JSON; give a name that ends in .json");
+    }
     if (options.debugScene && (options.list || options.preview)) {
         throw app::UsageError(
             "--debug-scene draws one view and renders nothing; leave out --list and --preview");
@@ -158,6 +186,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.requeue = arguments.has("requeue");
     options.focusAt = readPosition(arguments, "focus-at");
     options.settings = readSettings(arguments);
+    if (const auto net = arguments.text("denoise")) options.netDigest = netAndDigest(*net).second;
     options.threads = app::threadsOf(arguments);
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
@@ -167,10 +196,12 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.nets = readPath(arguments, "nets").value_or("");
     options.aovs = arguments.has("aovs");
     options.verbose = arguments.has("verbose");
+    options.report = readPath(arguments, "report");
     options.debugScene = readPath(arguments, "debug-scene");
     checkCombinations(options, arguments);
     for (const std::filesystem::path& output : options.outputs) checkOutput(output, options.missingFolder());
     if (options.video) checkFilm(*options.video);
+    if (options.report) checkPlace(*options.report);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;
 }

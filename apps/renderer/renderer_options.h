@@ -45,8 +45,10 @@ struct RendererOptions {
     rtcore::LightingOptions lighting;
     app::Selection selection;
     std::filesystem::path nets; ///< the folder of their weights; empty: where they are looked for by default
+    std::string netDigest;      ///< what the SHA-256 of the net's weights begins with; empty: any
     bool aovs = false;          ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
+    std::optional<std::filesystem::path> report;     ///< what was made, for programs
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
     app::ProgressStyle progress = app::ProgressStyle::None;
 

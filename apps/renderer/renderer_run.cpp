@@ -84,6 +84,7 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
         drawDebugScene(*options.debugScene, camera, inputs, maker);
         return app::ExitCode::Done;
     }
+    if (options.report) inputs.refuse(*options.report);
     if (options.list) return runList(options, cameras, patterns, inputs, ffmpeg, maker, progress);
     if (preview) maker.showOn(&*preview);
     const FrameTask frame = singleFrame(camera, patterns);

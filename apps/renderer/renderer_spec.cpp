@@ -13,6 +13,9 @@
 #include "common/settings/setting_option.h"
 
 #include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace renderer {
 
@@ -20,6 +23,10 @@ namespace {
 
 using app::OptionGroup;
 using app::ValueKind;
+
+std::vector<std::string> suggestNets(std::span<const std::string>) {
+    return {"off", "small", "base", "large", "automatic"};
+}
 
 OptionGroup outputOptions() {
     return {"Output",
@@ -128,12 +135,12 @@ OptionGroup qualityOptions() {
           .argument = "N",
           .help = "with --integrator=path: N paths per pixel [256]"},
          {.name = "denoise",
-          .value = ValueKind::Choice,
+          .value = ValueKind::Text,
           .argument = "NET",
           .help = "with --integrator=path: a trained net takes the noise away: small, base, large or "
-                  "automatic [off]",
+                  "automatic [off]; base@DIGEST only by weights whose SHA-256 begins so",
           .more = "See [post.md](post.md#denoising-by-a-net)",
-          .choices = {"off", "small", "base", "large", "automatic"}},
+          .suggest = suggestNets},
          {.name = "nets",
           .value = ValueKind::Text,
           .argument = "DIR",
@@ -232,6 +239,13 @@ OptionGroup runOptions() {
           .help = "exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system "
                   "sends the job again"},
          {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
+         {.name = "report",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "write a report of the images as JSON: times, rays, settings, what a net did and the error "
+                  "that is left",
+          .more = "See [A report of a run](#a-report-of-a-run)",
+          .files = {"json"}},
          {.name = "debug-scene",
           .thesis = {"-dbg"},
           .value = ValueKind::Text,

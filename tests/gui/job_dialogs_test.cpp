@@ -144,9 +144,10 @@ TEST_F(JobDialogsTest, WhatPathsDoNotUseIsGrey) {
         EXPECT_FALSE(word.startsWith(QLatin1String("--a"))) << text(word);
     auto* denoising = field<QComboBox>(dialog, "Denoise");
     const bool net = !rtcore::findNet(rtcore::fileOf(rtcore::Net::Base)).file.empty();
-    EXPECT_TRUE(has(net ? "--denoise=base" : "--setting=path.filter=4")) << "unless the user wants noise";
+    EXPECT_TRUE(has(net ? "--denoise=base@d0057057" : "--setting=path.filter=4"))
+        << "unless the user wants noise";
     denoising->setCurrentIndex(2);
-    EXPECT_TRUE(has("--denoise=large"));
+    EXPECT_TRUE(has("--denoise=large@08130cdc"));
     denoising->setCurrentIndex(3);
     EXPECT_TRUE(has("--denoise=off") && has("--setting=path.filter=4"));
     denoising->setCurrentIndex(4);

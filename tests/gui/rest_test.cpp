@@ -2,7 +2,11 @@
 #include "gui/window_support.h"
 
 #include "gui/dialogs/statistics_dialog.h"
+#include "gui/view/error_colours.h"
 
+#include "common/frames/error_byte.h"
+
+#include "rtcore/neural/net_files.h"
 #include "rtcore/upsample/upsample.h"
 
 #include <QClipboard>
@@ -170,6 +174,28 @@ TEST_F(RestTest, AnEditBeforeTheServerHasTheNewSizeIsSeen) {
     EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "an edit of another client";
 }
 
+TEST_F(RestTest, TellsTheErrorThatANetLeavesAndColoursTheImageByIt) {
+    if (rtcore::findNet(rtcore::fileOf(rtcore::Net::Base), {}, RT_PROGRAM_FOLDER).file.empty())
+        GTEST_SKIP() << "skipped: there are no weights beside the build";
+    ASSERT_NO_FATAL_FAILURE(openByPaths(16));
+    FrameView& view = window->view();
+    ASSERT_TRUE(comes([&] { return samples() == 16 && !view.fades(); }));
+    EXPECT_GT(view.origin().error, 0);
+    EXPECT_GE(view.origin().largestError, view.origin().error);
+    EXPECT_TRUE(view.activity().contains(QStringLiteral("±"))) << view.activity().toStdString();
+    EXPECT_EQ(view.errors().size(), view.picture().size());
+    const QImage plain = view.grab().toImage();
+    action(ActionId::ShowErrors)->trigger();
+    EXPECT_NE(view.grab().toImage(), plain);
+    action(ActionId::ShowErrors)->trigger();
+    EXPECT_EQ(view.grab().toImage(), plain);
+    action(ActionId::ShowErrors)->trigger();
+    action(ActionId::Screenshot)->trigger();
+    const QImage saved(file("screenshot-0001.png"));
+    EXPECT_EQ(saved.convertToFormat(QImage::Format_RGB32), view.picture()) << "without colours";
+    EXPECT_TRUE(saved.text(QStringLiteral("denoising")).contains(QStringLiteral(" of 255, largest ")));
+}
+
 class FadeTest : public GuiTest {
   protected:
     void SetUp() override {
@@ -206,6 +232,27 @@ class FadeTest : public GuiTest {
     std::optional<FrameView> view;
     QImage still;
 };
+
+TEST_F(FadeTest, ErrorsColourWhatIsSeenOfThem) {
+    view->showPicture(still);
+    const QImage plain = grabbed();
+    QImage errors(still.size(), QImage::Format_Grayscale8);
+    errors.fill(app::errorByte(0.1F));
+    for (int y = 8; y < 16; ++y) std::fill_n(errors.scanLine(y) + 24, 8, app::errorByte(30));
+    view->setShowErrors(true);
+    EXPECT_EQ(grabbed(), plain) << "none are known";
+    view->showPicture(still, {}, errors);
+    const QImage coloured = colouredByErrors(still, errors);
+    EXPECT_EQ(coloured.pixelColor(0, 0).saturation(), 0) << "grey where nothing is seen";
+    const QColor large = coloured.pixelColor(28, 12);
+    EXPECT_GT(large.red(), large.blue() + 60);
+    EXPECT_NE(grabbed(), plain);
+    EXPECT_EQ(view->shown(), still);
+    EXPECT_TRUE(colouredByErrors(still, QImage(3, 3, QImage::Format_Grayscale8)).isNull())
+        << "of another size";
+    view->showLive();
+    EXPECT_TRUE(view->errors().isNull());
+}
 
 TEST_F(FadeTest, ByPathsItFadesInAndEndsOnItsOwnPixels) {
     const QImage live = grabbed();

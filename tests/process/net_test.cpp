@@ -2,6 +2,7 @@
 #include "process/sample_scene.h"
 
 #include "rtcore/neural/net_files.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <gtest/gtest.h>
 
@@ -85,6 +86,18 @@ TEST_F(Denoised, AMissingNetEndsAListAtItsFirstFrame) {
         << "told once: " << result.error;
 }
 
+TEST_F(Denoised, ByOtherWeightsThanThoseThatAreMeantNothingIsRendered) {
+    const test::ProgramResult other = render({"--denoise=base@0123abcd", "--nets=none"});
+    EXPECT_EQ(other.exitCode, 65) << other.error;
+    EXPECT_NE(other.error.find("d0057057"), std::string::npos) << other.error;
+    EXPECT_EQ(render({"--denoise=base@d0057057", "--nets=none"}).exitCode, 66)
+        << "they are known, but not here";
+    for (const char* const wrong : {"--denoise=base@", "--denoise=base@xyz", "--denoise=off@d0",
+                                    "--denoise=automatic@d0", "--denoise=none", "--denoise=huge@d0057057"})
+        EXPECT_EQ(render({wrong}).exitCode, 2) << wrong;
+    EXPECT_FALSE(written());
+}
+
 TEST_F(Denoised, WhittedsRaysNeedNoNet) {
     EXPECT_EQ(render({"--integrator=whitted", "--denoise=base", "--nets=none"}).exitCode, 0);
 }
@@ -95,7 +108,8 @@ TEST_F(Denoised, TheSameForEveryThreadAndInstructionSet) {
         GTEST_SKIP() << "skipped: there are no weights beside the build";
     const std::string denoised = image({"--denoise=base", "--threads=1"});
     EXPECT_TRUE(denoised == image({"--denoise=base", "--threads=3"}));
-    EXPECT_TRUE(denoised == image({"--denoise=base", "--isa=scalar"}));
+    for (const std::string& isa : rtcore::instructionSets())
+        EXPECT_TRUE(denoised == image({"--denoise=base@d0057057", "--isa=" + isa})) << isa;
     EXPECT_TRUE(denoised == image({"--denoise=automatic"}));
     EXPECT_FALSE(denoised == image({"--denoise=small"}));
     EXPECT_FALSE(denoised == image({}));

@@ -49,6 +49,14 @@ enum Integrator { IntegratorAsTheScene, Whitted, Path };
 enum Denoising { UsualNet, SmallNet, LargeNet, Filter, NotDenoised };
 enum Occlusion { OcclusionAsTheScene, OcclusionOn, OcclusionOff };
 
+/// Another machine, or a later version, makes the same images or none.
+QStringList denoisedBy(rtcore::Net net) {
+    const rtcore::NetFile& file = rtcore::fileOf(net);
+    constexpr int kDigits = 8;
+    return {
+        QStringLiteral("--denoise=%1@%2").arg(QLatin1String(file.name), QLatin1String(file.sha256, kDigits))};
+}
+
 QString filmFilter() {
     QString names = QString::fromStdString(renderer::filmExtensions());
     names.replace(QStringLiteral(", "), QStringLiteral(" *")).prepend(QLatin1Char('*'));
@@ -310,11 +318,11 @@ QStringList RenderDialog::denoisingArguments() const {
     constexpr int kPasses = 4; // as for the image at rest
     switch (denoising_->currentIndex()) {
     case UsualNet:
-        return {QStringLiteral("--denoise=base")};
+        return denoisedBy(rtcore::Net::Base);
     case SmallNet:
-        return {QStringLiteral("--denoise=small")};
+        return denoisedBy(rtcore::Net::Small);
     case LargeNet:
-        return {QStringLiteral("--denoise=large")};
+        return denoisedBy(rtcore::Net::Large);
     case Filter:
         return off(kPasses);
     default:

@@ -61,6 +61,7 @@ enum class ActionId {
     IgnoreAspectRatio,
     SmoothTransformation,
     ShowOverlay,
+    ShowErrors,
     ShowCube,
     LightMarks,
     SettingsPanel,

@@ -4,11 +4,19 @@
 
 #include "common/settings/image_texts.h"
 
+#include "rtcore/post/error_text.h"
+
 #include <QLocale>
 
 namespace gui {
 
 QString samplesText(int samples) { return tr("samples: %1").arg(QLocale().toString(samples)); }
+
+QString errorText(const PictureOrigin& origin) {
+    if (origin.error < 0) return {};
+    const int digits = origin.error < 1 ? 2 : 1;
+    return tr("±%1 of 255").arg(QLocale().toString(static_cast<double>(origin.error), 'f', digits));
+}
 
 QString originText(const PictureOrigin& origin) {
     const QString integrator = origin.paths ? tr("path tracing") : tr("Whitted ray tracing");
@@ -20,6 +28,9 @@ void describe(QImage& picture, const PictureOrigin& origin) {
     const auto integrator = origin.paths ? rtcore::Integrator::Path : rtcore::Integrator::Whitted;
     for (const rtcore::ImageText& text : app::imageTexts(integrator, origin.samples))
         picture.setText(QString::fromStdString(text.name), QString::fromStdString(text.text));
+    if (origin.error < 0) return;
+    const std::string error = rtcore::errorText(origin.error, origin.largestError);
+    picture.setText(QStringLiteral("denoising"), QString::fromStdString("denoised by a net: " + error));
 }
 
 } // namespace gui

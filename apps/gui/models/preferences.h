@@ -20,6 +20,7 @@ namespace pref {
 inline const Preference<bool> ignoreAspectRatio{"display/ignoreAspectRatio", false};
 inline const Preference<bool> smoothTransformation{"display/smoothTransformation", true};
 inline const Preference<bool> showOverlay{"display/showOverlay", true};
+inline const Preference<bool> showErrors{"display/showErrors", false};
 inline const Preference<bool> showCube{"display/showCube", true};
 inline const Preference<bool> lightMarks{"display/lightMarks", false};
 inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark

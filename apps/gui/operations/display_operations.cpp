@@ -33,6 +33,7 @@ DisplayOperations::DisplayOperations(const GuiContext& context, QObject* parent)
     actions.bind(ActionId::IgnoreAspectRatio, pref::ignoreAspectRatio);
     actions.bind(ActionId::SmoothTransformation, pref::smoothTransformation);
     actions.bind(ActionId::ShowOverlay, pref::showOverlay);
+    actions.bind(ActionId::ShowErrors, pref::showErrors);
     actions.onToggle(ActionId::FullScreen, [this](bool on) { context_.fullScreen.set(on); });
     connect(&context_.fullScreen, &FullScreen::changed, actions[ActionId::FullScreen], &QAction::setChecked);
     actions.on(ActionId::Configure, [this] { configure(); });
@@ -49,6 +50,7 @@ void DisplayOperations::applyPreferences() {
     context_.view.setIgnoreAspectRatio(preferences.get(pref::ignoreAspectRatio));
     context_.view.setSmoothTransformation(preferences.get(pref::smoothTransformation));
     context_.view.setShowOverlay(preferences.get(pref::showOverlay));
+    context_.view.setShowErrors(preferences.get(pref::showErrors));
     context_.view.input().setMouseSensitivity(preferences.get(pref::mouseSensitivity),
                                               preferences.get(pref::invertMouse));
     context_.view.input().setMouseScheme(mouseSchemeNamed(preferences.get(pref::mouse)));

@@ -174,11 +174,12 @@ void RenderOperations::onPreferences() {
 
 // --- Images and progress ---
 
-void RenderOperations::onRefined(const QImage& picture, bool last, const PictureOrigin& origin) {
+void RenderOperations::onRefined(const QImage& picture, bool last, const PictureOrigin& origin,
+                                 const QImage& errors) {
     const bool worse = kept_ && (origin.paths != kept_->paths || origin.samples < kept_->samples);
     if (worse && !last) return showActivity();
     kept_.reset();
-    context_.view.showPicture(picture, origin);
+    context_.view.showPicture(picture, origin, errors);
     if (last && quick_) context_.view.tell(tr("Refined. The next movement shows the live frame again."));
     showActivity();
 }
@@ -195,6 +196,8 @@ void RenderOperations::showActivity() {
     if (!preview_.active() && !view.showsLive()) words.append(tr("refined"));
     if (!view.showsLive() && view.origin().paths && view.origin().samples > 0)
         words.append(samplesText(view.origin().samples));
+    const QString error = view.showsLive() ? QString() : errorText(view.origin());
+    if (!error.isEmpty()) words.append(error);
     context_.view.setActivity(words.join(QStringLiteral("  ·  ")));
 }
 

@@ -40,7 +40,7 @@ class RenderOperations : public QObject {
     void onStatus();
     void onFrame();
     void onPreferences();
-    void onRefined(const QImage& picture, bool last, const PictureOrigin& origin);
+    void onRefined(const QImage& picture, bool last, const PictureOrigin& origin, const QImage& errors);
     void onFailed(const QString& text);
     void showActivity();
     QString progressText() const;

@@ -159,7 +159,8 @@ void PreviewProcess::look() {
     }
     if (!picture || !active_) return;
     if (picture->last) release();
-    emit refined(picture->image, picture->last, {quality_.byPaths, picture->samples});
+    const PictureOrigin origin{quality_.byPaths, picture->samples, picture->error, picture->largestError};
+    emit refined(picture->image, picture->last, origin, picture->errors);
 }
 
 // Its last image can be read even now, by viewers that were attached before.

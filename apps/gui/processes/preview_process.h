@@ -43,8 +43,8 @@ class PreviewProcess : public QObject {
     const QString& instance() const { return instance_; }
 
   signals:
-    /// A better image than the one before.
-    void refined(const QImage& picture, bool last, const PictureOrigin& origin);
+    /// A better image than the one before, with the errors of its pixels (PreviewPicture).
+    void refined(const QImage& picture, bool last, const PictureOrigin& origin, const QImage& errors);
     void failed(const QString& text);
     void progressed(); ///< also when it begins and ends
 

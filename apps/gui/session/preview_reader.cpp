@@ -4,11 +4,13 @@
 #include "gui/session/server_sentence.h"
 
 #include "common/cli/instance_option.h"
+#include "common/frames/error_byte.h"
 
 #include "ipc/endpoint/viewer.h"
 
 #include <QCoreApplication>
 
+#include <cstddef>
 #include <cstring>
 #include <span>
 
@@ -35,6 +37,18 @@ QImage imageOf(const ipc::Frame& frame, const QImage* below) {
         toRgb32Over(pixels, {reinterpret_cast<const std::byte*>(below->constBits()), bytes});
     }
     return image;
+}
+
+/// The fourth bytes of the pixels.
+QImage errorsOf(const ipc::Frame& frame) {
+    QImage errors(sizeOf(frame.info), QImage::Format_Grayscale8);
+    if (errors.isNull()) return errors;
+    const std::byte* pixel = frame.pixels.data();
+    for (int y = 0; y < errors.height(); ++y) {
+        uchar* const row = errors.scanLine(y);
+        for (int x = 0; x < errors.width(); ++x, pixel += 4) row[x] = std::to_integer<uchar>(pixel[3]);
+    }
+    return errors;
 }
 
 } // namespace
@@ -72,7 +86,13 @@ std::optional<PreviewPicture> PreviewReader::read(const QImage& live) {
     if (!whole && !fits) return std::nullopt;
     QImage image = imageOf(frame, whole ? nullptr : &live);
     if (image.isNull()) return std::nullopt;
-    return PreviewPicture{std::move(image), isLast(frame.info), static_cast<int>(frame.info.samples)};
+    PreviewPicture picture{std::move(image), isLast(frame.info), static_cast<int>(frame.info.samples), {}};
+    if (frame.info.format == ipc::PixelFormat::Rgb8Error8) {
+        picture.errors = errorsOf(frame);
+        picture.error = app::errorOfThousandths(frame.info.error);
+        picture.largestError = app::errorOfThousandths(frame.info.largestError);
+    }
+    return picture;
 }
 
 QString previewPrefix() { return QString::fromUtf8(app::kPreviewPrefix.data(), app::kPreviewPrefix.size()); }

@@ -12,7 +12,9 @@ namespace gui {
 struct PreviewPicture {
     QImage image; ///< memory of its own
     bool last = false;
-    int samples = 0; ///< of each pixel, at least
+    int samples = 0;                     ///< of each pixel, at least
+    QImage errors;                       ///< bytes (common/frames/error_byte.h) of pixels; null: not known
+    float error = -1, largestError = -1; ///< as PictureOrigin's
 };
 
 /// One thread. Nothing waits: read() is called every few milliseconds.

@@ -1031,6 +1031,26 @@
         <source>Global illumination</source>
         <translation>Globální osvětlení</translation>
     </message>
+    <message>
+        <source>Show &amp;noise that is left</source>
+        <translation>Zobrazit zbývající š&amp;um</translation>
+    </message>
+    <message>
+        <source>Colour an image that a net denoised by its error, and mark where that is largest</source>
+        <translation>Obarvit obraz zbavený šumu sítí podle jeho chyby a označit, kde je největší</translation>
+    </message>
+    <message>
+        <source>±%1 of 255</source>
+        <translation>±%1 z 255</translation>
+    </message>
+    <message>
+        <source>error, of 255</source>
+        <translation>chyba, z 255</translation>
+    </message>
+    <message>
+        <source>largest: ±%1</source>
+        <translation>největší: ±%1</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>

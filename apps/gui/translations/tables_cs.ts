@@ -396,8 +396,8 @@
         <translation>Míchání</translation>
     </message>
     <message>
-        <source>from 64 samples on, the net's image is mixed with the sampled one: each where it has the smaller error</source>
-        <translation>od 64 vzorků se obraz sítě mísí s vzorkovaným: každý tam, kde má menší chybu</translation>
+        <source>the error of a net's image is estimated from 16 samples on, and from 64 on it is mixed with the sampled one: each where it has the smaller error</source>
+        <translation>chyba obrazu ze sítě se odhaduje od 16 vzorků a od 64 se tento obraz mísí se vzorkovaným: každý tam, kde má menší chybu</translation>
     </message>
     <message>
         <source>Bloom</source>
@@ -905,8 +905,8 @@
         <translation>Odstranit šum</translation>
     </message>
     <message>
-        <source>with --integrator=path: a trained net takes the noise away: small, base, large or automatic [off]</source>
-        <translation>s --integrator=path: naučená síť odstraní šum: small, base, large nebo automatic [off]</translation>
+        <source>with --integrator=path: a trained net takes the noise away: small, base, large or automatic [off]; base@DIGEST only by weights whose SHA-256 begins so</source>
+        <translation>s --integrator=path: šum odstraní naučená síť: small, base, large nebo automatic [off]; base@OTISK jen s vahami, jejichž SHA-256 takto začíná</translation>
     </message>
     <message>
         <source>Nets</source>
@@ -1079,6 +1079,14 @@
     <message>
         <source>report times and rays on stderr</source>
         <translation>vypsat na stderr časy a počty paprsků</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Zpráva</translation>
+    </message>
+    <message>
+        <source>write a report of the images as JSON: times, rays, settings, what a net did and the error that is left</source>
+        <translation>zapsat zprávu o obrazech ve formátu JSON: časy, paprsky, nastavení, co udělala síť a jaká chyba zbývá</translation>
     </message>
     <message>
         <source>Debug scene</source>

@@ -1,6 +1,7 @@
 #include "gui/view/frame_view.h"
 
 #include "gui/models/plain_text.h"
+#include "gui/view/error_colours.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/overlay.h"
 
@@ -97,6 +98,15 @@ void FrameView::setShowOverlay(bool on) {
     update();
 }
 
+void FrameView::setShowErrors(bool on) {
+    if (showErrors_ == on) return;
+    showErrors_ = on;
+    colourErrors();
+    update();
+}
+
+void FrameView::colourErrors() { coloured_ = showErrors_ ? colouredByErrors(picture_, errors_) : QImage(); }
+
 void FrameView::tell(const QString& text) {
     told_ = plainText(text);
     tellTimer_.start(kTellFor);
@@ -115,16 +125,18 @@ void FrameView::setSharing(const QString& text) {
     update();
 }
 
-void FrameView::showPicture(const QImage& picture, const PictureOrigin& origin) {
+void FrameView::showPicture(const QImage& picture, const PictureOrigin& origin, const QImage& errors) {
     if (origin.paths && showsLive()) fade_.begin(session_.frame().copy()); // which the next frame takes
     picture_ = picture;
     origin_ = origin;
+    errors_ = errors;
+    colourErrors();
     update();
 }
 
 void FrameView::showLive() {
     if (showsLive()) return;
-    picture_ = {};
+    picture_ = errors_ = coloured_ = {};
     fade_.end();
     update();
 }
@@ -178,6 +190,13 @@ void FrameView::drawFading(QPainter& painter, const QRect& dirty) const {
     painter.setOpacity(1);
 }
 
+void FrameView::drawErrors(QPainter& painter) const {
+    const QRectF area = target(coloured_.size());
+    painter.drawImage(area, coloured_);
+    drawErrorLegend(painter, rect());
+    drawLargestError(painter, area, errors_);
+}
+
 void FrameView::countDelay() {
     if (painted_ == session_.frameNumber()) return; // the same frame once more
     painted_ = session_.frameNumber();
@@ -193,6 +212,7 @@ void FrameView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     const QImage picture = shown();
     fades() ? drawFading(painter, event->rect()) : drawPicture(painter, picture, event->rect());
+    if (!coloured_.isNull()) drawErrors(painter);
     if (!mark_.isNull() && !picture.isNull()) painter.drawImage(target(picture.size()), mark_);
     if (showsLive()) countDelay();
     if (drawMarks_) drawMarks_(painter);

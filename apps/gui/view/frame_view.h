@@ -29,6 +29,8 @@ class FrameView : public QWidget {
     void setIgnoreAspectRatio(bool on);
     void setSmoothTransformation(bool on);
     void setShowOverlay(bool on);
+    /// Colours a picture whose errors are known by these.
+    void setShowErrors(bool on);
     /// A short line at the bottom of the image, for some seconds.
     void tell(const QString& text);
     /// Appended to the overlay: other activity, such as rendering; empty = nothing.
@@ -37,8 +39,8 @@ class FrameView : public QWidget {
     void setSharing(const QString& text);
 
     /// Shows this one instead of the live frames, until showLive(). The first one by paths, which bring more
-    /// light, fades in.
-    void showPicture(const QImage& picture, const PictureOrigin& origin = {});
+    /// light, fades in. `errors`: of its pixels (PreviewPicture); null: not known.
+    void showPicture(const QImage& picture, const PictureOrigin& origin = {}, const QImage& errors = {});
     void showLive();
     /// Drawn over the image, stretched to its size; null: nothing.
     void setMark(const QImage& mark);
@@ -51,6 +53,7 @@ class FrameView : public QWidget {
     const PictureOrigin& origin() const { return origin_; } ///< of picture()
     /// The visible image without words, marks and a fade: picture(), or the live frame.
     QImage shown() const { return showsLive() ? session_.frame() : picture_; }
+    const QImage& errors() const { return errors_; } ///< of picture(); null: not known
     bool fades() const { return fade_.active(); }
 
     /// Draws over the image, below words; called with each painting.
@@ -79,6 +82,8 @@ class FrameView : public QWidget {
     void onStatus();
     void countDelay();
     void drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const;
+    void colourErrors();
+    void drawErrors(QPainter& painter) const;
     void drawFading(QPainter& painter, const QRect& dirty) const;
 
     Session& session_;
@@ -86,9 +91,11 @@ class FrameView : public QWidget {
     std::function<void(QPainter&)> drawMarks_;
     QImage picture_; ///< null: the live frame
     PictureOrigin origin_;
+    QImage errors_;   ///< of picture_; null: not known
+    QImage coloured_; ///< picture_ by its errors, where these are shown
     Fade fade_;
     QImage mark_;
-    bool ignoreAspectRatio_ = false, smooth_ = true, showOverlay_ = true;
+    bool ignoreAspectRatio_ = false, smooth_ = true, showOverlay_ = true, showErrors_ = false;
     QString told_, activity_, sharing_, words_; ///< the last: in the middle, as painted
     QTimer tellTimer_, resizeTimer_;
     View view_;           ///< of the last frame

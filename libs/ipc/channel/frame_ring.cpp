@@ -17,8 +17,9 @@ constexpr std::uint64_t whole(std::uint64_t number) { return 2 * number + 2; }
 } // namespace
 
 std::size_t pixelBytes(const FrameInfo& info) {
-    const bool possible = info.format == PixelFormat::Rgba8 && info.width >= 1 &&
-                          info.width <= kMaxFrameSide && info.height >= 1 && info.height <= kMaxFrameSide;
+    const bool known = info.format == PixelFormat::Rgba8 || info.format == PixelFormat::Rgb8Error8;
+    const bool possible = known && info.width >= 1 && info.width <= kMaxFrameSide && info.height >= 1 &&
+                          info.height <= kMaxFrameSide;
     return possible ? std::size_t{4} * info.width * info.height : 0;
 }
 

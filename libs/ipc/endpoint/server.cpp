@@ -261,7 +261,6 @@ std::uint64_t Server::publishFrame(const FrameInfo& info) {
     FrameInfo frame = info;
     frame.width = state.begun.width;
     frame.height = state.begun.height;
-    frame.format = PixelFormat::Rgba8;
     frame.nanoseconds = std::chrono::nanoseconds(Clock::now().time_since_epoch()).count();
     state.shown = state.publication->frames().nextNumber();
     state.publication->frames().publish(frame);

@@ -90,7 +90,8 @@ class Server {
     /// A frame of width x height pixels, to be drawn in place by any threads. It holds rubbish. Reserves what
     /// it needs. May be called again instead of publishFrame, to give the frame up.
     std::span<std::byte> beginFrame(std::uint32_t width, std::uint32_t height);
-    /// Shows the frame that was begun. Uses `run`, `samples` and `tag` of `info`. Returns the frame's number.
+    /// Shows the frame that was begun. Uses all of `info` but number, size and time.
+    /// Returns the frame's number.
     std::uint64_t publishFrame(const FrameInfo& info = {});
     /// Both at once: copies 4 * info.width * info.height bytes.
     std::uint64_t publishFrame(const FrameInfo& info, std::span<const std::byte> pixels);

@@ -49,6 +49,10 @@ float inMargin(const NoisyImage& image, int x, int y, std::size_t channel) {
 /// Pixels from tile to tile.
 struct TileSteps {
     int across, down;
+
+    int tilesOf(int width, int height) const {
+        return ((width + across - 1) / across) * ((height + down - 1) / down);
+    }
 };
 
 /// Steps along a side of `parts` tiles: multiples of UNet::kSideStep, as even as can be.
@@ -78,6 +82,12 @@ TileSteps planTiles(int width, int height, int reach, std::size_t maxPixels) {
         }
     }
     return best;
+}
+
+void tell(const NetProgress& progress, int done, int tiles) {
+    if (progress.fraction == nullptr) return;
+    const float part = static_cast<float>(done) / static_cast<float>(tiles);
+    *progress.fraction = progress.begin + (progress.end - progress.begin) * part;
 }
 
 } // namespace
@@ -138,12 +148,14 @@ void NetDenoiser::writePixels(const NoisyImage& image, const Tile& tile, int y, 
     std::copy_n(&values[from], static_cast<std::size_t>(3 * (last - first)), result + 3 * pixel);
 }
 
-bool NetDenoiser::run(const NoisyImage& image, float* result, int threads, const std::atomic<bool>* stop) {
+bool NetDenoiser::run(const NoisyImage& image, float* result, int threads, const std::atomic<bool>* stop,
+                      const NetProgress& progress) {
     scale_ = exposureForNet(image.radiance, image.width, image.height, threads);
     const int width = roundedUp(image.width + 2 * kMargin, UNet::kSideStep);
     const int height = roundedUp(image.height + 2 * kMargin, UNet::kSideStep);
     const int reach = net().reach();
     const TileSteps steps = planTiles(width, height, reach, maxPixels_);
+    int done = 0;
     for (int top = 0; top < height; top += steps.down) {
         for (int left = 0; left < width; left += steps.across) {
             const int right = left + steps.across, bottom = top + steps.down;
@@ -161,6 +173,7 @@ bool NetDenoiser::run(const NoisyImage& image, float* result, int threads, const
                     writePixels(image, tile, y, x, count, from, result);
                 }};
             if (!run_.run(tile.right - tile.left, tile.bottom - tile.top, both, threads, stop)) return false;
+            tell(progress, ++done, steps.tilesOf(width, height));
         }
     }
     return true;

@@ -19,6 +19,12 @@ struct NoisyImage {
     PixelPlane normal;   ///< -1 to 1, shorter than 1 at edges, 0 of the background; for nets with 9 inputs
 };
 
+/// The part of a longer work that a run is, and where it is told how far that is; null: nowhere.
+struct NetProgress {
+    std::atomic<float>* fraction = nullptr;
+    float begin = 0, end = 1;
+};
+
 /// Runs a net over images: whole ones, or tiles of larger ones, with the same bits. Keeps its memory. Not for
 /// several threads at once: it uses `threads` itself, and gives the same bits for any number of them. What is
 /// no number in the image counts as 0 there.
@@ -30,8 +36,8 @@ class NetDenoiser {
     const UNet& net() const { return run_.net(); }
     /// Three floats a pixel into `result`, which may be the image's own radiance only where the image is one
     /// tile. False: `stop` was set, and the result is undefined.
-    bool run(const NoisyImage& image, float* result, int threads = 0,
-             const std::atomic<bool>* stop = nullptr);
+    bool run(const NoisyImage& image, float* result, int threads = 0, const std::atomic<bool>* stop = nullptr,
+             const NetProgress& progress = {});
     /// Bytes that it keeps now.
     std::size_t bytes() const;
 

@@ -90,11 +90,16 @@ float PictureDeveloper::exposure(const Frame& frame, const RenderSettings& setti
 }
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,
-                                         const std::atomic<bool>* stop) {
+                                         const std::atomic<bool>* stop, std::atomic<float>* netFraction) {
     netReport_ = {};
-    return effects_.apply(
-        frame,
-        {.settings = settings, .threads = threads, .net = net_, .stop = stop, .netReport = &netReport_});
+    netErrors_.clear();
+    return effects_.apply(frame, {.settings = settings,
+                                  .threads = threads,
+                                  .net = net_,
+                                  .stop = stop,
+                                  .netReport = &netReport_,
+                                  .netErrors = &netErrors_,
+                                  .netFraction = netFraction});
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,

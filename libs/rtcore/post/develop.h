@@ -36,8 +36,10 @@ class PictureDeveloper {
     /// The frame with the effects of EffectStage::Radiance. frame.radiance itself when there are none; else
     /// valid until the next call. A frame that is larger or smaller than the settings say gets effects in
     /// proportion. Returns soon, with an image that is undefined, when `stop` (may be null) becomes true.
+    /// `netFraction` (may be null) gets how far a net is, 0..1.
     const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads,
-                           const std::atomic<bool>* stop = nullptr);
+                           const std::atomic<bool>* stop = nullptr,
+                           std::atomic<float>* netFraction = nullptr);
 
     /// The effects of EffectStage::Display, then tone mapping with the constant `exposure`, quantised into
     /// `image`, whose memory is reused when the size fits.
@@ -51,6 +53,8 @@ class PictureDeveloper {
     void useNet(std::shared_ptr<const UNet> net) { net_ = std::move(net); }
     /// What the net did in the last finish().
     const NetReport& netReport() const { return netReport_; }
+    /// EstimatedError::pixels of its image; empty where they are not known.
+    const std::vector<float>& netErrors() const { return netErrors_; }
 
   private:
     std::optional<float> average(const Frame& frame, bool background, int threads);
@@ -59,6 +63,7 @@ class PictureDeveloper {
     EffectChain effects_;
     std::shared_ptr<const UNet> net_;
     NetReport netReport_;
+    std::vector<float> netErrors_;
     std::vector<std::vector<Colour>> rows_; ///< by thread
 };
 

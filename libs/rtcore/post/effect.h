@@ -32,6 +32,8 @@ struct EffectRun {
     const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
     const std::vector<std::uint8_t>* covered = nullptr; ///< Frame::covered; null: not known
     NetReport* netReport = nullptr;                     ///< gets the effect of a net; null: not told
+    std::vector<float>* netErrors = nullptr;   ///< gets EstimatedError::pixels, or none; null: not told
+    std::atomic<float>* netFraction = nullptr; ///< gets how far a net is, 0..1; null: not told
 };
 
 /// The pixels from column `left` to before `right` of row `y` of an image of `width` x `height`.

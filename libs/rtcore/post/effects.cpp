@@ -4,6 +4,7 @@
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/local_exposure.h"
 #include "rtcore/post/net_denoise.h"
+#include "rtcore/post/net_mix.h"
 #include "rtcore/render/aovs.h"
 #include "rtcore/render/guides.h"
 #include "rtcore/render/image_sums.h"
@@ -33,7 +34,9 @@ std::size_t effectBytesPerPixel(const RenderSettings& settings) {
     std::size_t bytes = effectsNeedAovs(settings) ? Aovs::bytesPerPixel() : 0;
     if (effectsNeedGuides(settings)) bytes += Guides::bytesPerPixel();
     for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
-    if (mixesWithNet(settings)) bytes += SampleHalves::kBytesPerPixel + ImageSums::kHalfBytesPerPixel;
+    if (keepsHalves(settings))
+        bytes +=
+            SampleHalves::kBytesPerPixel + ImageSums::kHalfBytesPerPixel + EstimatedError::kBytesPerPixel;
     return bytes;
 }
 

@@ -5,6 +5,7 @@
 #include "rtcore/render/sample_halves.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace rtcore {
 
@@ -24,7 +25,7 @@ PixelCoverage coverageOf(std::uint8_t byRays, std::uint8_t bySamples) {
 /// Whether the halves are those of the picture, and of enough samples.
 bool halvesServe(const HdrImage& picture, const EffectRun& run) {
     return run.halves != nullptr && run.settings.denoise.mix &&
-           run.halves->samples >= static_cast<std::uint32_t>(kMixedSamples) &&
+           run.halves->samples >= static_cast<std::uint32_t>(kEstimatedSamples) &&
            run.halves->first.width == picture.width && run.halves->first.height == picture.height;
 }
 
@@ -51,20 +52,21 @@ std::optional<Net> netOf(const RenderSettings& settings) {
 const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs&, const EffectRun& run) {
     NetReport report;
     if (run.netReport != nullptr) *run.netReport = report;
+    if (run.netErrors != nullptr) run.netErrors->clear();
     if (run.net == nullptr || run.guides == nullptr || picture.empty()) return picture;
     const HdrImage& guide = run.guides->albedo;
     if (guide.width != picture.width || guide.height != picture.height) return picture;
     if (!denoiser_ || &denoiser_->net() != run.net.get()) denoiser_.emplace(run.net);
     findCoverage(picture, run);
     const bool mixes = halvesServe(picture, run);
-    if (!(mixes ? mix(picture, run, report) : runNet(picture, run, image_))) return picture;
+    if (!(mixes ? mix(picture, run, report) : runNet(Turn::Only, picture, run, image_))) return picture;
     if (!mixes) keepBackground(picture, run);
     report.ran = true;
     if (run.netReport != nullptr) *run.netReport = report;
     return image_;
 }
 
-bool NetDenoise::runNet(const HdrImage& picture, const EffectRun& run, HdrImage& result) {
+bool NetDenoise::runNet(Turn turn, const HdrImage& picture, const EffectRun& run, HdrImage& result) {
     if (result.width != picture.width || result.height != picture.height)
         result = HdrImage(picture.width, picture.height);
     const NoisyImage noisy{.width = picture.width,
@@ -72,7 +74,12 @@ bool NetDenoise::runNet(const HdrImage& picture, const EffectRun& run, HdrImage&
                            .radiance = planeOf(picture),
                            .albedo = planeOf(run.guides->albedo),
                            .normal = planeOf(run.guides->normals)};
-    return denoiser_->run(noisy, &result.pixels[0].r, run.threads, run.stop);
+    constexpr float kThird = 1.0F / 3;
+    NetProgress progress{run.netFraction};
+    if (turn == Turn::FirstHalf) progress.end = kThird;
+    if (turn == Turn::SecondHalf) progress.begin = kThird, progress.end = 2 * kThird;
+    if (turn == Turn::Whole) progress.begin = 2 * kThird;
+    return denoiser_->run(noisy, &result.pixels[0].r, run.threads, run.stop, progress);
 }
 
 /// Few samples may see a surface at an outline where the rays of the guides see none.
@@ -96,29 +103,33 @@ void NetDenoise::keepBackground(const HdrImage& picture, [[maybe_unused]] const 
 
 /// Runs the net on a half without its bright dots, and takes their light from input_, the mean of all
 /// samples.
-bool NetDenoise::cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const EffectRun& run,
-                           HdrImage& result, TakenDots& dots) {
+bool NetDenoise::cleanHalf(Turn turn, const EffectRun& run, HdrImage& result, TakenDots& dots) {
+    const bool isFirst = turn == Turn::FirstHalf;
+    const SampleHalves& halves = *run.halves;
+    const HdrImage& half = isFirst ? halves.first : halves.second;
+    const HdrImage& other = isFirst ? halves.second : halves.first;
+    const float fraction = isFirst ? halves.firstFraction : 1 - halves.firstFraction;
     const TakenDots taken = copyWithoutDots(half, other, image_, run.threads);
     dots.pixels += taken.pixels;
     dots.light += taken.light;
     for (std::size_t i = 0; i < half.pixels.size(); ++i)
         if (image_.pixels[i] != half.pixels[i])
             input_.pixels[i] = input_.pixels[i] - (half.pixels[i] - image_.pixels[i]) * fraction;
-    return runNet(image_, run, result);
+    return runNet(turn, image_, run, result);
 }
 
 bool NetDenoise::mix(const HdrImage& picture, const EffectRun& run, NetReport& report) {
     const SampleHalves& halves = *run.halves;
-    const float fraction = halves.firstFraction;
     TakenDots dots;
     input_ = picture;
-    if (!cleanHalf(halves.first, halves.second, fraction, run, first_, dots) ||
-        !cleanHalf(halves.second, halves.first, 1 - fraction, run, second_, dots) ||
-        !runNet(input_, run, image_))
+    if (!cleanHalf(Turn::FirstHalf, run, first_, dots) || !cleanHalf(Turn::SecondHalf, run, second_, dots) ||
+        !runNet(Turn::Whole, input_, run, image_))
         return false;
-    const EstimatedError error =
+    EstimatedError error =
         mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
-    report.mixed = true;
+    report.estimated = true;
+    report.mixed = halves.samples >= static_cast<std::uint32_t>(kMixedSamples);
+    if (run.netErrors != nullptr) *run.netErrors = std::move(error.pixels);
     report.error = error.all;
     report.largestError = error.largestBlock;
     report.dots = dots.pixels;

@@ -20,8 +20,9 @@ std::optional<Net> netOf(const RenderSettings& settings);
 
 /// The U-Net of Open Image Denoise over radiance and the frame's guides. Pixels that all of their rays and
 /// samples saw as background have no noise, and stay to the bit; so does the whole image without
-/// EffectRun::net, or without guides of its size. With halves of at least kMixedSamples it is mixed with the
-/// sampled image (net_mix.h), for which the net runs three times. Not for parts of previews.
+/// EffectRun::net, or without guides of its size. With halves of at least kEstimatedSamples the net runs
+/// three times: its error is known then, bright dots are kept from it, and from kMixedSamples on it is mixed
+/// with the sampled image (net_mix.h). Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
@@ -30,10 +31,11 @@ class NetDenoise final : public Effect {
     static constexpr std::size_t bytesPerPixel() { return 4 * sizeof(Colour) + sizeof(PixelCoverage); }
 
   private:
-    bool runNet(const HdrImage& picture, const EffectRun& run, HdrImage& result);
+    /// A run of three, or the only one.
+    enum class Turn { Only, FirstHalf, SecondHalf, Whole };
+    bool runNet(Turn turn, const HdrImage& picture, const EffectRun& run, HdrImage& result);
     bool mix(const HdrImage& picture, const EffectRun& run, NetReport& report);
-    bool cleanHalf(const HdrImage& half, const HdrImage& other, float fraction, const EffectRun& run,
-                   HdrImage& result, TakenDots& dots);
+    bool cleanHalf(Turn turn, const EffectRun& run, HdrImage& result, TakenDots& dots);
     void findCoverage(const HdrImage& picture, const EffectRun& run);
     void keepBackground(const HdrImage& picture, const EffectRun& run);
 

@@ -2,6 +2,7 @@
 
 #include "rtcore/neural/transfer.h"
 #include "rtcore/platform/threads.h"
+#include "rtcore/settings/render_settings.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -181,14 +182,14 @@ struct RowError {
     }
 };
 
-EstimatedError errorOf(const std::vector<RowError>& rows, std::size_t pixels) {
+void sumUp(const std::vector<RowError>& rows, EstimatedError& error) {
     double sum = 0, largest = 0;
     for (const RowError& row : rows) {
         sum += row.sum;
         largest = std::max(largest, row.largestBlock);
     }
-    return {static_cast<float>(std::sqrt(sum / static_cast<double>(pixels))),
-            static_cast<float>(std::sqrt(largest))};
+    error.all = static_cast<float>(std::sqrt(sum / static_cast<double>(error.pixels.size())));
+    error.largestBlock = static_cast<float>(std::sqrt(largest));
 }
 
 /// Pools of all blocks, and of a pixel by those around it, without seams.
@@ -261,8 +262,10 @@ MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const U
     const double weight = display.weight(light), codes = squared(display.codes(light));
     const double around = noiseAround(input, x, y, coverage);
     const ExpectedSquares smooth(pools.at(x, y, coverage)), block(pools.ofBlock(x, y, coverage));
+    const bool mixes = input.halves.samples >= static_cast<std::uint32_t>(kMixedSamples);
     const double k =
-        std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)));
+        mixes ? std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)))
+              : 0;
     const double error = squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
     return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k), error / weight * codes};
 }
@@ -276,6 +279,8 @@ EstimatedError mixWithNet(const NetMixInput& input, HdrImage& shown, int threads
     if (shown.width != sampled.width || shown.height != sampled.height)
         shown = HdrImage(sampled.width, sampled.height);
     const PixelBlocks blocks{sampled.width, sampled.height};
+    EstimatedError error;
+    error.pixels.resize(sampled.pixels.size());
     std::vector<RowError> rows(static_cast<std::size_t>(blocks.rows()));
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int row = 0; row < blocks.rows(); ++row) {
@@ -286,13 +291,15 @@ EstimatedError mixWithNet(const NetMixInput& input, HdrImage& shown, int threads
             blocks.forEach(column, row, [&](int x, int y) {
                 const MixedPixel mixed = mixedPixel(input, pools, display, x, y);
                 shown.at(x, y) = mixed.colour;
+                error.pixels[pixelIndex(sampled, x, y)] = static_cast<float>(std::sqrt(mixed.error));
                 sum += mixed.error;
                 ++pixels;
             });
             ofRow.add(sum, pixels);
         }
     }
-    return errorOf(rows, sampled.pixels.size());
+    sumUp(rows, error);
+    return error;
 }
 
 } // namespace rtcore

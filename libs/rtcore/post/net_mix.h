@@ -40,14 +40,17 @@ struct NetMixInput {
 /// The estimated error of an image, root mean square of the channels, in codes of 255 of a display that shows
 /// it by the exposure that a net takes (exposureForNet) and the curve `luminance`.
 struct EstimatedError {
-    float all = 0;          ///< of the whole image
-    float largestBlock = 0; ///< of the 8 x 8 pixels where it is largest
+    float all = 0;             ///< of the whole image
+    float largestBlock = 0;    ///< of the 8 x 8 pixels where it is largest
+    std::vector<float> pixels; ///< of each, by the 8 x 8 around it
+
+    static constexpr std::size_t kBytesPerPixel = sizeof(float);
 };
 
 /// Mixes into `shown`, which may be `net`. Pixels that all samples saw as background are those of
 /// `sampled` to the bit, and so are those whose sampled standard error is below a quarter of a code, by a
-/// smooth transition that ends at half a code. Uses `threads` itself (0 = all cores), with the same bits for
-/// any number of them.
+/// smooth transition that ends at half a code. Of less than kMixedSamples the net's image is shown alone.
+/// Uses `threads` itself (0 = all cores), with the same bits for any number of them.
 EstimatedError mixWithNet(const NetMixInput& input, HdrImage& shown, int threads);
 
 } // namespace rtcore

@@ -1,5 +1,6 @@
 #include "rtcore/post/net_report.h"
 
+#include "rtcore/post/error_text.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>
@@ -11,8 +12,8 @@ std::string textOf(const NetReport& report, DenoiseNet net) {
     RenderSettings settings;
     settings.denoise.net = net;
     std::string text = "denoised by " + settingText(getSetting(settings, "denoise.net"));
-    if (!report.mixed) return text;
-    text += fmt::format(" and mixed: +-{:.2f} of 255, largest {:.1f}", report.error, report.largestError);
+    if (!report.estimated) return text;
+    text += (report.mixed ? " and mixed: " : ": ") + errorText(report.error, report.largestError);
     if (report.dots > 0)
         text += fmt::format("; {} bright dots, {:.2g} % of the light, were kept from the net", report.dots,
                             100 * report.lightOfDots);

@@ -10,7 +10,8 @@ namespace rtcore {
 
 struct NetReport {
     bool ran = false;       ///< else nothing below counts
-    bool mixed = false;     ///< with the sampled image; else no error is known, and no dots were looked for
+    bool estimated = false; ///< by halves of the samples; else no error is known, and no dots were looked for
+    bool mixed = false;     ///< with the sampled image
     float error = 0;        ///< of the shown image, in codes of 255: EstimatedError::all (net_mix.h)
     float largestError = 0; ///< EstimatedError::largestBlock
     std::size_t dots = 0;   ///< bright dots that the net did not see, in both halves of the samples

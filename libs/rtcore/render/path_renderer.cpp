@@ -166,7 +166,7 @@ void PathRenderer::measure() {
         });
     }
     sums_ = ImageSums(view_->settings.width, view_->settings.height, static_cast<float>(usualMean(seen)),
-                      mixesWithNet(view_->settings));
+                      keepsHalves(view_->settings));
 }
 
 bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame, const Show& show) {

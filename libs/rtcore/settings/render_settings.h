@@ -94,7 +94,7 @@ struct AreaLightSettings {
 struct DenoiseSettings {
     int passes = 0;                   ///< of the filter; 0 = off
     DenoiseNet net = DenoiseNet::Off; ///< in place of the filter, of Integrator::Path
-    bool mix = true; ///< the net's image with the sampled one, by the errors of both: mixesWithNet()
+    bool mix = true; ///< the net's image with the sampled one, by the errors of both: keepsHalves()
 
     friend bool operator==(const DenoiseSettings&, const DenoiseSettings&) = default;
 };
@@ -158,13 +158,14 @@ inline bool denoisesByNet(const RenderSettings& settings) {
     return settings.integrator == Integrator::Path && settings.denoise.net != DenoiseNet::Off;
 }
 
-/// Samples of a pixel from which on its noise is known well enough: that of fewer misses rare light.
+/// Samples of a pixel from which on the error of an image by a net is estimated.
+inline constexpr int kEstimatedSamples = 16;
+/// The same from which on it is mixed with the sampled one: the noise of fewer misses rare light.
 inline constexpr int kMixedSamples = 64;
 
-/// Whether an image of those settings is that of a net mixed with the sampled one, for which the samples are
-/// kept in halves.
-inline bool mixesWithNet(const RenderSettings& settings) {
-    return denoisesByNet(settings) && settings.denoise.mix && settings.path.samples >= kMixedSamples;
+/// Whether the samples of an image of those settings are kept in halves, by which a net's error is known.
+inline bool keepsHalves(const RenderSettings& settings) {
+    return denoisesByNet(settings) && settings.denoise.mix && settings.path.samples >= kEstimatedSamples;
 }
 
 /// Passes of the filter that smooths the noise of an image of those settings.

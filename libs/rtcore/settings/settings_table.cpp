@@ -329,8 +329,9 @@ std::vector<Setting> makeTable() {
             .usedBy(Integrator::Path)
             .notInBrowsers(),
         row<&S::denoise, &DenoiseSettings::mix>(
-            "denoise.mix", "from 64 samples on, the net's image is mixed with the sampled one: each where it "
-                           "has the smaller error")
+            "denoise.mix",
+            "the error of a net's image is estimated from 16 samples on, and from 64 on it is mixed "
+            "with the sampled one: each where it has the smaller error")
             .changing(SettingChange::Display)
             .usedBy(Integrator::Path)
             .notInBrowsers(),

@@ -1,10 +1,14 @@
 /// Renderer --preview: what is shown, in which order, and how it ends.
 #include "process/preview/live_preview.h"
 
+#include "common/frames/error_byte.h"
+
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/neural/net_files.h"
 
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include <sys/types.h>
 
@@ -168,6 +172,38 @@ TEST_F(Previewing, TheNameIsTaken) {
     EXPECT_NE(viewer->update(), ipc::LinkState::Gone) << "the first one goes on";
     program->send(SIGTERM);
     EXPECT_EQ(program->wait().exitCode, 143);
+}
+
+TEST_F(Previewing, TellsTheErrorThatANetLeaves) {
+    if (rtcore::findNet(rtcore::fileOf(rtcore::Net::Base), {}, programPath("Renderer").parent_path())
+            .file.empty())
+        GTEST_SKIP() << "skipped: there are no weights beside the build";
+    start({"-w", "64", "-h", "48", "--integrator=path", "--look=sky", "--samples=32", "--denoise=base", "-o",
+           "a.png"});
+    look();
+    const std::vector<ipc::Frame> frames = watch();
+    ASSERT_FALSE(frames.empty());
+    for (const ipc::Frame& frame : frames) {
+        const bool known = frame.info.format == ipc::PixelFormat::Rgb8Error8;
+        EXPECT_EQ(known, frame.info.samples >= 16) << frame.info.samples;
+        EXPECT_EQ(frame.info.error > 0, known);
+        EXPECT_GE(frame.info.largestError, frame.info.error);
+    }
+    const ipc::Frame& last = frames.back();
+    double squares = 0;
+    for (std::size_t i = 3; i < last.pixels.size(); i += 4) {
+        const auto error =
+            static_cast<double>(app::errorOfByte(std::to_integer<std::uint8_t>(last.pixels[i])));
+        squares += error * error;
+    }
+    const auto whole = static_cast<double>(app::errorOfThousandths(last.info.error));
+    EXPECT_NEAR(std::sqrt(squares / (64 * 48)), whole, 0.03 * whole + 0.01);
+    EXPECT_EQ(program->wait().exitCode, 0);
+    const rtcore::LdrImage written = rtcore::readLdrImage(folder() / "a.png");
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(written.pixels));
+    ASSERT_EQ(bytes.size(), last.pixels.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        EXPECT_TRUE(!isColour(i) || last.pixels[i] == bytes[i]) << i;
 }
 
 TEST_F(Previewing, BadCommandLines) {

@@ -169,4 +169,32 @@ Features evaluate(const TensorArchive& archive, const Features& input) {
     return x;
 }
 
+Features randomInput(int width, int height, int channels) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> number(0, 1);
+    Features input(width, height, channels);
+    for (double& value : input.values) value = static_cast<double>(number(random));
+    return input;
+}
+
+std::vector<float> outputOf(const std::shared_ptr<const rtcore::UNet>& net, const Features& input,
+                            int threads, const std::atomic<bool>* stop) {
+    std::vector<float> output(static_cast<std::size_t>(input.width * input.height * 3), -1);
+    const rtcore::UNetRun::Rows rows{
+        [&](int y, int left, int count, float* pixels) {
+            for (int i = 0; i < count; ++i)
+                for (int c = 0; c < rtcore::UNetRun::kStride; ++c)
+                    pixels[i * rtcore::UNetRun::kStride + c] =
+                        c < input.channels ? static_cast<float>(input.at(left + i, y, c)) : 0;
+        },
+        [&](int y, int left, int count, const float* pixels) {
+            for (int i = 0; i < count; ++i)
+                for (int c = 0; c < 3; ++c)
+                    output[static_cast<std::size_t>((y * input.width + left + i) * 3 + c)] =
+                        pixels[i * rtcore::UNetRun::kStride + c];
+        }};
+    const bool done = rtcore::UNetRun(net).run(input.width, input.height, rows, threads, stop);
+    return done ? output : std::vector<float>();
+}
+
 } // namespace test

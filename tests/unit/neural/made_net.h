@@ -2,9 +2,12 @@
 #pragma once
 
 #include "rtcore/neural/tensor_archive.h"
+#include "rtcore/neural/u_net.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,5 +32,12 @@ struct Features {
 
 /// By the definition of the net, layer by layer, in double.
 Features evaluate(const rtcore::TensorArchive& archive, const Features& input);
+
+/// Numbers from 0 to 1.
+Features randomInput(int width, int height, int channels);
+
+/// The output of a run, three numbers a pixel, or nothing where it was stopped.
+std::vector<float> outputOf(const std::shared_ptr<const rtcore::UNet>& net, const Features& input,
+                            int threads, const std::atomic<bool>* stop = nullptr);
 
 } // namespace test

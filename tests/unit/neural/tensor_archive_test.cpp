@@ -114,7 +114,7 @@ TEST(TensorArchives, ThatAreDamagedAreRefused) {
 }
 
 /// RT_MUTATIONS: how many. Either they are refused, or all that was read is whole.
-TEST(TensorArchives, WithRandomBytesHarmNothing) {
+TEST(TensorArchives, MutatedAnywhereHarmNothing) {
     const char* const asked = std::getenv("RT_MUTATIONS");
     const int count = asked != nullptr ? std::atoi(asked) : 3000;
     const Bytes good = archiveBytes(sample(), true);

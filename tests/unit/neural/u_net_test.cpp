@@ -10,6 +10,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <random>
 #include <string>
@@ -22,35 +25,8 @@ using rtcore::UNet;
 using rtcore::UNetRun;
 using test::Features;
 using test::madeNet;
-
-Features randomInput(int width, int height, int channels) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> number(0, 1);
-    Features input(width, height, channels);
-    for (double& value : input.values) value = static_cast<double>(number(random));
-    return input;
-}
-
-/// The output of a run, or nothing where it was stopped.
-std::vector<float> outputOf(const std::shared_ptr<const UNet>& net, const Features& input, int threads,
-                            const std::atomic<bool>* stop = nullptr) {
-    std::vector<float> output(static_cast<std::size_t>(input.width * input.height * 3), -1);
-    const UNetRun::Rows rows{
-        [&](int y, int left, int count, float* pixels) {
-            for (int i = 0; i < count; ++i)
-                for (int c = 0; c < UNetRun::kStride; ++c)
-                    pixels[i * UNetRun::kStride + c] =
-                        c < input.channels ? static_cast<float>(input.at(left + i, y, c)) : 0;
-        },
-        [&](int y, int left, int count, const float* pixels) {
-            for (int i = 0; i < count; ++i)
-                for (int c = 0; c < 3; ++c)
-                    output[static_cast<std::size_t>((y * input.width + left + i) * 3 + c)] =
-                        pixels[i * UNetRun::kStride + c];
-        }};
-    const bool done = UNetRun(net).run(input.width, input.height, rows, threads, stop);
-    return done ? output : std::vector<float>();
-}
+using test::outputOf;
+using test::randomInput;
 
 std::shared_ptr<const UNet> netOf(const TensorArchive& archive) {
     return std::make_shared<const UNet>(archive, "made.tza");
@@ -134,6 +110,31 @@ TEST(UNet, OfLayersThatDoNotFitIsRefused) {
         EXPECT_TRUE(refused(other)) << name << " has one output more";
     }
     EXPECT_TRUE(refused({}));
+}
+
+/// RT_MUTATIONS: how many archives. Damage is done where all but numbers is, and to numbers.
+TEST(UNet, OfMutatedArchivesRunsOrIsRefused) {
+    const char* const asked = std::getenv("RT_MUTATIONS");
+    const int count = asked != nullptr ? std::atoi(asked) : 200;
+    const std::vector<std::byte> good = test::archiveBytes(madeNet(9, false, 4), true);
+    std::uint64_t table = 0;
+    std::memcpy(&table, &good[4], sizeof table);
+    const Features input = randomInput(16, 16, 9);
+    std::mt19937 random(8);
+    for (int i = 0; i < count; ++i) {
+        std::vector<std::byte> bytes = good;
+        for (auto changes = random() % 3 + 1; changes-- > 0;) {
+            const std::size_t from = random() % 4 == 0 ? 0 : table;
+            bytes[from + random() % (bytes.size() - from)] = static_cast<std::byte>(random());
+        }
+        try {
+            const auto net =
+                std::make_shared<const UNet>(rtcore::parseTensorArchive(bytes, "x.tza"), "x.tza");
+            EXPECT_EQ(outputOf(net, input, 1).size(), std::size_t{16} * 16 * 3);
+        } catch (const rtcore::FileError& error) {
+            EXPECT_EQ(error.kind, rtcore::FailureKind::BadData);
+        }
+    }
 }
 
 } // namespace

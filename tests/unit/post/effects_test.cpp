@@ -67,8 +67,9 @@ TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     const std::size_t ofNet = Guides::bytesPerPixel() + sum - kDenoiseEffect.bytesPerPixel;
     EXPECT_EQ(effectBytesPerPixel(byNet), ofNet);
     byNet.denoise.mix = true;
-    byNet.path.samples = kMixedSamples;
-    EXPECT_EQ(effectBytesPerPixel(byNet), ofNet + 2 * sizeof(Colour) + 28) << "halves, and their sums";
+    byNet.path.samples = kEstimatedSamples;
+    EXPECT_EQ(effectBytesPerPixel(byNet), ofNet + 2 * sizeof(Colour) + 28 + sizeof(float))
+        << "halves, their sums, errors";
     RenderSettings bloom;
     bloom.bloom.radius = 3;
     EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";

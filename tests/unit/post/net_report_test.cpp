@@ -10,9 +10,11 @@ TEST(NetReport, SaysWhatANetDid) {
     EXPECT_EQ(textOf(report, DenoiseNet::Base), "");
     report.ran = true;
     EXPECT_EQ(textOf(report, DenoiseNet::Base), "denoised by base");
-    report.mixed = true;
+    report.estimated = true;
     report.error = 0.604F;
     report.largestError = 2.12F;
+    EXPECT_EQ(textOf(report, DenoiseNet::Base), "denoised by base: +-0.60 of 255, largest 2.1");
+    report.mixed = true;
     EXPECT_EQ(textOf(report, DenoiseNet::Large), "denoised by large and mixed: +-0.60 of 255, largest 2.1");
     report.dots = 35;
     report.lightOfDots = 0.0021F;

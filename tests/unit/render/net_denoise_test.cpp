@@ -116,12 +116,22 @@ TEST_F(NetDenoiseTest, MixesWhereTheFrameHasHalves) {
     HdrImage one;
     for (const int threads : {1, 2, 3}) {
         NetReport report;
+        std::vector<float> errors;
+        std::atomic<float> fraction = 0;
         EffectChain chain;
-        const HdrImage& result =
-            chain.apply(frame, {.settings = settings, .threads = threads, .net = net, .netReport = &report});
+        const HdrImage& result = chain.apply(frame, {.settings = settings,
+                                                     .threads = threads,
+                                                     .net = net,
+                                                     .netReport = &report,
+                                                     .netErrors = &errors,
+                                                     .netFraction = &fraction});
         if (threads == 1) one = result;
         EXPECT_EQ(result.pixels, one.pixels) << threads;
-        EXPECT_TRUE(report.ran && report.mixed);
+        EXPECT_TRUE(report.ran && report.estimated && report.mixed);
+        ASSERT_EQ(errors.size(), frame.radiance.pixels.size());
+        EXPECT_EQ(errors.front(), 0) << "background";
+        EXPECT_LE(*std::ranges::max_element(errors), 8 * report.largestError);
+        EXPECT_EQ(fraction, 1);
         EXPECT_GT(report.error, 0);
         EXPECT_GE(report.largestError, report.error);
         EXPECT_EQ(report.dots, 1U);
@@ -131,7 +141,7 @@ TEST_F(NetDenoiseTest, MixesWhereTheFrameHasHalves) {
     EXPECT_EQ(one.at(0, 0), frame.radiance.at(0, 0)) << "background";
 }
 
-TEST_F(NetDenoiseTest, DoesNotMixFewSamplesNorWhereItIsNotToldTo) {
+TEST_F(NetDenoiseTest, MixesNoFewSamplesAndEstimatesNothingOfFewerOrWhereItIsNotToldTo) {
     NetDenoise effect;
     const HdrImage alone = effect.apply(
         frame.radiance, {}, {.settings = settings, .threads = 1, .net = net, .guides = &frame.guides});
@@ -150,8 +160,13 @@ TEST_F(NetDenoiseTest, DoesNotMixFewSamplesNorWhereItIsNotToldTo) {
     EXPECT_TRUE(report.mixed);
     halves.samples = kMixedSamples - 1;
     EXPECT_EQ(apply().pixels, alone.pixels);
-    EXPECT_TRUE(report.ran);
+    EXPECT_TRUE(report.ran && report.estimated);
     EXPECT_FALSE(report.mixed);
+    EXPECT_GT(report.error, 0);
+    halves.samples = kEstimatedSamples - 1;
+    EXPECT_EQ(apply().pixels, alone.pixels);
+    EXPECT_TRUE(report.ran);
+    EXPECT_FALSE(report.estimated || report.mixed);
     halves.samples = kMixedSamples;
     settings.denoise.mix = false;
     EXPECT_EQ(apply().pixels, alone.pixels);

@@ -54,12 +54,12 @@ TEST(PathRenderer, DevelopsMeansAndCoverage) {
     EXPECT_NEAR(paths.radiance.pixels.front().r, whitted.radiance.pixels.front().r, 1e-6);
 }
 
-TEST(PathRenderer, KeepsHalvesWhereANetIsMixedWithTheImage) {
+TEST(PathRenderer, KeepsHalvesWhereTheErrorOfANetIsEstimated) {
     const test::TracedScene traced(test::softlyLitScene());
     RenderSettings settings = test::sampleSettings(35, 21);
     settings.integrator = Integrator::Path;
     settings.denoise.net = DenoiseNet::Base;
-    settings.path.samples = kMixedSamples;
+    settings.path.samples = kEstimatedSamples;
     const Camera camera = test::sampleCamera();
     const auto developed = [&](const std::vector<SampleRange>& ranges, int threads) {
         PathRenderer renderer;
@@ -81,9 +81,9 @@ TEST(PathRenderer, KeepsHalvesWhereANetIsMixedWithTheImage) {
         const Colour mean = (whole.halves.first.pixels[i] + whole.halves.second.pixels[i]) * 0.5F;
         EXPECT_NEAR(mean.g, whole.radiance.pixels[i].g, 1e-5F * (1 + mean.g));
     }
-    settings.path.samples = kMixedSamples - 1;
+    settings.path.samples = kEstimatedSamples - 1;
     EXPECT_TRUE(developed({{0, 8}}, 1).halves.empty()) << "too few";
-    settings.path.samples = kMixedSamples;
+    settings.path.samples = kEstimatedSamples;
     settings.denoise.mix = false;
     EXPECT_TRUE(developed({{0, 8}}, 1).halves.empty()) << "not wanted";
 }
