@@ -238,13 +238,13 @@ TEST_F(FadeTest, ErrorsColourWhatIsSeenOfThem) {
     const QImage plain = grabbed();
     QImage errors(still.size(), QImage::Format_Grayscale8);
     errors.fill(app::errorByte(0.1F));
-    for (int y = 8; y < 16; ++y) std::fill_n(errors.scanLine(y) + 24, 8, app::errorByte(30));
+    for (int y = 16; y < 64; ++y) std::fill_n(errors.scanLine(y) + 64, 48, app::errorByte(30));
     view->setShowErrors(true);
     EXPECT_EQ(grabbed(), plain) << "none are known";
     view->showPicture(still, {}, errors);
     const QImage coloured = colouredByErrors(still, errors);
     EXPECT_EQ(coloured.pixelColor(0, 0).saturation(), 0) << "grey where nothing is seen";
-    const QColor large = coloured.pixelColor(28, 12);
+    const QColor large = coloured.pixelColor(88, 40);
     EXPECT_GT(large.red(), large.blue() + 60);
     EXPECT_NE(grabbed(), plain);
     EXPECT_EQ(view->shown(), still);

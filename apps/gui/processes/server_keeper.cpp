@@ -3,9 +3,11 @@
 #include "gui/session/server_list.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QScopedValueRollback>
+#include <QThread>
 #include <QTimer>
 
 #include <utility>
@@ -73,9 +75,7 @@ void ServerKeeper::connectTo(const QString& instance) {
 // Our own server is ended, unless other clients are connected to it.
 void ServerKeeper::leaveOurs() {
     if (!server_.running()) return;
-    const bool shared = othersUseOurs();
-    session_.leave();
-    if (shared) return server_.release();
+    if (othersStay()) return server_.release();
     asked_ = true;
     server_.stop();
     QEventLoop loop; // kMax at most: its shared memory has to be free again
@@ -100,7 +100,20 @@ bool ServerKeeper::othersUse(const QString& instance) const {
     return clientsOf(instance, companion_) > (own ? 1 : 0);
 }
 
-bool ServerKeeper::othersUseOurs() const { return othersUse(server_.request().instance); }
+// A slot that this window had before may still be there: it goes soon after.
+bool ServerKeeper::othersStay() {
+    const QString& instance = server_.request().instance;
+    const bool others = server_.running() && othersUse(instance);
+    session_.leave();
+    QElapsedTimer clock;
+    clock.start();
+    constexpr int kPatience = 500, kPause = 5;
+    while (others && clientsOf(instance, companion_) > 0) {
+        if (clock.hasExpired(kPatience)) return true;
+        QThread::msleep(kPause);
+    }
+    return false;
+}
 
 bool ServerKeeper::mayComeBack(const QString& instance) const {
     const bool left = session_.state() == SessionState::Disconnected || session_.instance() != instance;
@@ -129,11 +142,10 @@ void ServerKeeper::keepServers(bool keep) {
 }
 
 void ServerKeeper::close() {
-    const bool shared = server_.running() && othersUseOurs();
     asked_ = true;
-    session_.leave();
+    const bool others = othersStay();
     // Otherwise the server ends with its ServerProcess.
-    if (keep_ || shared) server_.release();
+    if (keep_ || others) server_.release();
 }
 
 void ServerKeeper::onEnded(const QString& text) {

@@ -60,7 +60,7 @@ class ServerKeeper : public QObject {
   private:
     void launch(const ServerRequest& request);
     void leaveOurs();
-    bool othersUseOurs() const;
+    bool othersStay(); ///< of our server, which this window leaves
     void onEnded(const QString& text);
     void onState(SessionState state);
 

@@ -55,6 +55,15 @@ std::array<ErrorColour, 256> errorColours() {
     return colours;
 }
 
+/// Means of the bytes around each pixel, geometric means of errors: that of a single block is rough.
+QImage smoothed(const QImage& errors) {
+    constexpr int kCell = 2 * kBlock;
+    const QSize cells((errors.width() + kCell - 1) / kCell, (errors.height() + kCell - 1) / kCell);
+    return errors.scaled(cells, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+        .scaled(errors.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_Grayscale8);
+}
+
 /// The block whose mean square is largest, and its root.
 struct WorstBlock {
     QRect pixels;
@@ -90,10 +99,10 @@ QImage colouredByErrors(const QImage& picture, const QImage& errors) {
     static const std::array<ErrorColour, 256> kByByte = errorColours();
     QImage result(picture.size(), QImage::Format_RGB32);
     if (result.isNull()) return result;
-    const QImage source = picture.convertToFormat(QImage::Format_RGB32);
+    const QImage source = picture.convertToFormat(QImage::Format_RGB32), smooth = smoothed(errors);
     for (int y = 0; y < result.height(); ++y) {
         const auto* const from = reinterpret_cast<const QRgb*>(source.constScanLine(y));
-        const uchar* const error = errors.constScanLine(y);
+        const uchar* const error = smooth.constScanLine(y);
         auto* const to = reinterpret_cast<QRgb*>(result.scanLine(y));
         for (int x = 0; x < result.width(); ++x) {
             const int grey = qGray(from[x]);

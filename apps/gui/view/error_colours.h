@@ -9,8 +9,9 @@ class QRectF;
 
 namespace gui {
 
-/// `picture` in grey, and over it colours from a quarter of a code of 255, which is not seen, to sixteen.
-/// `errors`: bytes (common/frames/error_byte.h), of the same size; else a null image.
+/// `picture` in grey, and over it colours of the errors around each pixel, from a quarter of a code of 255,
+/// which is not seen, to sixteen. `errors`: bytes (common/frames/error_byte.h), of the same size; else a null
+/// image.
 QImage colouredByErrors(const QImage& picture, const QImage& errors);
 
 /// What the colours stand for, at the lower border of `area`.
