@@ -47,6 +47,7 @@ void bench(const char* name, const std::shared_ptr<const UNet>& net, const Noisy
                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     const auto bytes = static_cast<double>(denoiser.bytes());
+    if (denoiser.bytes() > NetDenoiser::kMaxBytes) std::printf("more than NetDenoiser::kMaxBytes: ");
     std::printf("%-6s %8.3f s, keeps %6.1f MB (%5.1f bytes a pixel), the process grew by %6.1f MB\n", name,
                 seconds, bytes / 1e6, 3 * bytes / static_cast<double>(result.size()), peakMemory() - before);
 }
@@ -54,6 +55,7 @@ void bench(const char* name, const std::shared_ptr<const UNet>& net, const Noisy
 } // namespace
 
 int main(int argc, char** argv) {
+    useInstructionSetOfEnvironment();
     const auto argument = [&](int i, int usual) {
         return argc > i ? std::max(std::atoi(argv[i]), 1) : usual;
     };
@@ -64,7 +66,7 @@ int main(int argc, char** argv) {
     const NoisyImage image{width, height, {radiance.data()}, {albedo.data()}, {normal.data()}};
     std::printf("%d x %d, %d threads\n", width, height, threads);
     try {
-        Nets nets({});
+        Nets nets;
         // The first has the least memory: what the process grows by is that of each.
         bench("small", nets.of(Net::Small), image, threads, turns);
         bench("base", nets.of(Net::Base), image, threads, turns);

@@ -24,8 +24,8 @@ inline float errorOfByte(std::uint8_t byte) {
 
 /// Errors of a whole image in ipc::FrameInfo, which has no fractions.
 inline std::uint32_t thousandths(float error) {
-    constexpr float kMost = 1e6F;
-    return static_cast<std::uint32_t>(std::lround(1000 * std::min(error, kMost)));
+    constexpr float kMaxError = 1e6F;
+    return static_cast<std::uint32_t>(std::lround(1000 * std::min(error, kMaxError)));
 }
 inline float errorOfThousandths(std::uint32_t number) { return static_cast<float>(number) / 1000; }
 

@@ -46,11 +46,11 @@ struct ErrorColour {
 };
 
 std::array<ErrorColour, 256> errorColours() {
-    constexpr double kMost = 0.75;
+    constexpr double kMaxOpacity = 0.75;
     std::array<ErrorColour, 256> colours{};
     for (std::size_t byte = 0; byte < colours.size(); ++byte) {
         const auto error = static_cast<double>(app::errorOfByte(static_cast<std::uint8_t>(byte)));
-        colours.at(byte) = {colourOf(error), kMost * std::clamp(error / kLowest - 1, 0.0, 1.0)};
+        colours.at(byte) = {colourOf(error), kMaxOpacity * std::clamp(error / kLowest - 1, 0.0, 1.0)};
     }
     return colours;
 }

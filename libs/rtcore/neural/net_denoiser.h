@@ -30,18 +30,18 @@ struct NetProgress {
 /// no number in the image counts as 0 there.
 class NetDenoiser {
   public:
-    /// `maxPixels`: of a tile, with what it overlaps.
-    explicit NetDenoiser(std::shared_ptr<const UNet> net, std::size_t maxPixels = kMaxPixels);
+    /// `maxPixels`: of a tile, with what it overlaps; 0: as many as take less than kMaxBytes.
+    explicit NetDenoiser(std::shared_ptr<const UNet> net, std::size_t maxPixels = 0);
 
     const UNet& net() const { return run_.net(); }
     /// Three floats a pixel into `result`, which may be the image's own radiance only where the image is one
     /// tile. False: `stop` was set, and the result is undefined.
     bool run(const NoisyImage& image, float* result, int threads = 0, const std::atomic<bool>* stop = nullptr,
              const NetProgress& progress = {});
-    /// Bytes that it keeps now.
+    /// Bytes that it keeps now: by trained nets at most kMaxBytes, whatever the size of images.
     std::size_t bytes() const;
 
-    static constexpr std::size_t kMaxPixels = std::size_t{3} << 20;
+    static constexpr std::size_t kMaxBytes = 600'000'000;
 
   private:
     struct Tile;

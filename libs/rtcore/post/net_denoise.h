@@ -27,7 +27,7 @@ class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
 
-    /// Memory that is kept for each pixel, beside that of the net for a tile (NetDenoiser::kMaxPixels).
+    /// Memory that is kept for each pixel, beside that of the net for a tile (NetDenoiser::kMaxBytes).
     static constexpr std::size_t bytesPerPixel() { return 4 * sizeof(Colour) + sizeof(PixelCoverage); }
 
   private:
