@@ -77,9 +77,14 @@ void meetLights(const LightRows& rows, SamplingStrategy strategy, const ScatterS
             const Mask hit = hasTrait(load(hits.traits + i), traits::kPoint);
             const Float to = select(hit, from + loadRest(hits.distance, i, count),
                                     Float(std::numeric_limits<float>::max()));
-            for (std::uint32_t k = 0; k < rows.lights; ++k) {
+            const auto meet = [&](std::uint32_t k) HWY_ATTR {
                 if (isAreaLight(rows.light[k].kind))
                     sum += lightMet(rows, strategy, k, s, i, direction, from, to);
+            };
+            if (rows.byTree()) {
+                forLightsNear(rows.tree, loadAt(s.point, i), direction, used, meet);
+            } else {
+                for (std::uint32_t k = 0; k < rows.lights; ++k) meet(k);
             }
             sum = selectOrZero(used, sum * loadAt(hits.weight, i));
         }

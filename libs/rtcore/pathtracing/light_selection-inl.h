@@ -1,8 +1,8 @@
 // Light selection: a point samples one light, with a probability close to its fraction of the unoccluded
 // light that arrives there. Included once for each instruction set, inside the loop of foreach_target.h.
 #include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/lights/light_tree-inl.h"
 #include "rtcore/pathtracing/light_set.h"
-#include "rtcore/sampling/alias-inl.h"
 
 #if defined(RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_
@@ -36,27 +36,23 @@ HWY_INLINE F expectedOfEmitters(const LightRows& rows, Vec3Of<F> point) {
     return selectOrZero(isFinite(arriving), arriving);
 }
 
-/// The same for `group`, one group for all lanes.
-HWY_INLINE Float expectedOfGroup(const LightRows& rows, std::uint32_t group, Float3 point, Float3 normal) {
-    if (group < rows.lights) return expectedOf<Float>(rows.light[group], point, normal);
-    if (group == rows.emitterGroup()) return expectedOfEmitters<Float>(rows, point);
-    return rows.surroundingLight;
+/// The same of a node in the cut of the tree.
+template <typename F>
+HWY_INLINE F expectedOfCut(const LightRows& rows, std::uint32_t c, Vec3Of<F> point, Vec3Of<F> normal) {
+    const LightNode& node = rows.tree.nodes[rows.tree.cut[c]];
+    if ((node.kind & light_node::kLeaf) != 0) return expectedOf<F>(rows.light[node.next], point, normal);
+    return expectedOfNode<F>(rows.tree.directed, broadcastNode<F>(node), point, normal);
 }
 
 /// Mixes the fraction of the expected light with a uniform part: the middle says little about a large light
 /// and nothing about occluders, and a light with the probability 0 would be missing from the image.
 template <typename F>
 HWY_INLINE F selectionProbability(const LightRows& rows, F expected, F total) {
-    const float each = 1.0F / static_cast<float>(rows.groups());
+    const float each = 1.0F / static_cast<float>(rows.candidates());
     const auto some = total > 0.0F;
     return select(some,
                   expected / select(some, total, F(1)) * (1 - kUniformFraction) + kUniformFraction * each,
                   F(each));
-}
-
-/// The probability where it is the same at all points (LightRows::fixed).
-HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
-    return rows.selection.probability[group - (group > rows.emitterGroup() && !rows.emitters ? 1 : 0)];
 }
 
 /// The probabilities that a point samples a light, the emitters or the surroundings, where the expected light
@@ -64,17 +60,18 @@ HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
 template <typename F>
 HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
                                 F total) {
-    if (rows.fixed) return fixedProbability(rows, k);
-    return selectionProbability<F>(rows, expectedOf<F>(rows.light[k], point, normal), total);
+    if (!rows.byTree())
+        return selectionProbability<F>(rows, expectedOf<F>(rows.light[k], point, normal), total);
+    const F ofCut =
+        selectionProbability<F>(rows, expectedOfCut<F>(rows, rows.tree.cutOf[k], point, normal), total);
+    return ofCut * probabilityOfLeaf<F>(rows.tree, k, point, normal);
 }
 template <typename F>
 HWY_INLINE F probabilityOfEmitters(const LightRows& rows, Vec3Of<F> point, F total) {
-    if (rows.fixed) return fixedProbability(rows, rows.emitterGroup());
     return selectionProbability<F>(rows, expectedOfEmitters<F>(rows, point), total);
 }
 template <typename F>
 HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, F total) {
-    if (rows.fixed) return fixedProbability(rows, rows.surroundingGroup());
     return selectionProbability<F>(rows, F(rows.surroundingLight), total);
 }
 
@@ -84,30 +81,31 @@ struct ChosenLight {
     Float total; ///< what all are expected to throw
 };
 
-/// `bits`: 32 random ones. There is a group.
-HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 normal, Uint bits) {
-    if (rows.fixed) {
-        const Uint index = sampleIndex<Float>(rows.selection, bits);
-        const Mask skips = rows.emitters ? noLanes() : index == rows.lights;
-        return {select(skips, index + 1U, index), probabilityOf<Float>(rows.selection, index), 0.0F};
-    }
+/// `bits`, `more`: 32 random ones each. There is a group.
+HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 normal, Uint bits, Uint more) {
     HWY_ALIGN float expected[(LightSet::kMaxWeighed + 2) * kLanes];
-    std::uint32_t groups[LightSet::kMaxWeighed + 2];
+    std::uint32_t groups[LightSet::kMaxWeighed + 2]; // of the tree: nodes of its cut
     std::uint32_t count = 0;
     Float total = 0.0F;
-    const auto weigh = [&](std::uint32_t group) HWY_ATTR {
-        const Float e = expectedOfGroup(rows, group, point, normal);
+    const auto weigh = [&](std::uint32_t group, Float e) HWY_ATTR {
         store(e, expected + count * kLanes);
         groups[count++] = group;
         total += e;
     };
-    for (std::uint32_t k = 0; k < rows.lights; ++k) weigh(k);
-    if (rows.emitters) weigh(rows.emitterGroup());
-    if (rows.surroundings) weigh(rows.surroundingGroup());
+    if (rows.byTree()) {
+        for (std::uint32_t c = 0; c < rows.tree.cuts; ++c)
+            weigh(rows.tree.cut[c], expectedOfCut<Float>(rows, c, point, normal));
+    } else {
+        for (std::uint32_t k = 0; k < rows.lights; ++k)
+            weigh(k, expectedOf<Float>(rows.light[k], point, normal));
+    }
+    const std::uint32_t ofLights = count;
+    if (rows.emitters) weigh(rows.emitterGroup(), expectedOfEmitters<Float>(rows, point));
+    if (rows.surroundings) weigh(rows.surroundingGroup(), rows.surroundingLight);
     const Float u = toFloat(toInt(bits >> 8)) * 0x1p-24F;
     Float before = 0.0F;
     ChosenLight chosen{groups[count - 1], 0.0F, total};
-    Mask open = allLanes();
+    Mask open = allLanes(), light = noLanes();
     for (std::uint32_t k = 0; k < count; ++k) {
         const Float p = selectionProbability<Float>(rows, load(expected + k * kLanes), total);
         before += p;
@@ -116,7 +114,14 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
         chosen.group = select(here, Uint(groups[k]), chosen.group);
         chosen.probability = select(here, p, chosen.probability);
         open = without(open, here);
+        if (k < ofLights) light = light | here;
     }
+    if (!rows.byTree()) return chosen;
+    const Float v = toFloat(toInt(more >> 8)) * 0x1p-24F;
+    const ChosenLeaf leaf =
+        chooseLeaf(rows.tree, select(light, chosen.group, Uint(0U)), light, point, normal, v);
+    chosen.group = select(light, leaf.light, chosen.group);
+    chosen.probability = chosen.probability * leaf.probability;
     return chosen;
 }
 

@@ -1,7 +1,6 @@
 #include "rtcore/pathtracing/light_set.h"
 
 #include "rtcore/math/constants.h"
-#include "rtcore/scene/light_power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +41,6 @@ std::vector<std::uint8_t> hasProxyLight(const Scene& scene) {
     return result;
 }
 
-/// The power of a light as luminance, W; of a directional one what falls on a disc of radius `reach`.
-double powerWithin(const Light& light, double reach) {
-    const double area = traitsOf(light).position ? 1 : kPi * reach * reach;
-    return powerOf<double>(light) * area;
-}
-
 } // namespace
 
 void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
@@ -75,25 +68,8 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     background_ = backgroundLight(scene, settings.environmentFilter, scene.ambient);
     surroundings_ = {};
     surroundings_.prepare(background_);
-    selection_ = {};
-    if (lights_.size() > kMaxWeighed) selectByPower(0.5F * length(bounds.size()));
-}
-
-/// A tenth of the probability is uniform.
-void LightSet::selectByPower(float reach) {
-    const LightRows all = rows();
-    std::vector<double> powers;
-    for (const Light& light : lights_) powers.push_back(powerWithin(light, reach));
-    if (all.emitters) powers.push_back(emitters_.power());
-    if (all.surroundings) powers.push_back(surroundings_.scalarIrradiance() * kPi * reach * reach);
-    double sum = 0;
-    for (double& power : powers) {
-        if (!(power >= 0) || !std::isfinite(power)) power = 0;
-        sum += power;
-    }
-    if (!(sum > 0)) sum = 1;
-    for (double& power : powers) power = power / sum + 0.1 / static_cast<double>(powers.size());
-    selection_ = AliasTable(powers);
+    tree_ = {};
+    if (lights_.size() > kMaxWeighed) tree_.prepare(lights_, bounds);
 }
 
 LightRows LightSet::rows() const {
@@ -102,8 +78,7 @@ LightRows LightSet::rows() const {
     rows.lights = static_cast<std::uint32_t>(lights_.size());
     rows.emitters = !emitters_.empty();
     rows.surroundings = !surroundings_.empty();
-    rows.fixed = !selection_.empty();
-    rows.selection = selection_.rows();
+    if (!tree_.empty()) rows.tree = tree_.rows();
     if (rows.emitters) {
         const Vec3 size = emitters_.bounds().size();
         rows.emittersCentre = emitters_.centre();

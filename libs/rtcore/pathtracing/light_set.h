@@ -5,7 +5,7 @@
 #include "rtcore/lights/background_light.h"
 #include "rtcore/lights/emitters.h"
 #include "rtcore/lights/environment_sampler.h"
-#include "rtcore/sampling/alias_table.h"
+#include "rtcore/lights/light_tree.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
@@ -24,8 +24,7 @@ struct LightRows {
     const Light* light = nullptr;
     std::uint32_t lights = 0;
     bool emitters = false, surroundings = false;
-    bool fixed = false; ///< probabilities are the same everywhere: those of `selection`
-    AliasRows selection;
+    LightTreeRows tree;  ///< without nodes: each light is weighed by itself
     Vec3 emittersCentre; ///< seen from far away, the emitters are a point light there
     float emittersIntensity = 0,
           emittersSquare = 0;   ///< its luminance, W/sr; distances^2 below this count as it
@@ -33,14 +32,18 @@ struct LightRows {
 
     std::uint32_t emitterGroup() const { return lights; }
     std::uint32_t surroundingGroup() const { return lights + 1; }
-    std::uint32_t groups() const { return lights + (emitters ? 1U : 0U) + (surroundings ? 1U : 0U); }
+    bool byTree() const { return tree.nodes != nullptr; }
+    /// What a point weighs: lights or the cut of their tree, emitters and surroundings.
+    std::uint32_t candidates() const {
+        return (byTree() ? tree.cuts : lights) + (emitters ? 1U : 0U) + (surroundings ? 1U : 0U);
+    }
 };
 
 /// Immutable once prepared, shared by all threads; the scene must outlive it.
 class LightSet {
   public:
-    /// Up to this many lights are selected by their unoccluded light at the point, more of them by power.
-    static constexpr std::size_t kMaxWeighed = 32;
+    /// Up to this many lights are weighed one by one at each point, more of them by their tree.
+    static constexpr std::size_t kMaxWeighed = LightTree::kMaxCut;
 
     /// Takes the lights that are on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model,
     /// not 0 where it is; may be empty.
@@ -66,15 +69,13 @@ class LightSet {
     std::span<const std::uint8_t> emitsNoLight() const { return emitsNoLight_; }
 
   private:
-    void selectByPower(float reach);
-
     std::vector<Light> lights_;
     std::vector<std::uint32_t> discs_, mirrored_;
     Emitters emitters_;
     EnvironmentSampler surroundings_;
     BackgroundLight background_;
     std::vector<std::uint8_t> emitsNoLight_;
-    AliasTable selection_;
+    LightTree tree_;
     bool anyArea_ = false;
 };
 

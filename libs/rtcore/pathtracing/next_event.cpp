@@ -111,7 +111,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
         const PathNumbers choice = numbersFor(name, SampleDimension::Light, visit);
         const PathNumbers numbers = numbersFor(name, SampleDimension::AreaLight, visit);
         const ChosenLight chosen =
-            chooseLight(rows.lights, start, loadAt(s.shadingNormal, i), choice.bitsOfU);
+            chooseLight(rows.lights, start, loadAt(s.shadingNormal, i), choice.bitsOfU, choice.bitsOfV);
         GroupSample sample;
         Mask rest = used;
         while (any(rest)) {

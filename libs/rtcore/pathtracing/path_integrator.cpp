@@ -91,7 +91,7 @@ void PathIntegrator::step() {
                            limits_,
                            static_cast<std::uint32_t>(frame_.settings->maxDepth),
                            {pixelNames_.data(), subs_.data()},
-                           rows_.groups() > 0 ? events_.samples().total : nullptr};
+                           rows_.candidates() > 0 ? events_.samples().total : nullptr};
     scatterPaths(task, wave_, paths_, next_);
     clock_.lap(Stage::Secondary);
 }
@@ -251,7 +251,7 @@ float PathIntegrator::weightOfEmission(std::size_t i) const {
 
 /// Next event: one light for each point.
 void PathIntegrator::sampleLights() {
-    if (rows_.groups() == 0) return;
+    if (rows_.candidates() == 0) return;
     const NextEventTask task{*lights_,
                              rows_,
                              *frame_.scene,

@@ -84,7 +84,7 @@ TEST(DirectLight, OfManyLightsIsTheirSumInTheMean) {
         Scene lit = lobedScene();
         lit.lights = {test::pointLight({2, 3, 2}, 30), spotAbove(), sunBeside(),
                       test::pointLight({-3, 0.5F, 1}, 2)};
-        // More than are weighed one by one: they are chosen by power.
+        // More than are weighed one by one: they are chosen by their tree.
         for (int i = 0; many && i < 40; ++i) {
             const auto at = static_cast<float>(i);
             lit.lights.push_back(test::pointLight({0.2F * at - 4, 2 + 0.05F * at, -1}, 0.5F));
@@ -117,6 +117,30 @@ TEST(DirectLight, OfManyLightsSurvivesIntensitiesThatAreNoNumbers) {
     for (const Colour seen : scene.trace(rays, ids, test::bouncesAlone(0)))
         lightened += std::isfinite(seen.g) && seen.g > 0 ? 1 : 0;
     EXPECT_GT(lightened, ids.size() / 4);
+}
+
+TEST(DirectLight, OfManyBallsIsTheSameByEitherStrategy) {
+    Scene lit = lobedScene();
+    for (int i = 0; i < 60; ++i) {
+        const auto at = static_cast<float>(i);
+        Light ball = test::pointLight({0.15F * at - 4, 1.5F + 0.5F * std::sin(at), 2 * std::cos(at)}, 0.5F);
+        ball.kind = LightKind::Sphere;
+        ball.radius = 0.3F;
+        lit.lights.push_back(ball);
+    }
+    const test::PathScene scene(std::move(lit));
+    const Vec3 eye{0.3F, 2.5F, 6};
+    for (const Vec3 to : {Vec3{0, 0, 2}, Vec3{-1, 1, 0}}) {
+        test::PathLimits limits = test::bouncesAlone(0);
+        const test::PathMean both = scene.see(eye, to - eye, 20000, limits);
+        EXPECT_GT(both.mean[0], 0.1);
+        for (const SamplingStrategy strategy :
+             {SamplingStrategy::NextEvent, SamplingStrategy::ScatteredRays}) {
+            limits.strategy = strategy;
+            const test::PathMean seen = scene.see(eye, to - eye, 20000, limits);
+            EXPECT_NEAR(seen.mean[0], both.mean[0], 4 * (seen.error[0] + both.error[0]));
+        }
+    }
 }
 
 TEST(DirectLight, ThroughMirrorsPanesAndHolesIsThatOfWhittedInTheMean) {

@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 
 namespace rtcore {
 namespace {
 
-/// Everything occurs: lobes, mirrors, glass, holes, emission, area lights, fog.
+/// Everything occurs: lobes, mirrors, glass, holes, emission, area lights, fog where there are no more lights
+/// than are weighed one by one, and a tree of lights where there is no fog.
 Scene everything(bool foggy) {
     test::SceneBuilder b;
     Material floor = test::matte(0.8F);
@@ -41,6 +43,14 @@ Scene everything(bool foggy) {
     if (foggy) {
         b.scene.fog.kind = FogKind::Homogeneous;
         b.scene.fog.density = 0.05F;
+        return b.finish();
+    }
+    for (int i = 0; i < 60; ++i) {
+        const auto at = static_cast<float>(i);
+        Light more = i % 2 == 0 ? sphere : panel;
+        more.position = {0.1F * at - 3, 2 + std::sin(at), 2 * std::cos(at)};
+        more.intensity = {0.1F, 0.2F, 0.1F};
+        b.scene.lights.emplace_back(more);
     }
     return b.finish();
 }
