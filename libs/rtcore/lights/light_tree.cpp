@@ -285,23 +285,23 @@ void LightTree::chooseCut(std::vector<std::uint32_t> roots, float farScale) {
 void LightTree::markTrails() {
     cutOf_.resize(lights_);
     trail_.resize(lights_);
-    struct Place {
+    struct Subtree {
         std::uint32_t node, trail;
         int depth;
     };
     for (std::size_t c = 0; c < cut_.size(); ++c) {
-        std::vector<Place> open{{cut_[c], 0, 0}};
+        std::vector<Subtree> open{{cut_[c], 0, 0}};
         while (!open.empty()) {
-            const Place place = open.back();
+            const Subtree subtree = open.back();
             open.pop_back();
-            const LightNode& node = nodes_[place.node];
+            const LightNode& node = nodes_[subtree.node];
             if ((node.kind & light_node::kLeaf) != 0) {
                 cutOf_[node.next] = static_cast<std::uint32_t>(c);
-                trail_[node.next] = place.trail;
+                trail_[node.next] = subtree.trail;
                 continue;
             }
-            open.push_back({place.node + 1, place.trail, place.depth + 1});
-            open.push_back({node.next, place.trail | std::uint32_t{1} << place.depth, place.depth + 1});
+            open.push_back({subtree.node + 1, subtree.trail, subtree.depth + 1});
+            open.push_back({node.next, subtree.trail | std::uint32_t{1} << subtree.depth, subtree.depth + 1});
         }
     }
 }

@@ -141,13 +141,13 @@ TEST(LightTree, ChoosesLightsAsOftenAsItTells) {
         const LightTreeRows rows = tree.rows();
         EXPECT_EQ(rows.directed, everyKind);
         const Vec3 point{1, -2, 3}, normal = normalize({0.3F, 1, -0.2F});
-        constexpr int kDraws = 1 << 14;
+        constexpr int kSamples = 1 << 14;
         for (std::uint32_t c = 0; c < rows.cuts; c += 5) {
-            std::vector<int> drawn(lights.size());
-            for (int i = 0; i < kDraws; i += static_cast<int>(plain::lanes())) {
+            std::vector<int> chosen(lights.size());
+            for (int i = 0; i < kSamples; i += static_cast<int>(plain::lanes())) {
                 const plain::Float u =
                     (plain::toFloat(plain::toInt(plain::iota(static_cast<std::size_t>(i)))) + 0.5F) /
-                    static_cast<float>(kDraws);
+                    static_cast<float>(kSamples);
                 const plain::ChosenLeaf leaf =
                     plain::chooseLeaf(rows, plain::Uint(rows.cut[c]), plain::allLanes(),
                                       plain::broadcast(point), plain::broadcast(normal), u);
@@ -156,7 +156,7 @@ TEST(LightTree, ChoosesLightsAsOftenAsItTells) {
                 plain::store(leaf.light, light);
                 plain::store(leaf.probability, probability);
                 for (std::size_t lane = 0; lane < plain::lanes(); ++lane) {
-                    ++drawn[light[lane]];
+                    ++chosen[light[lane]];
                     EXPECT_EQ(probability[lane],
                               plain::probabilityOfLeaf<float>(rows, light[lane], point, normal))
                         << "to the bit";
@@ -164,11 +164,11 @@ TEST(LightTree, ChoosesLightsAsOftenAsItTells) {
             }
             for (std::uint32_t k = 0; k < lights.size(); ++k) {
                 if (rows.cutOf[k] != c) {
-                    EXPECT_EQ(drawn[k], 0);
+                    EXPECT_EQ(chosen[k], 0);
                     continue;
                 }
                 const float p = plain::probabilityOfLeaf<float>(rows, k, point, normal);
-                EXPECT_NEAR(drawn[k], p * kDraws, 0.02F * p * kDraws + 3);
+                EXPECT_NEAR(chosen[k], p * kSamples, 0.02F * p * kSamples + 3);
             }
         }
     }
