@@ -28,12 +28,20 @@
         <translation>'{0}' není den od roku 1800 do 2200, například {1}</translation>
     </message>
     <message>
+        <source>'{1}' does not belong on this line; begin a new one, or a comment with #</source>
+        <translation>'{1}' na tento řádek nepatří; začněte nový, nebo komentář znakem #</translation>
+    </message>
+    <message>
+        <source>'{2}' is there twice; keep one of them</source>
+        <translation>'{2}' je tu dvakrát; jedno z nich odstraňte</translation>
+    </message>
+    <message>
         <source>A viewer asks to drive</source>
         <translation>Divák žádá o řízení</translation>
     </message>
     <message>
         <source>Assimp cannot read it: {0}; open it in the program that wrote it and export it again, as glTF or OBJ for example</source>
-        <translation>Assimp ho nedokáže načíst: {0}; otevřete ho v programu, který ho zapsal, a exportujte znovu, například jako glTF nebo OBJ</translation>
+        <translation>Assimp ho nedokáže načíst a hlásí anglicky: „{0}“; otevřete ho v programu, který ho zapsal, a exportujte znovu, například jako glTF nebo OBJ</translation>
     </message>
     <message>
         <source>BMP of an unknown kind ({0} bits, compression {1})</source>
@@ -164,6 +172,10 @@
         <translation>archiv 7z</translation>
     </message>
     <message>
+        <source>a = should stand here, not '{0}'; a line reads key = value</source>
+        <translation>tady má být =, ne '{0}'; řádek má tvar klíč = hodnota</translation>
+    </message>
+    <message>
         <source>a BREP file of CAD surfaces, which are not read</source>
         <translation>soubor BREP s plochami CAD, které nelze načíst</translation>
     </message>
@@ -200,8 +212,24 @@
         <translation>soubor VRML, který nelze načíst</translation>
     </message>
     <message>
+        <source>a ] should stand here, not '{0}'; a section begins with [name] or [[name]]</source>
+        <translation>tady má být ], ne '{0}'; oddíl začíná řádkem [jméno] nebo [[jméno]]</translation>
+    </message>
+    <message>
+        <source>a backslash has a meaning of its own in double quotes; write two of them, or put the text in single quotes</source>
+        <translation>zpětné lomítko má ve dvojitých uvozovkách zvláštní význam; napište dvě, nebo dejte text do jednoduchých uvozovek</translation>
+    </message>
+    <message>
         <source>a bookmark needs a name, in UTF-8</source>
         <translation>záložka potřebuje jméno v UTF-8</translation>
+    </message>
+    <message>
+        <source>a character stands here that cannot be seen; delete it</source>
+        <translation>je tu znak, který není vidět; smažte ho</translation>
+    </message>
+    <message>
+        <source>a comma or ] should stand here, not '{0}'</source>
+        <translation>tady má být čárka nebo ], ne '{0}'</translation>
     </message>
     <message>
         <source>a command has up to {0} bytes, none of them NUL; this one has {1}</source>
@@ -268,8 +296,28 @@
         <translation>strana snímku má 1 až {0} pixelů, ne {1} x {2}</translation>
     </message>
     <message>
+        <source>a key cannot hold '{0}'; it is of letters, digits, - and _, or stands in quotes</source>
+        <translation>klíč nemůže obsahovat '{0}'; skládá se z písmen, číslic, - a _, nebo je v uvozovkách</translation>
+    </message>
+    <message>
         <source>a key has too many parts</source>
         <translation>klíč má příliš mnoho částí</translation>
+    </message>
+    <message>
+        <source>a key is there twice, or once as a value and once as a section; keep one of them</source>
+        <translation>klíč je tu dvakrát, nebo jednou jako hodnota a jednou jako oddíl; jeden z nich odstraňte</translation>
+    </message>
+    <message>
+        <source>a key stands on one line; use one quote at each end, not three</source>
+        <translation>klíč je na jednom řádku; na každém konci použijte jedny uvozovky, ne troje</translation>
+    </message>
+    <message>
+        <source>a library says "{0}"</source>
+        <translation>knihovna hlásí anglicky: „{0}“</translation>
+    </message>
+    <message>
+        <source>a line cannot begin with '{0}'; it reads key = value, or [name]</source>
+        <translation>řádek nemůže začínat '{0}'; má tvar klíč = hodnota, nebo [jméno]</translation>
     </message>
     <message>
         <source>a line of the header is too long</source>
@@ -376,6 +424,10 @@
         <translation>scéna se ukládá jako soubor .scn, ne jako {0}</translation>
     </message>
     <message>
+        <source>a section begins with [name] or [[name]]</source>
+        <translation>oddíl začíná řádkem [jméno] nebo [[jméno]]</translation>
+    </message>
+    <message>
         <source>a sky that was modelled around it keeps the light out; make it a part of its own</source>
         <translation>obloha vymodelovaná kolem něj nepropouští světlo; udělejte z ní samostatnou část</translation>
     </message>
@@ -412,12 +464,20 @@
         <translation>tenzor má stranu {0}, ne 1 až {1}</translation>
     </message>
     <message>
+        <source>a text does not end; close its quotes on the same line</source>
+        <translation>text nekončí; uzavřete jeho uvozovky na tomtéž řádku</translation>
+    </message>
+    <message>
         <source>a texture is turned on its surface; that is not supported, so it is not turned</source>
         <translation>textura je na povrchu natočená; to se nepodporuje, takže natočená není</translation>
     </message>
     <message>
         <source>a value is a boolean, a number or a text</source>
         <translation>hodnota je true nebo false, číslo, nebo text</translation>
+    </message>
+    <message>
+        <source>a value is missing here</source>
+        <translation>tady chybí hodnota</translation>
     </message>
     <message>
         <source>a web page, not a model</source>
@@ -1544,6 +1604,10 @@
         <translation>zorný úhel je víc než 0 a méně než 180 stupňů</translation>
     </message>
     <message>
+        <source>the file ends in the middle of a line or a list; complete it</source>
+        <translation>soubor končí uprostřed řádku nebo seznamu; doplňte ho</translation>
+    </message>
+    <message>
         <source>the file ends too early: it is damaged or was not copied completely</source>
         <translation>soubor končí příliš brzy: je poškozený, nebo nebyl zkopírován celý</translation>
     </message>
@@ -1601,7 +1665,7 @@
     </message>
     <message>
         <source>the importer failed (exit code {0}: {1})</source>
-        <translation>importér selhal (návratový kód {0}: {1})</translation>
+        <translation>importér selhal (návratový kód {0}) a vypsal anglicky: „{1}“</translation>
     </message>
     <message>
         <source>the importer got no further for {0} seconds and was ended; raise the time limit when the model is that large, else simplify it or export it again</source>
@@ -1884,6 +1948,18 @@
         <translation>to je jiná síť: {0} bajtů, ne {1}; správnou přinese {2}</translation>
     </message>
     <message>
+        <source>this is no date and no time; a text stands in quotes, a number is like 7, -0.5 or 1e6</source>
+        <translation>toto není datum ani čas; text patří do uvozovek, číslo vypadá jako 7, -0.5 nebo 1e6</translation>
+    </message>
+    <message>
+        <source>this is no number; write it like 7, -0.5 or 1e6, and a text in quotes</source>
+        <translation>toto není číslo; pište čísla jako 7, -0.5 nebo 1e6 a texty do uvozovek</translation>
+    </message>
+    <message>
+        <source>this is no value; a text stands in quotes, a switch is true or false</source>
+        <translation>toto není hodnota; text patří do uvozovek, přepínač je true nebo false</translation>
+    </message>
+    <message>
         <source>this is not a tensor archive (.tza)</source>
         <translation>to není archiv tenzorů (.tza)</translation>
     </message>
@@ -2010,6 +2086,10 @@
     <message>
         <source>weights of {0} bytes; at most {1} are read</source>
         <translation>váhy o {0} bajtech; čte se nejvýše {1}</translation>
+    </message>
+    <message>
+        <source>what stands in braces reads { key = value, key = value }, all on one line</source>
+        <translation>obsah složených závorek má tvar { klíč = hodnota, klíč = hodnota }, celý na jednom řádku</translation>
     </message>
     <message>
         <source>whole numbers in brackets</source>
@@ -2318,6 +2398,10 @@
     <message>
         <source>{0}; open it in the program that wrote it and export it again, as glTF or OBJ for example</source>
         <translation>{0}; otevřete ho v programu, který ho zapsal, a exportujte znovu, například jako glTF nebo OBJ</translation>
+    </message>
+    <message>
+        <source>{1} is too large a number</source>
+        <translation>číslo {1} je příliš velké</translation>
     </message>
 </context>
 </TS>

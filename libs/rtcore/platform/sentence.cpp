@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 
 namespace rtcore {
 
@@ -15,7 +14,20 @@ int placeAt(const std::string& form, std::size_t at) {
     return place ? form[at + 1] - '0' : -1;
 }
 
-/// The texts in the places of `form`, in their order in it, where those make `text`.
+Sentence readAs(std::string_view text, std::span<const char* const> forms, int depth) {
+    constexpr int kDeepest = 4;
+    for (const char* const form : forms) {
+        const auto places = depth < kDeepest ? placesIn(text, form) : std::nullopt;
+        if (!places) continue;
+        std::vector<Sentence> arguments;
+        for (const std::string_view each : *places) arguments.push_back(readAs(each, forms, depth + 1));
+        return {form, std::move(arguments)};
+    }
+    return text;
+}
+
+} // namespace
+
 std::optional<std::vector<std::string_view>> placesIn(std::string_view text, std::string_view form) {
     std::vector<std::string_view> places;
     std::size_t at = form.find('{');
@@ -34,20 +46,6 @@ std::optional<std::vector<std::string_view>> placesIn(std::string_view text, std
     }
     return text.empty() ? std::optional(places) : std::nullopt;
 }
-
-Sentence readAs(std::string_view text, std::span<const char* const> forms, int depth) {
-    constexpr int kDeepest = 4;
-    for (const char* const form : forms) {
-        const auto places = depth < kDeepest ? placesIn(text, form) : std::nullopt;
-        if (!places) continue;
-        std::vector<Sentence> arguments;
-        for (const std::string_view each : *places) arguments.push_back(readAs(each, forms, depth + 1));
-        return {form, std::move(arguments)};
-    }
-    return text;
-}
-
-} // namespace
 
 Sentence readAs(std::string_view text, std::span<const char* const> forms) { return readAs(text, forms, 0); }
 

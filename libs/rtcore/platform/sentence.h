@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <exception>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,7 @@ class Sentence {
     const std::vector<Sentence>& arguments() const { return arguments_; }
     std::string english() const;
     bool empty() const { return text_.empty(); }
+    friend bool operator==(const Sentence&, const Sentence&) = default;
 
   private:
     std::string text_;
@@ -46,6 +48,9 @@ template <typename... Arguments>
 Sentence say(const char* words, Arguments&&... arguments) {
     return Sentence(words, std::vector<Sentence>{Sentence(std::forward<Arguments>(arguments))...});
 }
+
+/// The texts in the places of `form`, in their order in it, where those make `text`; none of them is empty.
+std::optional<std::vector<std::string_view>> placesIn(std::string_view text, std::string_view form);
 
 /// The first of `forms` that `text` may have been made of, and what stands in its places, which is read in
 /// the same way; else the text itself.

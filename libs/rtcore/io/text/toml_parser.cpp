@@ -2,8 +2,8 @@
 
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_guard.h"
+#include "rtcore/io/text/toml_texts.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
 
 #include <toml++/toml.h>
@@ -73,7 +73,7 @@ TextValue parseToml(std::string_view text, const std::string& file) {
         return root;
     } catch (const toml::parse_error& error) {
         const TextPosition position = positionOf(error.source());
-        throw FileError(FailureKind::BadData, file, printable(error.description(), 300), position.line,
+        throw FileError(FailureKind::BadData, file, meaningOf(error.description(), kTomlTexts), position.line,
                         position.column);
     }
 }
