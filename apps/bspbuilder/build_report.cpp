@@ -19,8 +19,8 @@ std::string megabytes(std::uint64_t bytes) {
     return fmt::format("{:.2f} MB", static_cast<double>(bytes) / 1e6);
 }
 
-std::string describe(const std::optional<std::string>& problem) {
-    return problem ? "WRONG: " + *problem : "sound";
+std::string describe(const std::optional<rtcore::Sentence>& problem) {
+    return problem ? "WRONG: " + problem->english() : "sound";
 }
 
 } // namespace

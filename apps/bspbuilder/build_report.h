@@ -3,6 +3,7 @@
 
 #include "rtcore/accel/build_options.h"
 #include "rtcore/accel/statistics.h"
+#include "rtcore/platform/sentence.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,7 +28,7 @@ struct BuildReport {
 
 /// Findings of the checks of the tree; none when it passed.
 struct TreeVerdict {
-    std::optional<std::string> structure, coverage;
+    std::optional<rtcore::Sentence> structure, coverage;
     double seconds = 0;
 
     bool sound() const { return !structure && !coverage; }

@@ -236,6 +236,10 @@
         <translation>příkaz má nejvýše {0} bajtů a žádný z nich není NUL; tento má {1}</translation>
     </message>
     <message>
+        <source>a cosine is not in -1..1</source>
+        <translation>některý kosinus není v rozsahu -1..1</translation>
+    </message>
+    <message>
         <source>a cross of cube faces has 4 x 3 or 3 x 4 squares</source>
         <translation>kříž ze stěn krychle má 4 x 3 nebo 3 x 4 čtverce</translation>
     </message>
@@ -428,12 +432,20 @@
         <translation>oddíl začíná řádkem [jméno] nebo [[jméno]]</translation>
     </message>
     <message>
+        <source>a section has no proper name</source>
+        <translation>některý oddíl nemá řádné jméno</translation>
+    </message>
+    <message>
         <source>a sky that was modelled around it keeps the light out; make it a part of its own</source>
         <translation>obloha vymodelovaná kolem něj nepropouští světlo; udělejte z ní samostatnou část</translation>
     </message>
     <message>
         <source>a strip of cube faces has 6 x 1 or 1 x 6 squares</source>
         <translation>pás ze stěn krychle má 6 x 1 nebo 1 x 6 čtverců</translation>
+    </message>
+    <message>
+        <source>a switch is neither 0 nor 1</source>
+        <translation>některý přepínač není 0 ani 1</translation>
     </message>
     <message>
         <source>a table</source>
@@ -530,6 +542,10 @@
     <message>
         <source>activeEnvironment is {0}, but there are {1} {2}, counted from 0</source>
         <translation>activeEnvironment je {0}, ale je tu {1} {2}, počítáno od 0</translation>
+    </message>
+    <message>
+        <source>alphas: there must be none or one per normal</source>
+        <translation>alphas: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
     <message>
         <source>an Alembic file, which is not read</source>
@@ -668,6 +684,10 @@
         <translation>chrom</translation>
     </message>
     <message>
+        <source>colours: there must be none or one per normal</source>
+        <translation>colours: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
+    </message>
+    <message>
         <source>command</source>
         <translation>příkaz</translation>
     </message>
@@ -732,12 +752,20 @@
         <translation>denoise.net: v {0} nejsou váhy ({1}); přinese je {2}</translation>
     </message>
     <message>
+        <source>diffuse and specular together exceed 1</source>
+        <translation>diffuse a specular dávají dohromady víc než 1</translation>
+    </message>
+    <message>
         <source>diffuse and specular together exceed 1; a surface gives back no more light than it gets</source>
         <translation>diffuse a specular jsou dohromady víc než 1; povrch nevrací víc světla, než dostane</translation>
     </message>
     <message>
         <source>diffuseTexture names a file, which only a .scn file can give</source>
         <translation>diffuseTexture je jméno souboru, to může udat jen soubor .scn</translation>
+    </message>
+    <message>
+        <source>direction is not of unit length</source>
+        <translation>direction nemá jednotkovou délku</translation>
     </message>
     <message>
         <source>direction is that to the sun, and not zero</source>
@@ -844,8 +872,16 @@
         <translation>let</translation>
     </message>
     <message>
+        <source>forward and up are parallel</source>
+        <translation>forward a up jsou rovnoběžné</translation>
+    </message>
+    <message>
         <source>forward is zero; the camera needs a direction</source>
         <translation>forward je nulový; kamera potřebuje směr</translation>
+    </message>
+    <message>
+        <source>forward or up is zero or not a number</source>
+        <translation>forward nebo up je nula nebo to není číslo</translation>
     </message>
     <message>
         <source>free some space or set TMPDIR to another folder</source>
@@ -862,6 +898,26 @@
     <message>
         <source>glass</source>
         <translation>sklo</translation>
+    </message>
+    <message>
+        <source>header: damaged (its checksum differs)</source>
+        <translation>hlavička: je poškozená (nesouhlasí kontrolní součet)</translation>
+    </message>
+    <message>
+        <source>header: its flags make no sense</source>
+        <translation>hlavička: její příznaky nedávají smysl</translation>
+    </message>
+    <message>
+        <source>header: its reserved fields are not zero</source>
+        <translation>hlavička: její vyhrazená pole nejsou nulová</translation>
+    </message>
+    <message>
+        <source>header: of the wrong size</source>
+        <translation>hlavička: má špatnou velikost</translation>
+    </message>
+    <message>
+        <source>header: the bounds are no box</source>
+        <translation>hlavička: meze netvoří kvádr</translation>
     </message>
     <message>
         <source>header: the file is cut off</source>
@@ -916,6 +972,14 @@
         <translation>končí dřív než poslední z {0} trojúhelníků, které slibuje hlavička; je poškozený: zkopírujte nebo exportujte ho znovu</translation>
     </message>
     <message>
+        <source>it ends outside of the texels</source>
+        <translation>končí mimo oddíl texels</translation>
+    </message>
+    <message>
+        <source>it has more than 2^30 nodes</source>
+        <translation>má víc než 2^30 uzlů</translation>
+    </message>
+    <message>
         <source>it has more than 2^30 triangles; split the model</source>
         <translation>má víc než 2^30 trojúhelníků; rozdělte model</translation>
     </message>
@@ -926,6 +990,14 @@
     <message>
         <source>it has more than {0} tensors</source>
         <translation>má více než {0} tenzorů</translation>
+    </message>
+    <message>
+        <source>it has no nodes</source>
+        <translation>nemá žádné uzly</translation>
+    </message>
+    <message>
+        <source>it has too many texels</source>
+        <translation>má příliš mnoho texelů</translation>
     </message>
     <message>
         <source>it has {0} vertices, more than can be numbered</source>
@@ -996,8 +1068,16 @@
         <translation>je neúplný: má {0} bajtů z nejméně {1}; zkopírujte ho znovu</translation>
     </message>
     <message>
+        <source>it is empty</source>
+        <translation>je prázdný</translation>
+    </message>
+    <message>
         <source>it is empty; export the model again</source>
         <translation>je prázdný; exportujte model znovu</translation>
+    </message>
+    <message>
+        <source>it is filtered in no known way</source>
+        <translation>filtruje se neznámým způsobem</translation>
     </message>
     <message>
         <source>it is glTF {0} in a binary file, which is not read; export it as glTF 2.0</source>
@@ -1032,6 +1112,10 @@
         <translation>není to soubor; zadejte cestu k modelu</translation>
     </message>
     <message>
+        <source>it is of no known kind</source>
+        <translation>je neznámého druhu</translation>
+    </message>
+    <message>
         <source>it is only {0} units large, too small to be traced; scale it up by a factor of {1}</source>
         <translation>měří jen {0} jednotek, takže je na výpočet příliš malý; zvětšete ho {1}krát</translation>
     </message>
@@ -1040,8 +1124,16 @@
         <translation>už tu je a není prázdná; zvolte jinou složku</translation>
     </message>
     <message>
+        <source>it is too wide or too high</source>
+        <translation>je příliš široký nebo vysoký</translation>
+    </message>
+    <message>
         <source>it is {0}; {1}</source>
         <translation>je to {0}; {1}</translation>
+    </message>
+    <message>
+        <source>it names a texture that does not exist</source>
+        <translation>uvádí texturu, která neexistuje</translation>
     </message>
     <message>
         <source>it names {0}, which is not there</source>
@@ -1060,12 +1152,24 @@
         <translation>byl napsán nebo změněn ručně a ztratil by komentáře i úpravu; přidejte 'replace', pak zůstane jako {0}</translation>
     </message>
     <message>
+        <source>it wraps in no known way</source>
+        <translation>opakuje se neznámým způsobem</translation>
+    </message>
+    <message>
         <source>its JSON does not say which version of glTF it is; export it again</source>
         <translation>jeho JSON neříká, která je to verze glTF; exportujte ho znovu</translation>
     </message>
     <message>
         <source>its JSON is damaged at byte {0}; copy or export it again</source>
         <translation>jeho JSON je poškozený u bajtu {0}; zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
+        <source>its aspect is out of range</source>
+        <translation>jeho poměr stran je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its bounds are no box</source>
+        <translation>jeho meze netvoří kvádr</translation>
     </message>
     <message>
         <source>its camera {0} shows little or nothing of the model; kept as a bookmark</source>
@@ -1078,6 +1182,10 @@
     <message>
         <source>its copy does not find {0}; make a .bsp of it by BSPBuilder and pack that</source>
         <translation>jeho kopie nenajde {0}; udělejte z něj programem BSPBuilder .bsp a zabalte ten</translation>
+    </message>
+    <message>
+        <source>its disc is out of range</source>
+        <translation>jeho kotouč je mimo rozsah</translation>
     </message>
     <message>
         <source>its face {0} claims to have {1} corners</source>
@@ -1128,6 +1236,10 @@
         <translation>jméno neodpovídá obsahu; přejmenujte ho, aby končil na {0}</translation>
     </message>
     <message>
+        <source>its name lies outside of the strings</source>
+        <translation>jeho jméno leží mimo oddíl strings</translation>
+    </message>
+    <message>
         <source>its node graph has no end; repair the file</source>
         <translation>graf jeho uzlů nemá konec; opravte soubor</translation>
     </message>
@@ -1140,8 +1252,24 @@
         <translation>jeho vlastní světla nedosáhnou na nic z toho, co je vidět; bylo přidáno jiné světlo</translation>
     </message>
     <message>
+        <source>its sides are out of range</source>
+        <translation>jeho strany jsou mimo rozsah</translation>
+    </message>
+    <message>
         <source>its version is {0}, not {1}</source>
         <translation>jeho verze je {0}, ne {1}</translation>
+    </message>
+    <message>
+        <source>its width is not above 0</source>
+        <translation>jeho šířka není větší než 0</translation>
+    </message>
+    <message>
+        <source>its width is not perpendicular to its direction</source>
+        <translation>jeho šířka není kolmá na jeho směr</translation>
+    </message>
+    <message>
+        <source>its width is out of range</source>
+        <translation>jeho šířka je mimo rozsah</translation>
     </message>
     <message>
         <source>key</source>
@@ -1214,6 +1342,10 @@
     <message>
         <source>material library {0} is missing; what it describes is plain grey</source>
         <translation>knihovna materiálů {0} chybí; co popisuje, je šedé</translation>
+    </message>
+    <message>
+        <source>materials: there must be at least one</source>
+        <translation>materials: musí být aspoň jeden</translation>
     </message>
     <message>
         <source>metal</source>
@@ -1312,8 +1444,56 @@
         <translation>nelze vytvořit dočasný soubor: {0}</translation>
     </message>
     <message>
+        <source>node {0} has children behind the last node</source>
+        <translation>uzel {0} má potomky až za posledním uzlem</translation>
+    </message>
+    <message>
+        <source>node {0} has children out of order</source>
+        <translation>uzel {0} má potomky ve špatném pořadí</translation>
+    </message>
+    <message>
+        <source>node {0} has references behind the last one</source>
+        <translation>uzel {0} má odkazy až za posledním</translation>
+    </message>
+    <message>
+        <source>node {0} has references out of order</source>
+        <translation>uzel {0} má odkazy ve špatném pořadí</translation>
+    </message>
+    <message>
+        <source>node {0} has references that do not ascend</source>
+        <translation>uzel {0} má odkazy, které nejdou vzestupně</translation>
+    </message>
+    <message>
+        <source>node {0} is part of no tree</source>
+        <translation>uzel {0} nepatří do stromu</translation>
+    </message>
+    <message>
+        <source>node {0} is too deep</source>
+        <translation>uzel {0} je příliš hluboko</translation>
+    </message>
+    <message>
+        <source>node {0} lacks triangle {1}, which reaches into it</source>
+        <translation>v uzlu {0} chybí trojúhelník {1}, který do něj zasahuje</translation>
+    </message>
+    <message>
+        <source>node {0} refers to a triangle that does not exist</source>
+        <translation>uzel {0} odkazuje na trojúhelník, který neexistuje</translation>
+    </message>
+    <message>
+        <source>node {0} refers to triangle {1}, which lies outside of it</source>
+        <translation>uzel {0} odkazuje na trojúhelník {1}, který leží mimo něj</translation>
+    </message>
+    <message>
+        <source>node {0} splits outside of its cell</source>
+        <translation>uzel {0} dělí mimo svou buňku</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>žádné</translation>
+    </message>
+    <message>
+        <source>normals: element {0} is not of unit length</source>
+        <translation>normals: prvek {0} nemá jednotkovou délku</translation>
     </message>
     <message>
         <source>not an image of a known format; convert it to PNG, JPEG or EXR</source>
@@ -1364,6 +1544,10 @@
         <translation>čísla {0} až {1}</translation>
     </message>
     <message>
+        <source>of an unknown name</source>
+        <translation>neznámého jména</translation>
+    </message>
+    <message>
         <source>of its {0} MB hardly any were ever written; copy or export it again</source>
         <translation>z jeho {0} MB skoro nic nebylo zapsáno; zkopírujte nebo exportujte ho znovu</translation>
     </message>
@@ -1408,6 +1592,18 @@
         <translation>parts neuvádí žádnou část; zadejte aspoň jednu</translation>
     </message>
     <message>
+        <source>parts: a name lies outside of the strings</source>
+        <translation>parts: některé jméno leží mimo oddíl strings</translation>
+    </message>
+    <message>
+        <source>parts: one names a triangle that does not exist</source>
+        <translation>parts: některá část uvádí trojúhelník, který neexistuje</translation>
+    </message>
+    <message>
+        <source>parts: two overlap, or they do not ascend</source>
+        <translation>parts: dvě části se překrývají nebo nejdou vzestupně</translation>
+    </message>
+    <message>
         <source>paths in brackets</source>
         <translation>cesty v hranatých závorkách</translation>
     </message>
@@ -1436,8 +1632,44 @@
         <translation>obdélníkové</translation>
     </message>
     <message>
+        <source>reference {0} is part of no leaf</source>
+        <translation>odkaz {0} nepatří do žádného listu</translation>
+    </message>
+    <message>
         <source>right is zero or along direction; give where the width of the light points to</source>
         <translation>right je nulový nebo rovnoběžný s direction; zadejte, kam míří šířka světla</translation>
+    </message>
+    <message>
+        <source>section nodes belongs to no tree</source>
+        <translation>oddíl nodes nepatří k žádnému stromu</translation>
+    </message>
+    <message>
+        <source>section nodes: {0}</source>
+        <translation>oddíl nodes: {0}</translation>
+    </message>
+    <message>
+        <source>section {0}</source>
+        <translation>oddíl {0}</translation>
+    </message>
+    <message>
+        <source>section {0} begins at the wrong place</source>
+        <translation>oddíl {0} začíná na špatném místě</translation>
+    </message>
+    <message>
+        <source>section {0} ends behind the end of the file</source>
+        <translation>oddíl {0} končí až za koncem souboru</translation>
+    </message>
+    <message>
+        <source>section {0} has bytes before it that are not zero</source>
+        <translation>před oddílem {0} jsou nenulové bajty</translation>
+    </message>
+    <message>
+        <source>section {0} has elements of the wrong size</source>
+        <translation>oddíl {0} má prvky špatné velikosti</translation>
+    </message>
+    <message>
+        <source>section {0} is no text</source>
+        <translation>oddíl {0} není text</translation>
     </message>
     <message>
         <source>seen takes numbers from 0 to 1, not '{0}'</source>
@@ -1462,6 +1694,14 @@
     <message>
         <source>setting</source>
         <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>shading: an element names a normal or a material that does not exist</source>
+        <translation>shading: některý prvek uvádí normálu nebo materiál, které neexistují</translation>
+    </message>
+    <message>
+        <source>shading: there must be one element per triangle</source>
+        <translation>shading: na každý trojúhelník musí být jeden prvek</translation>
     </message>
     <message>
         <source>shared memory cannot be locked: {0}</source>
@@ -1500,6 +1740,10 @@
         <translation>sdílená paměť: je potřeba {0}, v {1} zbývá {2}; nějakou uvolněte (v kontejneru: --shm-size), nebo zvolte nižší rozlišení</translation>
     </message>
     <message>
+        <source>sizes: a section has more than 2^32 elements</source>
+        <translation>velikosti: některý oddíl má víc než 2^32 prvků</translation>
+    </message>
+    <message>
         <source>so much light cannot be counted</source>
         <translation>tolik světla nelze vyjádřit</translation>
     </message>
@@ -1520,6 +1764,14 @@
         <translation>zastaveno</translation>
     </message>
     <message>
+        <source>strings: the first name must be empty</source>
+        <translation>strings: první jméno musí být prázdné</translation>
+    </message>
+    <message>
+        <source>strings: the last name does not end</source>
+        <translation>strings: poslední jméno nekončí</translation>
+    </message>
+    <message>
         <source>such files</source>
         <translation>takové soubory</translation>
     </message>
@@ -1534,6 +1786,10 @@
     <message>
         <source>tables, [[{0}]]</source>
         <translation>tabulky, [[{0}]]</translation>
+    </message>
+    <message>
+        <source>texcoords: there must be none or one per normal</source>
+        <translation>texcoords: nesmí být žádné, nebo musí být jedny na každou normálu</translation>
     </message>
     <message>
         <source>text</source>
@@ -1602,6 +1858,10 @@
     <message>
         <source>the field of view is more than 0 and less than 180 degrees</source>
         <translation>zorný úhel je víc než 0 a méně než 180 stupňů</translation>
+    </message>
+    <message>
+        <source>the field of view is not in 0..180 degrees</source>
+        <translation>zorné pole není v rozsahu 0..180 stupňů</translation>
     </message>
     <message>
         <source>the file ends in the middle of a line or a list; complete it</source>
@@ -1684,6 +1944,10 @@
         <translation>vnitřní úhel musí být znatelně menší než vnější</translation>
     </message>
     <message>
+        <source>the kd-tree: {0}</source>
+        <translation>kd-strom: {0}</translation>
+    </message>
+    <message>
         <source>the key {0} is missing here; add it</source>
         <translation>chybí tu klíč {0}; přidejte ho</translation>
     </message>
@@ -1698,6 +1962,10 @@
     <message>
         <source>the last edit is still under way</source>
         <translation>poslední úprava ještě probíhá</translation>
+    </message>
+    <message>
+        <source>the last section does not end with the file</source>
+        <translation>poslední oddíl nekončí s koncem souboru</translation>
     </message>
     <message>
         <source>the layer {0} has no bias for each output</source>
@@ -1744,6 +2012,10 @@
         <translation>síť má {0} výstupů, ne 3</translation>
     </message>
     <message>
+        <source>the outer angle is not wider than the inner</source>
+        <translation>vnější úhel není větší než vnitřní</translation>
+    </message>
+    <message>
         <source>the pack was stopped</source>
         <translation>balení bylo zastaveno</translation>
     </message>
@@ -1762,6 +2034,10 @@
     <message>
         <source>the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along</source>
         <translation>scéna odkazuje na soubory mimo svou složku: {0}; 'pack FOLDER outside' je přibalí</translation>
+    </message>
+    <message>
+        <source>the sections are damaged (their checksum differs)</source>
+        <translation>oddíly jsou poškozené (nesouhlasí kontrolní součet)</translation>
     </message>
     <message>
         <source>the server did not answer in time</source>
@@ -1992,6 +2268,14 @@
         <translation>příliš mnoho hodnot</translation>
     </message>
     <message>
+        <source>triangle {0} is in no leaf</source>
+        <translation>trojúhelník {0} není v žádném listu</translation>
+    </message>
+    <message>
+        <source>triangles: one names a vertex that does not exist</source>
+        <translation>triangles: některý uvádí vrchol, který neexistuje</translation>
+    </message>
+    <message>
         <source>true and false in brackets</source>
         <translation>true a false v hranatých závorkách</translation>
     </message>
@@ -2002,6 +2286,10 @@
     <message>
         <source>two lights have the id {0}</source>
         <translation>dvě světla mají id {0}</translation>
+    </message>
+    <message>
+        <source>two sections have the same name</source>
+        <translation>dva oddíly mají stejné jméno</translation>
     </message>
     <message>
         <source>two tensors have the same name</source>
@@ -2176,6 +2464,10 @@
         <translation>{0} nic nedělá</translation>
     </message>
     <message>
+        <source>{0} is not in {1}..{2}</source>
+        <translation>{0} není v rozsahu {1}..{2}</translation>
+    </message>
+    <message>
         <source>{0} is out of range</source>
         <translation>{0} je mimo rozsah</translation>
     </message>
@@ -2338,6 +2630,14 @@
     <message>
         <source>{0}, or {1}</source>
         <translation>{0}, nebo {1}</translation>
+    </message>
+    <message>
+        <source>{0}: a number of element {1} is not a number or out of range</source>
+        <translation>{0}: některé číslo prvku {1} není číslo nebo je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>{0}: element {1}: {2}</source>
+        <translation>{0}: prvek {1}: {2}</translation>
     </message>
     <message>
         <source>{0}: no memory for it: {1}</source>

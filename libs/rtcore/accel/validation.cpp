@@ -1,7 +1,5 @@
 #include "rtcore/accel/validation.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,13 +10,11 @@ namespace rtcore {
 
 namespace {
 
-using Finding = std::optional<std::string>;
+using Finding = std::optional<Sentence>;
 
 bool contains(const Box3& cell, int axis, float split) {
     return split >= cell.lo[axis] && split <= cell.hi[axis]; // false for NaN
 }
-
-std::string atNode(std::size_t node, const char* problem) { return fmt::format("node {} {}", node, problem); }
 
 /// The walk over all nodes; each step knows which index must come next.
 class StructureCheck {
@@ -40,9 +36,9 @@ class StructureCheck {
                 descend(cell, node);
             }
         }
-        if (nextPair_ != tree_.nodes.size()) return atNode(nextPair_, "is part of no tree");
+        if (nextPair_ != tree_.nodes.size()) return say("node {0} is part of no tree", nextPair_);
         if (nextReference_ != tree_.references.size()) {
-            return fmt::format("reference {} is part of no leaf", nextReference_);
+            return say("reference {0} is part of no leaf", nextReference_);
         }
         return {};
     }
@@ -55,20 +51,21 @@ class StructureCheck {
     };
 
     Finding checkBounds() const {
-        if (tree_.nodes.empty()) return "it has no nodes";
-        if (tree_.nodes.size() > kMaxKdNodes) return "it has more than 2^30 nodes";
+        if (tree_.nodes.empty()) return form("it has no nodes");
+        if (tree_.nodes.size() > kMaxKdNodes) return form("it has more than 2^30 nodes");
         const Box3& box = tree_.bounds;
         if (tree_.references.empty() && tree_.nodes.size() == 1 && box == Box3{}) return {};
-        if (!isFinite(box.lo) || !isFinite(box.hi) || box.empty()) return "its bounds are no box";
+        if (!isFinite(box.lo) || !isFinite(box.hi) || box.empty()) return form("its bounds are no box");
         return {};
     }
 
     Finding checkInner(const Cell& cell, KdNode node) {
-        if (node.lowerChild() != nextPair_) return atNode(cell.node, "has children out of order");
-        if (tree_.nodes.size() - nextPair_ < 2) return atNode(cell.node, "has children behind the last node");
-        if (cell.depth >= kMaxKdDepth) return atNode(cell.node, "is too deep");
+        if (node.lowerChild() != nextPair_) return say("node {0} has children out of order", cell.node);
+        if (tree_.nodes.size() - nextPair_ < 2)
+            return say("node {0} has children behind the last node", cell.node);
+        if (cell.depth >= kMaxKdDepth) return say("node {0} is too deep", cell.node);
         if (!contains(cell.box, node.axis(), node.split))
-            return atNode(cell.node, "splits outside of its cell");
+            return say("node {0} splits outside of its cell", cell.node);
         return {};
     }
 
@@ -80,17 +77,17 @@ class StructureCheck {
     }
 
     Finding checkLeaf(std::size_t index, KdNode node) {
-        if (node.firstReference != nextReference_) return atNode(index, "has references out of order");
+        if (node.firstReference != nextReference_) return say("node {0} has references out of order", index);
         if (node.count() > tree_.references.size() - nextReference_) {
-            return atNode(index, "has references behind the last one");
+            return say("node {0} has references behind the last one", index);
         }
         const auto own = tree_.references.subspan(nextReference_, node.count());
         for (std::size_t i = 1; i < own.size(); ++i) {
-            if (own[i - 1] >= own[i]) return atNode(index, "has references that do not ascend");
+            if (own[i - 1] >= own[i]) return say("node {0} has references that do not ascend", index);
         }
         // They ascend: the last one is the largest.
         if (!own.empty() && own.back() >= triangleCount_) {
-            return atNode(index, "refers to a triangle that does not exist");
+            return say("node {0} refers to a triangle that does not exist", index);
         }
         nextReference_ += own.size();
         return {};
@@ -167,7 +164,7 @@ class CoverageCheck {
             pending.push_back({node.lowerChild() + 1, upper, reaching(upper, cell.triangles)});
         }
         for (std::size_t i = 0; i < triangleCount; ++i) {
-            if (!referenced_[i]) return fmt::format("triangle {} is in no leaf", i);
+            if (!referenced_[i]) return say("triangle {0} is in no leaf", i);
         }
         return {};
     }
@@ -214,13 +211,13 @@ class CoverageCheck {
         const auto own = tree_.references.subspan(node.firstReference, node.count());
         for (const std::uint32_t t : own) {
             if (clearlyOutside(cell.box, t)) {
-                return fmt::format("node {} refers to triangle {}, which lies outside of it", cell.node, t);
+                return say("node {0} refers to triangle {1}, which lies outside of it", cell.node, t);
             }
             referenced_[t] = true;
         }
         for (const std::uint32_t t : cell.triangles) {
             if (!std::binary_search(own.begin(), own.end(), t)) {
-                return fmt::format("node {} lacks triangle {}, which reaches into it", cell.node, t);
+                return say("node {0} lacks triangle {1}, which reaches into it", cell.node, t);
             }
         }
         return {};
@@ -236,11 +233,11 @@ class CoverageCheck {
 
 } // namespace
 
-std::optional<std::string> validateKdTree(const KdTree& tree, std::size_t triangleCount) {
+std::optional<Sentence> validateKdTree(const KdTree& tree, std::size_t triangleCount) {
     return StructureCheck(tree, triangleCount).run();
 }
 
-std::optional<std::string> validateCoverage(const KdTree& tree, const Mesh& mesh) {
+std::optional<Sentence> validateCoverage(const KdTree& tree, const Mesh& mesh) {
     return CoverageCheck(tree, mesh).run();
 }
 

@@ -89,9 +89,9 @@ test::SampleMesh allSizes() {
 
 void expectSound(const KdTree& tree, const Mesh& mesh) {
     const auto structure = validateKdTree(tree, mesh.triangles.size());
-    ASSERT_FALSE(structure.has_value()) << *structure;
+    ASSERT_FALSE(structure.has_value()) << structure->english();
     const auto coverage = validateCoverage(tree, mesh);
-    EXPECT_FALSE(coverage.has_value()) << *coverage;
+    EXPECT_FALSE(coverage.has_value()) << coverage->english();
     const std::set<std::uint32_t> referenced(tree.references.begin(), tree.references.end());
     EXPECT_EQ(referenced.size(), mesh.triangles.size());
     EXPECT_EQ(tree.bounds, mesh.bounds()); // the empty box when there is no triangle

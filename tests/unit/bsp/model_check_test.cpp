@@ -137,8 +137,8 @@ TEST(CheckModel, NamesTheSectionOfEveryFault) {
         all[i].make(buffers);
         const auto finding = rtcore::checkModel(rtcore::makeModel(std::move(buffers)));
         ASSERT_TRUE(finding) << "fault " << i << " in " << all[i].section << " was not found";
-        EXPECT_TRUE(finding->starts_with(std::string(all[i].section) + ": "))
-            << "fault " << i << ": " << *finding;
+        EXPECT_TRUE(finding->english().starts_with(std::string(all[i].section) + ": "))
+            << "fault " << i << ": " << finding->english();
     }
 }
 

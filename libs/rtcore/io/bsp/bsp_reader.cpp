@@ -34,21 +34,21 @@ class Reader {
         content.origin = readOrigin(readText(BspSection::Origin, kMaxOriginBytes));
         KdTree tree{view<KdNode>(BspSection::Nodes), view<std::uint32_t>(BspSection::References),
                     table_.bounds, nullptr};
-        if (const auto problem = checkModel(content.model)) fail("section " + *problem);
+        if (const auto problem = checkModel(content.model)) fail(say("section {0}", *problem));
         if (table_.version < 4) convertMaterials(content.model);
         content.model.storage = tree.storage = storage();
         if (table_.hasTree) {
             const auto problem = validateKdTree(tree, content.model.mesh.triangles.size());
-            if (problem) fail("section nodes: " + *problem);
+            if (problem) fail(say("section nodes: {0}", *problem));
             content.tree = std::move(tree);
         } else if (!tree.nodes.empty() || !tree.references.empty()) {
-            fail("section nodes belongs to no tree");
+            fail(form("section nodes belongs to no tree"));
         }
         return content;
     }
 
   private:
-    [[noreturn]] void fail(const std::string& problem) const { failBsp(name_, problem); }
+    [[noreturn]] void fail(const Sentence& problem) const { failBsp(name_, problem); }
 
     /// In place where the elements are ours, else a copy.
     template <typename T>
@@ -66,7 +66,7 @@ class Reader {
     template <typename T>
     std::span<const T> copy(BspSection section, const BspSectionEntry& entry, const std::byte* from) {
         if (entry.elementSize < kindOf(section).minSize)
-            fail("section " + std::string(kindOf(section).name) + " has elements of the wrong size");
+            fail(say("section {0} has elements of the wrong size", kindOf(section).name));
         auto copies = std::make_shared<std::vector<T>>(entry.count, T{});
         const std::size_t known = std::min<std::size_t>(entry.elementSize, sizeof(T));
         for (T& element : *copies) {
@@ -115,7 +115,7 @@ class Reader {
             return c == '\n' || (code >= 0x20 && code != 0x7F);
         });
         if (!printable || text.size() > max || (!text.empty() && text.back() != '\n'))
-            fail("section " + std::string(kindOf(section).name) + " is no text");
+            fail(say("section {0} is no text", kindOf(section).name));
         return {text.data(), text.size()};
     }
 

@@ -20,11 +20,11 @@ std::string_view nameOf(const BspSectionEntry& entry) {
 }
 
 /// For messages: a name that we do not know may hold anything.
-std::string shownNameOf(const BspSectionEntry& entry) {
+Sentence shownNameOf(const BspSectionEntry& entry) {
     for (const BspSectionKind& kind : kBspSectionKinds) {
-        if (kind.name == nameOf(entry)) return std::string(kind.name);
+        if (kind.name == nameOf(entry)) return kind.name;
     }
-    return "of an unknown name";
+    return form("of an unknown name");
 }
 
 BspSectionEntry entryOf(BspSection section, const BspSectionEntry2& old) {
@@ -55,17 +55,12 @@ class TableReader {
     }
 
   private:
-    /// For details of the format, which are English.
-    [[noreturn]] void fail(const std::string& problem) const { failBsp(name_, problem); }
-    void require(bool condition, const char* problem) const {
-        if (!condition) fail(problem);
-    }
-    /// For what people can tell of a file.
-    void expect(bool condition, const Sentence& otherwise) const {
+    void expect(bool condition, const char* otherwise) const {
         if (!condition) failBsp(name_, otherwise);
     }
+    /// `problem` is a form with a place for the name of the section.
     [[noreturn]] void failSection(const BspSectionEntry& entry, const char* problem) const {
-        fail("section " + shownNameOf(entry) + " " + problem);
+        failBsp(name_, say(problem, shownNameOf(entry)));
     }
 
     /// The fields that every version begins with.
@@ -81,10 +76,11 @@ class TableReader {
 
     /// The end of the head and of the table.
     std::uint64_t readNamedSections() {
-        require(head_.headSize == sizeof(BspHead) && head_.sectionCount <= kMaxBspSections,
-                "header: of the wrong size");
+        expect(head_.headSize == sizeof(BspHead) && head_.sectionCount <= kMaxBspSections,
+               form("header: of the wrong size"));
         checkHead(head_.headCrc);
-        require(head_.reserved == decltype(head_.reserved){}, "header: its reserved fields are not zero");
+        expect(head_.reserved == decltype(head_.reserved){},
+               form("header: its reserved fields are not zero"));
         const std::uint64_t end = sizeof(BspHead) + head_.sectionCount * sizeof(BspSectionEntry);
         expect(end <= bytes_.size(), form("the table of sections is cut off"));
         table_.sections.resize(head_.sectionCount);
@@ -97,29 +93,29 @@ class TableReader {
         BspHead2 head{};
         expect(bytes_.size() >= sizeof head, form("header: the file is cut off"));
         std::memcpy(&head, bytes_.data(), sizeof head);
-        require(head.headSize == sizeof head && head.sectionCount == head.sections.size(),
-                "header: of the wrong size");
+        expect(head.headSize == sizeof head && head.sectionCount == head.sections.size(),
+               form("header: of the wrong size"));
         checkHead(head.headCrc);
-        require(head.reserved == decltype(head.reserved){}, "header: its reserved fields are not zero");
+        expect(head.reserved == decltype(head.reserved){}, form("header: its reserved fields are not zero"));
         for (std::size_t i = 0; i < head.sections.size(); ++i) {
             table_.sections.push_back(entryOf(kBspSectionsOfVersion2[i], head.sections[i]));
             if (head.sections[i].elementSize != table_.sections.back().elementSize)
-                failSection(table_.sections.back(), "has elements of the wrong size");
+                failSection(table_.sections.back(), form("section {0} has elements of the wrong size"));
         }
         return sizeof head;
     }
 
     void checkHead(std::uint32_t crc) const {
-        require(crc == crc32Of(bytes_.first(head_.headSize - sizeof crc)),
-                "header: damaged (its checksum differs)");
+        expect(crc == crc32Of(bytes_.first(head_.headSize - sizeof crc)),
+               form("header: damaged (its checksum differs)"));
         expect(head_.fileSize >= bytes_.size(), form("the file is longer than it should be"));
         expect(head_.fileSize <= bytes_.size(), form("the file is cut off"));
-        require(head_.hasTree <= 1, "header: its flags make no sense");
+        expect(head_.hasTree <= 1, form("header: its flags make no sense"));
     }
 
     void checkPayload() const {
-        require(crc32Of(bytes_.subspan(head_.headSize)) == head_.payloadCrc,
-                "the sections are damaged (their checksum differs)");
+        expect(crc32Of(bytes_.subspan(head_.headSize)) == head_.payloadCrc,
+               form("the sections are damaged (their checksum differs)"));
     }
 
     /// Each section begins at the next multiple of 64 behind the one before and the last ends the file, so
@@ -128,16 +124,18 @@ class TableReader {
         const std::uint64_t size = bytes_.size();
         for (const BspSectionEntry& entry : table_.sections) {
             const std::uint64_t begin = (end + kBspAlignment - 1) / kBspAlignment * kBspAlignment;
-            if (entry.elementSize == 0) failSection(entry, "has elements of the wrong size");
-            if (entry.offset != begin || begin > size) failSection(entry, "begins at the wrong place");
+            if (entry.elementSize == 0)
+                failSection(entry, form("section {0} has elements of the wrong size"));
+            if (entry.offset != begin || begin > size)
+                failSection(entry, form("section {0} begins at the wrong place"));
             if (entry.count > (size - begin) / entry.elementSize)
-                failSection(entry, "ends behind the end of the file");
+                failSection(entry, form("section {0} ends behind the end of the file"));
             const Bytes gap = bytes_.subspan(end, begin - end);
             if (std::any_of(gap.begin(), gap.end(), [](std::byte b) { return b != std::byte{0}; }))
-                failSection(entry, "has bytes before it that are not zero");
+                failSection(entry, form("section {0} has bytes before it that are not zero"));
             end = begin + entry.count * entry.elementSize;
         }
-        require(end == size, "the last section does not end with the file");
+        expect(end == size, form("the last section does not end with the file"));
     }
 
     void checkNames() const {
@@ -147,12 +145,12 @@ class TableReader {
             const auto* behind = entry.name.data() + name.size();
             if (name.empty() ||
                 std::any_of(behind, entry.name.data() + entry.name.size(), [](char c) { return c != 0; }))
-                fail("a section has no proper name");
+                failBsp(name_, form("a section has no proper name"));
             names.push_back(name);
         }
         std::sort(names.begin(), names.end());
-        require(std::adjacent_find(names.begin(), names.end()) == names.end(),
-                "two sections have the same name");
+        expect(std::adjacent_find(names.begin(), names.end()) == names.end(),
+               form("two sections have the same name"));
     }
 
     Box3 boundsOf() const {
@@ -163,8 +161,8 @@ class TableReader {
         // A builder may widen the box by a few units in the last place.
         constexpr float max = kLargestNumber * 1.001F;
         for (int a = 0; a < 3; ++a) {
-            require(bounds.lo[a] >= -max && bounds.lo[a] <= bounds.hi[a] && bounds.hi[a] <= max,
-                    "header: the bounds are no box");
+            expect(bounds.lo[a] >= -max && bounds.lo[a] <= bounds.hi[a] && bounds.hi[a] <= max,
+                   form("header: the bounds are no box"));
         }
         return bounds;
     }

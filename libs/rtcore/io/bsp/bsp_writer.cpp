@@ -51,7 +51,7 @@ void refuseBadContent(const std::filesystem::path& path, const Model& model, con
     auto problem = checkModel(model);
     if (!problem && tree != nullptr) {
         problem = validateKdTree(*tree, model.mesh.triangles.size());
-        if (problem) problem = "the kd-tree: " + *problem;
+        if (problem) problem = say("the kd-tree: {0}", *problem);
     }
     if (!problem) return;
     throw FileError(FailureKind::BadData, path.string(),

@@ -12,7 +12,7 @@ namespace rtcore {
 
 namespace {
 
-using Finding = std::optional<std::string>;
+using Finding = std::optional<Sentence>;
 
 /// By how much a sum of albedos may exceed 1, and the length of a direction differ from it.
 constexpr float kRounding = 1e-3F;
@@ -31,114 +31,126 @@ bool isSwitch(std::uint32_t value) { return value <= 1; }
 bool isPlace(Vec3 v) { return within(v, -kLargestNumber, kLargestNumber); }
 bool isUnit(Vec3 v) { return isPlace(v) && std::fabs(length(v) - 1) < kRounding; }
 
-std::string outside(const MaterialNumber& number) {
-    if (number.maximum == kUnlimitedNumber) return fmt::format("{} is out of range", number.key);
-    return fmt::format("{} is not in {}..{}", number.key, number.minimum, number.maximum);
+Sentence outOfRange(std::string_view key) { return say("{0} is out of range", key); }
+Sentence outOf(std::string_view key, float lo, float hi) {
+    return say("{0} is not in {1}..{2}", key, fmt::format("{}", lo), fmt::format("{}", hi));
+}
+Sentence outOf(const MaterialNumber& number) {
+    if (number.maximum == kUnlimitedNumber) return outOfRange(number.key);
+    return outOf(number.key, number.minimum, number.maximum);
 }
 
-const char* problemOf(const Material& m, const Model& model) {
-    if (!within(m.diffuse, 0, 1)) return "diffuse is not in 0..1";
-    if (!within(m.specular, 0, 1)) return "specular is not in 0..1";
+Finding problemOf(const Material& m, const Model& model) {
+    if (!within(m.diffuse, 0, 1)) return outOf("diffuse", 0, 1);
+    if (!within(m.specular, 0, 1)) return outOf("specular", 0, 1);
     if (!hasRoughness(m) && !within(m.diffuse + m.specular, 0, 1 + kRounding))
-        return "diffuse and specular together exceed 1";
-    if (!within(m.shininess, 0, 100000)) return "shininess is not in 0..100000";
-    if (!within(m.mirror, 0, 1)) return "mirror is not in 0..1";
-    if (!within(m.mirrorScale, 0, 1)) return "mirrorScale is not in 0..1";
-    if (!within(m.transmission, 0, 1)) return "transmission is not in 0..1";
-    if (!within(m.emission, 0, kLargestNumber)) return "emission is out of range";
-    if (!isSwitch(m.fresnel) || !isSwitch(m.alphaFromAlpha)) return "a switch is neither 0 nor 1";
-    if (!within(m.alphaCutoff, 0, 1)) return "alphaCutoff is not in 0..1";
-    if (!within(m.roughness, 0, 1) && m.roughness != kNoRoughness) return "roughness is not in 0..1";
-    if (!within(m.metallic, 0, 1)) return "metallic is not in 0..1";
-    if (!isSwitch(m.emissionLights) || !isSwitch(m.flipTextures)) return "a switch is neither 0 nor 1";
-    if (!within(m.normalScale, -kLargestNumber, kLargestNumber)) return "normalScale is out of range";
+        return form("diffuse and specular together exceed 1");
+    if (!within(m.shininess, 0, 100000)) return outOf("shininess", 0, 100000);
+    if (!within(m.mirror, 0, 1)) return outOf("mirror", 0, 1);
+    if (!within(m.mirrorScale, 0, 1)) return outOf("mirrorScale", 0, 1);
+    if (!within(m.transmission, 0, 1)) return outOf("transmission", 0, 1);
+    if (!within(m.emission, 0, kLargestNumber)) return outOfRange("emission");
+    if (!isSwitch(m.fresnel) || !isSwitch(m.alphaFromAlpha)) return form("a switch is neither 0 nor 1");
+    if (!within(m.alphaCutoff, 0, 1)) return outOf("alphaCutoff", 0, 1);
+    if (!within(m.roughness, 0, 1) && m.roughness != kNoRoughness) return outOf("roughness", 0, 1);
+    if (!within(m.metallic, 0, 1)) return outOf("metallic", 0, 1);
+    if (!isSwitch(m.emissionLights) || !isSwitch(m.flipTextures)) return form("a switch is neither 0 nor 1");
+    if (!within(m.normalScale, -kLargestNumber, kLargestNumber)) return outOfRange("normalScale");
     if (!isSwitch(m.vertexAlpha) || !isSwitch(m.tintsEmission) || !isSwitch(m.frontOnly))
-        return "a switch is neither 0 nor 1";
+        return form("a switch is neither 0 nor 1");
     for (const auto texture : kMaterialTextures) {
         const std::uint32_t t = m.*texture;
-        if (t != kNoTexture && t >= model.textures.size()) return "it names a texture that does not exist";
+        if (t != kNoTexture && t >= model.textures.size())
+            return form("it names a texture that does not exist");
     }
-    return m.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
+    if (m.nameOffset < model.strings.size()) return {};
+    return form("its name lies outside of the strings");
 }
 
-const char* problemOf(const Texture& t, const Model& model) {
-    if (t.width == 0 || t.height == 0) return "it is empty";
+Finding problemOf(const Texture& t, const Model& model) {
+    if (t.width == 0 || t.height == 0) return form("it is empty");
     if (t.width > static_cast<std::uint32_t>(kMaxImageSide) ||
         t.height > static_cast<std::uint32_t>(kMaxImageSide)) {
-        return "it is too wide or too high";
+        return form("it is too wide or too high");
     }
     const std::uint64_t texels = std::uint64_t{t.width} * t.height;
-    if (texels > kMaxImagePixels) return "it has too many texels";
+    if (texels > kMaxImagePixels) return form("it has too many texels");
     if (t.wrapU > TextureWrap::MirroredRepeat || t.wrapV > TextureWrap::MirroredRepeat)
-        return "it wraps in no known way";
-    if (t.filter > TextureFilter::Nearest) return "it is filtered in no known way";
+        return form("it wraps in no known way");
+    if (t.filter > TextureFilter::Nearest) return form("it is filtered in no known way");
     const std::uint64_t available = model.texels.size();
-    if (t.firstTexel > available || texels > available - t.firstTexel) return "it ends outside of the texels";
-    return nullptr;
+    if (t.firstTexel > available || texels > available - t.firstTexel)
+        return form("it ends outside of the texels");
+    return {};
 }
 
-const char* problemOf(const Light& l, const Model& model) {
-    if (static_cast<std::size_t>(l.kind) >= kLightKinds) return "it is of no known kind";
+Finding problemOf(const Light& l, const Model& model) {
+    if (static_cast<std::size_t>(l.kind) >= kLightKinds) return form("it is of no known kind");
     const LightTraits& traits = traitsOf(l);
-    if (!isPlace(l.position)) return "position is out of range";
-    if (!isPlace(l.direction)) return "direction is out of range";
-    if (traits.direction && !isUnit(l.direction)) return "direction is not of unit length";
+    if (!isPlace(l.position)) return outOfRange("position");
+    if (!isPlace(l.direction)) return outOfRange("direction");
+    if (traits.direction && !isUnit(l.direction)) return form("direction is not of unit length");
     if (!isPlace(l.right) || !within(l.width, 0, kLargestNumber) || !within(l.height, 0, kLargestNumber))
-        return "its sides are out of range";
+        return form("its sides are out of range");
     if (traits.sides && !(isUnit(l.right) && std::fabs(dot(l.right, l.direction)) < 1e-3F))
-        return "its width is not perpendicular to its direction";
-    if (!within(l.intensity, 0, kLargestNumber)) return "intensity is out of range";
-    if (!within(l.radius, 0, kLargestNumber)) return "radius is out of range";
-    if (!within(l.cosInner, -1, 1) || !within(l.cosOuter, -1, 1)) return "a cosine is not in -1..1";
+        return form("its width is not perpendicular to its direction");
+    if (!within(l.intensity, 0, kLargestNumber)) return outOfRange("intensity");
+    if (!within(l.radius, 0, kLargestNumber)) return outOfRange("radius");
+    if (!within(l.cosInner, -1, 1) || !within(l.cosOuter, -1, 1)) return form("a cosine is not in -1..1");
     if (traits.beam == Beam::Cone && !(l.cosOuter < l.cosInner))
-        return "the outer angle is not wider than the inner";
-    if (!within(l.discSine, 0, 1)) return "its disc is out of range";
-    if (!isSwitch(l.on) || !isSwitch(l.mirrored)) return "a switch is neither 0 nor 1";
-    return l.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
+        return form("the outer angle is not wider than the inner");
+    if (!within(l.discSine, 0, 1)) return form("its disc is out of range");
+    if (!isSwitch(l.on) || !isSwitch(l.mirrored)) return form("a switch is neither 0 nor 1");
+    if (l.nameOffset < model.strings.size()) return {};
+    return form("its name lies outside of the strings");
 }
 
-const char* problemOf(const Camera& c, const Model& model) {
-    if (!isPlace(c.eye)) return "eye is out of range";
+Finding problemOf(const Camera& c, const Model& model) {
+    if (!isPlace(c.eye)) return outOfRange("eye");
     const Vec3 forward = normalize(c.forward), up = normalize(c.up); // zero for zero and for NaN
-    if (forward == Vec3{} || up == Vec3{}) return "forward or up is zero or not a number";
-    if (!(length(cross(forward, up)) > 1e-6F)) return "forward and up are parallel";
-    if (!(c.horizontalFov > 0 && c.horizontalFov < 180)) return "the field of view is not in 0..180 degrees";
-    if (c.kind > CameraKind::Orthographic) return "it is of no known kind";
-    if (c.kind == CameraKind::Orthographic && !(c.orthographicWidth > 0)) return "its width is not above 0";
-    if (!within(c.orthographicWidth, 0, kLargestNumber)) return "its width is out of range";
-    if (c.aspect != 0 && !within(c.aspect, kMinAspect, 1 / kMinAspect)) return "its aspect is out of range";
-    return c.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
+    if (forward == Vec3{} || up == Vec3{}) return form("forward or up is zero or not a number");
+    if (!(length(cross(forward, up)) > 1e-6F)) return form("forward and up are parallel");
+    if (!(c.horizontalFov > 0 && c.horizontalFov < 180))
+        return form("the field of view is not in 0..180 degrees");
+    if (c.kind > CameraKind::Orthographic) return form("it is of no known kind");
+    if (c.kind == CameraKind::Orthographic && !(c.orthographicWidth > 0))
+        return form("its width is not above 0");
+    if (!within(c.orthographicWidth, 0, kLargestNumber)) return form("its width is out of range");
+    if (c.aspect != 0 && !within(c.aspect, kMinAspect, 1 / kMinAspect))
+        return form("its aspect is out of range");
+    if (c.nameOffset < model.strings.size()) return {};
+    return form("its name lies outside of the strings");
+}
+
+Sentence inElement(std::string_view section, std::size_t index, const Sentence& problem) {
+    return say("{0}: element {1}: {2}", section, index, problem);
 }
 
 template <typename Record>
-Finding checkEach(const char* section, std::span<const Record> records, const Model& model) {
+Finding checkEach(std::string_view section, std::span<const Record> records, const Model& model) {
     for (std::size_t i = 0; i < records.size(); ++i) {
-        if (const char* problem = problemOf(records[i], model)) {
-            return fmt::format("{}: element {}: {}", section, i, problem);
-        }
+        if (const Finding problem = problemOf(records[i], model)) return inElement(section, i, *problem);
     }
     return {};
 }
 
 } // namespace
 
-std::optional<std::string> checkMaterials(const Model& model) {
+std::optional<Sentence> checkMaterials(const Model& model) {
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         for (const MaterialNumber& number : kMaterialNumbers) {
             const float maximum = std::min(number.maximum, kLargestNumber);
             if (within(model.materials[i].*number.field, number.minimum, maximum)) continue;
-            return fmt::format("materials: element {}: {}", i, outside(number));
+            return inElement("materials", i, outOf(number));
         }
     }
     return checkEach("materials", model.materials, model);
 }
-std::optional<std::string> checkTextures(const Model& model) {
+std::optional<Sentence> checkTextures(const Model& model) {
     return checkEach("textures", model.textures, model);
 }
-std::optional<std::string> checkLights(const Model& model) {
-    return checkEach("lights", model.lights, model);
-}
-std::optional<std::string> checkCameras(const Model& model) {
+std::optional<Sentence> checkLights(const Model& model) { return checkEach("lights", model.lights, model); }
+std::optional<Sentence> checkCameras(const Model& model) {
     return checkEach("cameras", model.cameras, model);
 }
 

@@ -1,7 +1,5 @@
 #include "rtcore/io/bsp/model_check.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +9,7 @@ namespace rtcore {
 
 namespace {
 
-using Finding = std::optional<std::string>;
+using Finding = std::optional<Sentence>;
 
 /// Elements: fewer are looked through sooner than a thread wakes up on a busy machine.
 constexpr std::size_t kWorthThreads = 4'000'000;
@@ -40,7 +38,8 @@ Finding checkNumbers(const char* section, std::span<const float> values, std::si
     const auto bad =
         std::find_if(values.begin(), values.end(), [&](float v) { return !(v >= lo && v <= hi); });
     const auto element = static_cast<std::size_t>(bad - values.begin()) / perElement;
-    return fmt::format("{}: a number of element {} is not a number or out of range", section, element);
+    return say("{0}: a number of element {1} is not a number or out of range", std::string_view(section),
+               element);
 }
 
 bool isNormal(Vec3 normal) { return std::fabs(dot(normal, normal) - 1) < 1e-3F || normal == Vec3{}; }
@@ -51,7 +50,7 @@ Finding checkNormals(std::span<const Vec3> normals) {
     for (std::size_t i = 0; i < normals.size(); ++i) bad |= isNormal(normals[i]) ? 0 : 1;
     if (bad == 0) return {};
     const auto at = std::find_if_not(normals.begin(), normals.end(), isNormal);
-    return fmt::format("normals: element {} is not of unit length", at - normals.begin());
+    return say("normals: element {0} is not of unit length", at - normals.begin());
 }
 
 bool indicesBelow(std::span<const Triangle> triangles, std::size_t limit) {
@@ -80,46 +79,46 @@ Finding checkSizes(const Model& model) {
     constexpr std::size_t limit = std::numeric_limits<std::uint32_t>::max();
     for (const std::size_t size : {mesh.vertices.size(), mesh.triangles.size(), mesh.normals.size(),
                                    model.materials.size(), model.textures.size(), model.strings.size()}) {
-        if (size >= limit) return "sizes: a section has more than 2^32 elements";
+        if (size >= limit) return form("sizes: a section has more than 2^32 elements");
     }
     if (mesh.shading.size() != mesh.triangles.size())
-        return "shading: there must be one element per triangle";
+        return form("shading: there must be one element per triangle");
     if (!mesh.texcoords.empty() && mesh.texcoords.size() != mesh.normals.size()) {
-        return "texcoords: there must be none or one per normal";
+        return form("texcoords: there must be none or one per normal");
     }
     if (!mesh.colours.empty() && mesh.colours.size() != mesh.normals.size()) {
-        return "colours: there must be none or one per normal";
+        return form("colours: there must be none or one per normal");
     }
     if (!mesh.alphas.empty() && mesh.alphas.size() != mesh.normals.size()) {
-        return "alphas: there must be none or one per normal";
+        return form("alphas: there must be none or one per normal");
     }
-    if (model.materials.empty()) return "materials: there must be at least one";
+    if (model.materials.empty()) return form("materials: there must be at least one");
     return {};
 }
 
 Finding checkParts(const Model& model) {
     std::uint64_t end = 0;
     for (const ModelPart& part : model.parts) {
-        if (part.nameOffset >= model.strings.size()) return "parts: a name lies outside of the strings";
-        if (part.firstTriangle < end) return "parts: two overlap, or they do not ascend";
+        if (part.nameOffset >= model.strings.size()) return form("parts: a name lies outside of the strings");
+        if (part.firstTriangle < end) return form("parts: two overlap, or they do not ascend");
         end = std::uint64_t{part.firstTriangle} + part.triangleCount;
-        if (end > model.mesh.triangles.size()) return "parts: one names a triangle that does not exist";
+        if (end > model.mesh.triangles.size()) return form("parts: one names a triangle that does not exist");
     }
     return {};
 }
 
 Finding checkStrings(std::span<const char> strings) {
-    if (strings.empty() || strings.front() != 0) return "strings: the first name must be empty";
-    if (strings.back() != 0) return "strings: the last name does not end";
+    if (strings.empty() || strings.front() != 0) return form("strings: the first name must be empty");
+    if (strings.back() != 0) return form("strings: the last name does not end");
     return {};
 }
 
 Finding checkMesh(const Model& model) {
     const Mesh& mesh = model.mesh;
     if (!indicesBelow(mesh.triangles, mesh.vertices.size()))
-        return "triangles: one names a vertex that does not exist";
+        return form("triangles: one names a vertex that does not exist");
     if (!indicesBelow(mesh.shading, mesh.normals.size(), model.materials.size())) {
-        return "shading: an element names a normal or a material that does not exist";
+        return form("shading: an element names a normal or a material that does not exist");
     }
     constexpr float max = kLargestNumber;
     if (Finding f = checkNumbers("vertices", floatsOf(mesh.vertices), 4, -max, max)) return f;
@@ -131,7 +130,7 @@ Finding checkMesh(const Model& model) {
 
 } // namespace
 
-std::optional<std::string> checkModel(const Model& model) {
+std::optional<Sentence> checkModel(const Model& model) {
     if (Finding f = checkSizes(model)) return f;
     if (Finding f = checkStrings(model.strings)) return f;
     if (Finding f = checkMesh(model)) return f;

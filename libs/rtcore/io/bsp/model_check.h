@@ -1,10 +1,10 @@
 /// The rules that a model must keep so that nothing behind it needs to ask again.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/model.h"
 
 #include <optional>
-#include <string>
 
 namespace rtcore {
 
@@ -15,12 +15,12 @@ inline constexpr float kLargestNumber = 1e18F;
 /// the range that scene/*.h documents. Normals are of unit length or zero; colours may carry a rounding
 /// error. Nothing when all is well, else "section: what is wrong". Linear time, a few milliseconds per
 /// million triangles.
-std::optional<std::string> checkModel(const Model& model);
+std::optional<Sentence> checkModel(const Model& model);
 
 /// Its part for what is not geometry.
-std::optional<std::string> checkMaterials(const Model& model);
-std::optional<std::string> checkTextures(const Model& model);
-std::optional<std::string> checkLights(const Model& model);
-std::optional<std::string> checkCameras(const Model& model);
+std::optional<Sentence> checkMaterials(const Model& model);
+std::optional<Sentence> checkTextures(const Model& model);
+std::optional<Sentence> checkLights(const Model& model);
+std::optional<Sentence> checkCameras(const Model& model);
 
 } // namespace rtcore
