@@ -996,6 +996,14 @@
         <translation>nemá žádné uzly</translation>
     </message>
     <message>
+        <source>it has samples of an unusual kind</source>
+        <translation>má vzorky neobvyklého druhu</translation>
+    </message>
+    <message>
+        <source>it has samples of {0} bits</source>
+        <translation>má vzorky o {0} bitech</translation>
+    </message>
+    <message>
         <source>it has too many texels</source>
         <translation>má příliš mnoho texelů</translation>
     </message>
@@ -1112,6 +1120,10 @@
         <translation>není to soubor; zadejte cestu k modelu</translation>
     </message>
     <message>
+        <source>it is of a kind that is not read; convert it to PNG</source>
+        <translation>je druhu, který se nečte; převeďte ho do PNG</translation>
+    </message>
+    <message>
         <source>it is of no known kind</source>
         <translation>je neznámého druhu</translation>
     </message>
@@ -1224,6 +1236,10 @@
         <translation>jeho hlavička ani po {0} bajtech nekončí</translation>
     </message>
     <message>
+        <source>its head makes no sense</source>
+        <translation>jeho hlavička nedává smysl</translation>
+    </message>
+    <message>
         <source>its head promises {0} elements '{1}', for which it has no room</source>
         <translation>jeho hlavička slibuje {0} prvků '{1}', které se do něj nevejdou</translation>
     </message>
@@ -1250,6 +1266,10 @@
     <message>
         <source>its own lights reach nothing that is seen; other light was added</source>
         <translation>jeho vlastní světla nedosáhnou na nic z toho, co je vidět; bylo přidáno jiné světlo</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be decoded</source>
+        <translation>jeho pixely nelze dekódovat</translation>
     </message>
     <message>
         <source>its sides are out of range</source>
@@ -1826,6 +1846,10 @@
     <message>
         <source>the camera needs a direction to look in</source>
         <translation>kamera potřebuje směr pohledu</translation>
+    </message>
+    <message>
+        <source>the checksum of its part {0} is wrong</source>
+        <translation>nesouhlasí kontrolní součet jeho části {0}</translation>
     </message>
     <message>
         <source>the command ends with a backslash</source>

@@ -1,6 +1,7 @@
 /// Numbers from unchecked bytes: reading past the end is a FileError, never an invalid access.
 #pragma once
 
+#include "rtcore/io/images/damage_forms.h"
 #include "rtcore/io/images/decoded_image.h"
 
 namespace rtcore {
@@ -45,9 +46,7 @@ class ByteReader {
         }
     }
     const std::string& name() const { return name_; }
-    [[noreturn]] void tooShort() const {
-        badImage(name_, "the file ends too early: it is damaged or was not copied completely");
-    }
+    [[noreturn]] void tooShort() const { badImage(name_, damage::kEndsEarly); }
 
   private:
     ByteSpan bytes_;

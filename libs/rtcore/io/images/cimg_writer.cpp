@@ -11,6 +11,7 @@
 #include <CImg.h>
 
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/settings/library_text.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -61,7 +62,7 @@ Bytes throughCImg(const LdrImage& image, bool alpha, const std::string& name, Sa
     try {
         save(toPlanes(image, alpha), file.get());
     } catch (const cimg_library::CImgException& error) {
-        cannotEncode(name, std::string(error.what()));
+        cannotEncode(name, meaningOf(error.what(), {}));
     }
     return contentOf(file.get(), name);
 }

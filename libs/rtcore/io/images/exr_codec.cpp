@@ -1,5 +1,7 @@
 // The only file that sees OpenEXR.
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/io/images/damage_forms.h"
+#include "rtcore/settings/library_text.h"
 
 #ifdef RT_HAVE_OPENEXR
 
@@ -12,6 +14,7 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <exception>
 #include <mutex>
@@ -21,6 +24,15 @@
 namespace rtcore {
 namespace {
 
+constexpr auto kExrTexts = std::to_array<LibraryText>({
+    {damage::kEndsEarly, damage::kEndsEarly},
+    {"Error reading pixel data from image file \"\". {0}", damage::kPixels},
+    {"Cannot read image file \"\". Cannot read version {0}", damage::kUnread},
+    {"Cannot read image file \"\". The file format version number's flag field contains {0}",
+     damage::kUnread},
+    {"Cannot read image file \"\". {0}", damage::kHeader},
+});
+
 class MemoryInput : public Imf::IStream {
   public:
     explicit MemoryInput(ByteSpan bytes) : IStream(""), bytes_(bytes) {}
@@ -28,7 +40,7 @@ class MemoryInput : public Imf::IStream {
     bool read(char* target, int count) override {
         const auto n = static_cast<std::size_t>(std::max(count, 0));
         if (position_ > bytes_.size() || n > bytes_.size() - position_) {
-            throw std::runtime_error("the file ends too early");
+            throw std::runtime_error(damage::kEndsEarly);
         }
         std::memcpy(target, bytes_.data() + position_, n);
         position_ += n;
@@ -145,7 +157,7 @@ DecodedImage decodeExr(ByteSpan bytes, const std::string& name) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        badImage(name, say("damaged EXR: {0}", std::string(error.what())));
+        badImage(name, say("damaged EXR: {0}", meaningOf(error.what(), kExrTexts)));
     }
 }
 
@@ -179,7 +191,7 @@ Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels,
         }
         return std::move(output.bytes);
     } catch (const std::exception& error) {
-        cannotEncode(name, say("{0}: {1}", std::string("EXR"), std::string(error.what())));
+        cannotEncode(name, say("{0}: {1}", std::string("EXR"), meaningOf(error.what(), {})));
     }
 }
 

@@ -1,4 +1,6 @@
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/io/images/damage_forms.h"
+#include "rtcore/settings/library_text.h"
 
 #include <cstdio> // jpeglib.h needs it
 
@@ -15,6 +17,23 @@ namespace {
 
 constexpr int kQuality = 95;
 constexpr int kMaxScans = 500; // a progressive file of many empty scans would take hours
+
+constexpr auto kJpegTexts = std::to_array<LibraryText>({
+    {"Premature end of {0}", damage::kEndsEarly},
+    {"Corrupt JPEG data: {0}", damage::kPixels},
+    {"DCT coefficient out of range", damage::kPixels},
+    {"Bogus {0}", damage::kHeader},
+    {"Invalid {0}", damage::kHeader},
+    {"Missing {0}", damage::kHeader},
+    {"Not a JPEG file: {0}", damage::kHeader},
+    {"JPEG datastream contains no image", damage::kHeader},
+    {"Too many color components: {0}", damage::kHeader},
+    {"Sampling factors too large {0}", damage::kHeader},
+    {"{0} was not defined", damage::kHeader},
+    {"Unsupported {0}", damage::kUnread},
+    {"{0} not implemented{1}", damage::kUnread},
+    {"{0} not supported{1}", damage::kUnread},
+});
 
 /// libjpeg's own handler ends the process. This one returns to the last setjmp, so every function that calls
 /// the library has only trivial variables. (`base` comes first: the library hands back a pointer to it.)
@@ -136,7 +155,7 @@ class JpegReader {
         return true;
     }
     [[noreturn]] void fail() const {
-        badImage(name_, say("damaged JPEG: {0}", std::string(errors_.message.data())));
+        badImage(name_, say("damaged JPEG: {0}", meaningOf(errors_.message.data(), kJpegTexts)));
     }
 
     ByteSpan bytes_;
@@ -201,7 +220,7 @@ class JpegWriter {
         return true;
     }
     [[noreturn]] void fail() const {
-        cannotEncode(name_, say("{0}: {1}", std::string("JPEG"), std::string(errors_.message.data())));
+        cannotEncode(name_, say("{0}: {1}", std::string("JPEG"), meaningOf(errors_.message.data(), {})));
     }
 
     const std::string& name_;

@@ -1,17 +1,38 @@
 // The only file that sees ImageMagick. It gets bytes, never a file's name, and the name of one of its own
 // coders: no name means a script, a URL or a pipe to it, and a coder that is built in needs no other program.
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/io/images/damage_forms.h"
 #include "rtcore/io/images/image_format.h"
+#include "rtcore/settings/library_text.h"
 
 #ifdef RT_HAVE_MAGICK
 
 #include <Magick++.h>
 
+#include <array>
 #include <exception>
 #include <mutex>
 
 namespace rtcore {
 namespace {
+
+constexpr auto kMagickTexts = std::to_array<LibraryText>({
+    {"{0}: insufficient image data in file {1}", damage::kEndsEarly},
+    {"{0}: unexpected end-of-file {1}", damage::kEndsEarly},
+    {"{0}: corrupt image {1}", damage::kPixels},
+    {"{0}: unable to decompress image {1}", damage::kPixels},
+    {"{0}: invalid colormap index {1}", damage::kPixels},
+    {"{0}: decoder suspended {1}", damage::kPixels},
+    {"{0}: improper image header {1}", damage::kHeader},
+    {"{0}: negative or zero image size {1}", damage::kHeader},
+    {"{0}: width or height exceeds limit {1}", damage::kHeader},
+    {"{0}: maximum channels exceeded {1}", damage::kHeader},
+    {"{0}: missing image channel {1}", damage::kHeader},
+    {"{0}: Invalid PSD resource block {1}", damage::kHeader},
+    {"{0}: InvalidNumberOfLayers {1}", damage::kHeader},
+    {"{0}: NoSuchImageChannel {1}", damage::kHeader},
+    {"{0}: image type not supported {1}", damage::kUnread},
+});
 
 void start() {
     static std::once_flag done;
@@ -59,7 +80,7 @@ DecodedImage decodeRare(ByteSpan bytes, const std::string& name) {
                       image.pixels.data());
         return image;
     } catch (const Magick::Exception& error) {
-        badImage(name, say("damaged {0}: {1}", coder, std::string(error.what())));
+        badImage(name, say("damaged {0}: {1}", coder, meaningOf(error.what(), kMagickTexts)));
     }
 }
 
@@ -78,7 +99,7 @@ Bytes encodeRare(const LdrImage& image, const std::string& name, const std::stri
         if (data == nullptr || blob.length() == 0) cannotEncode(name, "ImageMagick wrote nothing");
         return {data, data + blob.length()};
     } catch (const Magick::Exception& error) {
-        cannotEncode(name, std::string(error.what()));
+        cannotEncode(name, meaningOf(error.what(), {}));
     }
 }
 

@@ -1,4 +1,6 @@
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/io/images/damage_forms.h"
+#include "rtcore/settings/library_text.h"
 
 #include <png.h>
 
@@ -9,6 +11,24 @@
 
 namespace rtcore {
 namespace {
+
+constexpr auto kPngTexts = std::to_array<LibraryText>({
+    {damage::kEndsEarly, damage::kEndsEarly},
+    {"Not enough image data", damage::kEndsEarly},
+    {"{0}: CRC error", damage::kChecksum},
+    {"IDAT: {0}", damage::kPixels},
+    {"Decompression error", damage::kPixels},
+    {"bad adaptive filter value", damage::kPixels},
+    {"Invalid {0}", damage::kHeader},
+    {"Missing {0}", damage::kHeader},
+    {"IHDR: {0}", damage::kHeader},
+    {"{0}: invalid chunk type", damage::kHeader},
+    {"{0}: missing {1}", damage::kHeader},
+    {"{0}: out of place", damage::kHeader},
+    {"PNG unsigned integer out of range", damage::kHeader},
+    {"PNG file corrupted by ASCII conversion", damage::kHeader},
+    {"Not a PNG file", damage::kHeader},
+});
 
 /// libpng leaves by longjmp when it meets an error, so every function that calls it has only trivial
 /// variables.
@@ -25,7 +45,7 @@ class PngReader {
     PngReader& operator=(const PngReader&) = delete;
 
     DecodedImage read() {
-        if (!readHeader()) fail(std::string(message_.data()));
+        if (!readHeader()) fail(meaningOf(message_.data(), kPngTexts));
         checkImageSize(name_, width_, height_);
         // Deflate never packs more than 1032 bytes into one.
         checkPlausible(name_, static_cast<std::size_t>(height_) * storedRowBytes_, bytes_.size(), 1040);
@@ -41,7 +61,7 @@ class PngReader {
         rows_.resize(height_);
         auto* data = reinterpret_cast<png_bytep>(image.pixels.data());
         for (std::size_t y = 0; y < rows_.size(); ++y) rows_[y] = data + y * rowBytes;
-        if (!readPixels()) fail(std::string(message_.data()));
+        if (!readPixels()) fail(meaningOf(message_.data(), kPngTexts));
         return image;
     }
 
@@ -82,7 +102,7 @@ class PngReader {
 
     static void onRead(png_structp png, png_bytep target, std::size_t count) {
         auto& self = *static_cast<PngReader*>(png_get_io_ptr(png));
-        if (count > self.bytes_.size() - self.position_) png_error(png, "the file ends too early");
+        if (count > self.bytes_.size() - self.position_) png_error(png, damage::kEndsEarly);
         std::memcpy(target, self.bytes_.data() + self.position_, count);
         self.position_ += count;
     }

@@ -1,8 +1,10 @@
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/settings/library_text.h"
 
 #include <tiffio.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdarg>
 #include <cstring>
 #include <memory>
@@ -92,6 +94,12 @@ T field(TIFF* tiff, std::uint32_t tag, T fallback) {
     return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : fallback;
 }
 
+constexpr auto kTiffTexts = std::to_array<LibraryText>({
+    {"Sorry, can not handle images with {0}-bit samples", form("it has samples of {0} bits")},
+    {"Sorry, can not handle images with IEEE floating-point samples",
+     form("it has samples of an unusual kind")},
+});
+
 struct Layout {
     std::uint16_t bits, samples, format, planes, photometric, orientation;
     bool associatedAlpha, tiled;
@@ -164,7 +172,7 @@ std::uint8_t unpremultiply(unsigned colour, unsigned alpha) {
 LdrImage readAnyKind(TIFF* tiff, int width, int height, const std::string& name) {
     char reason[1024] = "";
     if (TIFFRGBAImageOK(tiff, reason) == 0)
-        badImage(name, say("TIFF of a kind that cannot be read: {0}", std::string(reason)));
+        badImage(name, say("TIFF of a kind that cannot be read: {0}", meaningOf(reason, kTiffTexts)));
     LdrImage image(width, height);
     std::vector<std::uint32_t> raster(image.pixels.size());
     if (TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
