@@ -62,12 +62,12 @@ void checkOutput(const std::filesystem::path& input, const std::filesystem::path
     inputs.refuse(output);
     refuseForeignEnding(output);
     std::error_code missing;
-    const auto refuse = [&](const std::string& reason) {
+    const auto refuse = [&](const rtcore::Sentence& reason) {
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, output.string(), reason);
     };
     const std::filesystem::path folder = output.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, missing)) {
-        refuse("there is no folder " + folder.string() + "; make it first");
+        refuse(rtcore::say("there is no folder {0}; make it first", folder.string()));
     }
     if (std::filesystem::is_directory(output, missing)) refuse("this is a folder; name a file in it");
     if (!std::filesystem::is_regular_file(output, missing) ||
@@ -86,7 +86,8 @@ void checkOutput(const std::filesystem::path& input, const std::filesystem::path
 
 void refuseBsp(const BuilderOptions& options) {
     if (rtcore::isBsp(rtcore::InputFile(options.input).head(rtcore::kBspMagic.size())))
-        refuseInput(options, "this is a .bsp file already; build from the model that it was made of");
+        refuseInput(options,
+                    rtcore::form("this is a .bsp file already; build from the model that it was made of"));
 }
 
 // Tells a file from what takes its place, or is written into it.
@@ -121,7 +122,7 @@ class Builder {
         // All of the file is read for it, and so only where it is a model.
         const rtcore::BspIdentity identity = identify(options_);
         if (stateOf(options_.input) != imported)
-            refuseInput(options_, "it was changed while it was read; build again");
+            refuseInput(options_, rtcore::form("it was changed while it was read; build again"));
         buildTree();
         write(identity);
         return tell();
@@ -136,11 +137,12 @@ class Builder {
         const app::ProgressScope scope(progress_, {"importing", {}, &stop});
         rtcore::ImportedModel imported = rtcore::importModel(options_.input, import);
         report_.importSeconds = app::secondsSince(start);
-        for (const std::string& warning : imported.report.warnings) {
-            progress_.print("warning: " + options_.input.string() + ": " + warning);
+        for (const rtcore::Sentence& warning : imported.report.warnings) {
+            const rtcore::Sentence ofFile = rtcore::say("{0}: {1}", options_.input.string(), warning);
+            progress_.tell(rtcore::say("warning: {0}", ofFile));
+            warnings_.push_back(rtcore::warningLine(warning));
         }
         model_ = std::move(imported.model);
-        warnings_ = std::move(imported.report.warnings);
         report_.degenerate = imported.report.degenerateTriangles;
         report_.nonFinite = imported.report.nonFiniteTriangles;
         report_.unconnected = imported.report.unconnectedTriangles;
@@ -225,7 +227,7 @@ class Builder {
     const BuilderOptions& options_;
     app::Progress& progress_;
     rtcore::Model model_;
-    std::vector<std::string> warnings_;
+    std::vector<std::string> warnings_; ///< lines of the .bsp
     rtcore::ModelOrigin origin_;
     rtcore::KdTree tree_;
     BuildReport report_;
@@ -238,7 +240,7 @@ app::ExitCode runBuilder(const app::Arguments& arguments) {
     if (options.parent) app::stopWithParent(*options.parent);
     app::Progress progress(builderSpec().name, options.progress);
     if (arguments.has("quality") && !arguments.has("fast"))
-        progress.print("warning: --quality counts with --fast only");
+        progress.tell(rtcore::say("warning: {0}", rtcore::form("--quality counts with --fast only")));
     return Builder(options, progress).run();
 }
 

@@ -4,8 +4,6 @@
 
 #include "common/commands/told_forms.h"
 
-#include "rtcore/io/import/import_forms.h"
-
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
@@ -75,8 +73,6 @@ QList<Message> readMessages(const QString& answer, const QString& detail) {
     }
     return messages;
 }
-
-QString importWarning(const QString& printed) { return translatedAs(printed, rtcore::import_forms::kAll); }
 
 QString eventText(const Message& event) {
     if (!event.said) return event.text;

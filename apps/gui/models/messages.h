@@ -39,9 +39,6 @@ std::optional<QString> readMaterialOffer(const Message& offer);
 /// Lines that are none are left out. `detail` is that of the answer.
 QList<Message> readMessages(const QString& answer, const QString& detail);
 
-/// A warning that an import printed, in the user's language.
-QString importWarning(const QString& printed);
-
 /// The effect of a key, in the user's language: "Light 3: off".
 QString eventText(const Message& event);
 /// Many warnings, in the user's language, in a few lines: those of one kind are counted, files stand without

@@ -30,7 +30,6 @@ MessageOperations::MessageOperations(const GuiContext& context, QObject* parent)
     context_.actions.on(ActionId::ServerLog, [this] { showLog(); });
     connect(&context_.session, &Session::stateChanged, this, &MessageOperations::onState);
     connect(&context_.session, &Session::statusChanged, this, &MessageOperations::onStatus);
-    connect(&context_.editor, &SceneEditor::sceneChanged, this, &MessageOperations::onScene);
 }
 
 void MessageOperations::onState() {
@@ -62,7 +61,7 @@ void MessageOperations::take(const QList<Message>& messages) {
     QStringList warnings;
     for (const Message& message : messages) {
         known_ = message.number;
-        heard_.append(message.text);
+        heard_.append(message.shown());
         if (message.offer) offer(message);
         if (message.offer) continue;
         if (message.warning) warnings.append(message.shown());
@@ -70,16 +69,6 @@ void MessageOperations::take(const QList<Message>& messages) {
     }
     if (messages.isEmpty()) known_ = context_.session.status().messages; // forgotten: another scene came
     warn(warnings);
-}
-
-// A cached model is not imported again: the server knows of no warnings.
-void MessageOperations::onScene() {
-    if (!context_.keeper.ours()) return;
-    const QStringList warnings = context_.keeper.models().warnings(context_.editor.scene());
-    heard_ += warnings;
-    QStringList shown;
-    for (const QString& each : warnings) shown.append(importWarning(each));
-    warn(shown);
 }
 
 void MessageOperations::warn(const QStringList& warnings) {

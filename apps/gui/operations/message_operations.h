@@ -22,7 +22,6 @@ class MessageOperations : public QObject {
     void onState();
     void onStatus();
     void take(const QList<Message>& messages);
-    void onScene();
     void warn(const QStringList& warnings);
     void offer(const Message& message);
     void forgetOffers();

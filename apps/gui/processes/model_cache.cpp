@@ -87,9 +87,6 @@ QString fileFor(const Source& source) {
     return cacheFolder().filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".bsp"));
 }
 
-// A .bsp does not know what its import warned of.
-QString printedFor(const QString& bsp) { return bsp + QStringLiteral(".txt"); }
-
 } // namespace
 
 ModelCache::ModelCache(QObject* parent) : QObject(parent) {}
@@ -113,19 +110,6 @@ QString ModelCache::find(const QString& scene) const {
     return file.fileName();
 }
 
-QStringList ModelCache::warnings(const QString& scene) const {
-    const QString bsp = find(scene);
-    QFile file(printedFor(bsp));
-    QStringList warnings;
-    if (bsp.isEmpty() || !file.open(QIODevice::ReadOnly)) return warnings;
-    const QString mark = QStringLiteral("warning: ");
-    for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
-        const qsizetype at = line.indexOf(mark);
-        if (at >= 0) warnings.append(line.mid(at + mark.size()));
-    }
-    return warnings;
-}
-
 void ModelCache::keep(const QString& scene) {
     const std::optional<Source> source = megabytes_ > 0 ? sourceOf(scene) : std::nullopt;
     const QString program = programPath(QStringLiteral("BSPBuilder"));
@@ -137,12 +121,11 @@ void ModelCache::keep(const QString& scene) {
     building_ = bsp;
     builder_ = new QProcess(this);
     builder_->setStandardOutputFile(QProcess::nullDevice());
-    builder_->setStandardErrorFile(printedFor(bsp));
+    builder_->setStandardErrorFile(QProcess::nullDevice());
     builder_->setChildProcessModifier([] {
         app::lowerPriority();
         app::keepOthersOut();
     });
-    app::makePrivateFile(printedFor(bsp).toStdString());
     connect(builder_, &QProcess::finished, this, [this, bsp] { finish(bsp); });
     QStringList words{
         source->path, bsp, QStringLiteral("--progress=none"),
@@ -168,11 +151,9 @@ void ModelCache::makeRoom() const {
         room -= file.size();
         if (room < 0) QFile::remove(file.filePath());
     }
-    // Texts printed for those, for builds that were given up, and by builds that had nothing to say.
-    for (const QFileInfo& printed : folder.entryInfoList({QStringLiteral("*.bsp.txt")}, QDir::Files)) {
-        if (printed.size() == 0 || !folder.exists(printed.completeBaseName()))
-            QFile::remove(printed.filePath());
-    }
+    // Earlier versions kept what the builds printed.
+    for (const QFileInfo& printed : folder.entryInfoList({QStringLiteral("*.bsp.txt")}, QDir::Files))
+        QFile::remove(printed.filePath());
 }
 
 void ModelCache::stop() {

@@ -3,15 +3,13 @@
 
 #include <QObject>
 #include <QString>
-#include <QStringList>
 
 class QProcess;
 
 namespace gui {
 
-/// A folder of .bsp files in the user's cache, with the output of BSPBuilder in a .txt beside each. The name
-/// of a file is a hash of its sources: the model's path, size and time, those of the materials and textures
-/// beside it, and how it is imported.
+/// A folder of .bsp files in the user's cache. The name of a file is a hash of its sources: the model's path,
+/// size and time, those of the materials and textures beside it, and how it is imported.
 class ModelCache : public QObject {
     Q_OBJECT
 
@@ -25,8 +23,6 @@ class ModelCache : public QObject {
     /// The .bsp of a model, or of the model of a .scn; empty when there is none, or when that is a .bsp
     /// itself.
     QString find(const QString& scene) const;
-    /// The warnings of that model's import; empty where find() gives nothing.
-    QStringList warnings(const QString& scene) const;
     /// Makes it by a BSPBuilder that stays behind everything else, unless it is there. One at a time: the
     /// build of another model is given up. Failures are silent, for nothing depends on it.
     void keep(const QString& scene);

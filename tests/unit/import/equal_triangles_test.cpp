@@ -91,7 +91,8 @@ TEST(EqualTriangles, TheImportCountsThemAndKeepsNormals) {
     EXPECT_GE(m.report.equalTriangles, 998U);
     EXPECT_EQ(m.model.mesh.triangles.size() + m.report.equalTriangles, 1012U);
     ASSERT_EQ(m.report.warnings.size(), 1U);
-    EXPECT_NE(m.report.warnings[0].find("the third or a further one of the same corners"), std::string::npos);
+    EXPECT_NE(m.report.warnings[0].english().find("the third or a further one of the same corners"),
+              std::string::npos);
     ASSERT_EQ(m.model.parts.size(), 1U);
     EXPECT_EQ(m.model.parts[0].triangleCount, m.model.mesh.triangles.size());
 }

@@ -125,7 +125,7 @@ TEST(Lights, OfOtherKindsAreLeftOutWithAWarning) {
                 R"(<node id="n1" name="n1"><instance_light url="#l"/></node>)"));
     EXPECT_TRUE(m.model.lights.empty());
     ASSERT_EQ(m.report.warnings.size(), 1U);
-    EXPECT_NE(m.report.warnings[0].find("left out"), std::string::npos);
+    EXPECT_NE(m.report.warnings[0].english().find("left out"), std::string::npos);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "rtcore/io/import/import_report.h"
 
+#include "rtcore/io/import/import_forms.h"
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -15,7 +17,7 @@ TEST(ImportReport, SurvivesTheWay) {
     report.unconnectedTriangles = 4;
     report.equalTriangles = 77;
     addWarning(report, "texture 'a b.png' is missing");
-    addWarning(report, "another");
+    addWarning(report, say("{0}: {1}", std::string("a\"b"), say("a {0} inside", 7)));
     addFile(report, "/a b/c.obj");
     addFile(report, "/a b/ c.png ");
     addImage(report, "/a b/d.png");
@@ -28,14 +30,23 @@ TEST(ImportReport, SurvivesTheWay) {
 
 TEST(ImportReport, StaysOneLineAWarningAndOfBoundedLength) {
     ImportReport report;
-    addWarning(report, "two\nlines\x01");
-    addWarning(report, std::string(10000, 'x'));
-    EXPECT_EQ(report.warnings[0], "two?lines?");
-    EXPECT_LE(report.warnings[1].size(), 500U);
+    addWarning(report, std::string("two\nlines\x01"));
+    addWarning(report, say("{0} is long", std::string(10000, 'x')));
+    EXPECT_EQ(warningLine(report.warnings[0]), R"("two\\x0alines\\x01")");
+    EXPECT_LE(report.warnings[1].english().size(), 503U);
     for (int i = 0; i < 1000; ++i) addWarning(report, "w" + std::to_string(i));
     EXPECT_EQ(report.warnings.size(), 51U);
     addWarning(report, "w1");
     EXPECT_EQ(report.warnings.size(), 51U);
+}
+
+// Earlier versions wrote warnings as text.
+TEST(ImportReport, ReadsWarningsOfText) {
+    const Sentence read = readWarning("texture 'a b.png' is missing; its material is plain");
+    EXPECT_EQ(read, say(import_forms::kMissingTexture, std::string("'a b.png'")));
+    EXPECT_EQ(readWarning(warningLine(read)), read);
+    for (const char* text : {"", "another", "7", "[", "[7]", "null"})
+        EXPECT_EQ(readWarning(text), Sentence(std::string(text)));
 }
 
 TEST(ImportReport, ReadsAnything) {
@@ -70,7 +81,7 @@ TEST(ImportReport, ARefusalIsReadFromAnything) {
         EXPECT_FALSE(readRefusal(text).has_value()) << text;
     }
     ImportReport report;
-    addWarning(report, "x\nrefusal [\"x\"]");
+    addWarning(report, std::string("x\nrefusal [\"x\"]"));
     addFile(report, "/x\nrefusal [\"x\"]");
     EXPECT_FALSE(readRefusal(writeReport(report)).has_value());
 }

@@ -96,7 +96,7 @@ TEST_F(Scenes, SponzaHasItsTextures) {
     fs::create_directory_symlink(folder_ / "sponza_crytek/textures", folder / "textures");
     const ImportedModel m = test::importFile(folder / "sponza.obj");
     EXPECT_GT(m.model.textures.size(), 10U);
-    EXPECT_TRUE(m.report.warnings.empty()) << m.report.warnings[0];
+    EXPECT_TRUE(m.report.warnings.empty()) << m.report.warnings[0].english();
     const auto textured = std::count_if(m.model.materials.begin(), m.model.materials.end(),
                                         [](const Material& a) { return a.diffuseTexture != kNoTexture; });
     EXPECT_GT(textured, 20);

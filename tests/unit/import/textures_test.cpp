@@ -53,7 +53,7 @@ TEST_F(Textures, MissingAndBrokenOnesAreWarnings) {
         EXPECT_EQ(m.model.materials[0].diffuseTexture, kNoTexture);
         EXPECT_EQ(m.model.materials[0].diffuse.g, 0.25F);
         ASSERT_EQ(m.report.warnings.size(), 1U) << "once, though two materials name it";
-        EXPECT_NE(m.report.warnings[0].find(name), std::string::npos);
+        EXPECT_NE(m.report.warnings[0].english().find(name), std::string::npos);
     }
 }
 

@@ -18,7 +18,7 @@ using test::importText;
 
 std::string all(const ImportReport& report) {
     std::string text;
-    for (const std::string& warning : report.warnings) text += warning + "\n";
+    for (const Sentence& warning : report.warnings) text += warning.english() + "\n";
     return text;
 }
 

@@ -1,5 +1,5 @@
-/// Forms of what is said of imported models. It crosses borders as text - from the importer's process, in a
-/// .bsp, in a log - and readAs() finds the form again.
+/// Forms of what is said of imported models. Earlier versions wrote warnings into .bsp files as text, of
+/// which readAs() finds the form again.
 #pragma once
 
 #include <array>

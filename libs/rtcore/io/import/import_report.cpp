@@ -2,6 +2,7 @@
 
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/text/sentence_json.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,14 +13,8 @@ namespace rtcore {
 namespace {
 
 constexpr std::size_t kMaxWarnings = 50;
+constexpr std::size_t kLongestWarning = 500;
 constexpr std::string_view kRefusal = "refusal ";
-
-/// One line whatever the text holds: it may come from a damaged file.
-std::string printable(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-    return text.substr(0, 500);
-}
 
 void addOnce(std::vector<std::string>& paths, const std::string& path) {
     if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
@@ -61,11 +56,18 @@ Sentence firstOf(std::span<const std::string> names) {
     return text + "'";
 }
 
-void addWarning(ImportReport& report, const std::string& text) {
-    const std::string line = printable(text);
+void addWarning(ImportReport& report, const Sentence& warning) {
+    const std::string text = warning.english();
+    const Sentence shown = text.size() <= kLongestWarning ? warning : printable(text, kLongestWarning);
     const auto& known = report.warnings;
-    if (known.size() > kMaxWarnings || std::find(known.begin(), known.end(), line) != known.end()) return;
-    report.warnings.push_back(known.size() < kMaxWarnings ? line : import_forms::kMore);
+    if (known.size() > kMaxWarnings || std::find(known.begin(), known.end(), shown) != known.end()) return;
+    report.warnings.push_back(known.size() < kMaxWarnings ? shown : import_forms::kMore);
+}
+
+std::string warningLine(const Sentence& warning) { return sentenceJson(warning); }
+
+Sentence readWarning(std::string_view line) {
+    return readSentenceJson(line).value_or(readAs(line, import_forms::kAll));
 }
 
 void addFile(ImportReport& report, const std::string& path) { addOnce(report.files, path); }
@@ -82,7 +84,7 @@ std::string writeReport(const ImportReport& report) {
         << "nonfinite " << report.nonFiniteTriangles << '\n'
         << "unconnected " << report.unconnectedTriangles << '\n'
         << "equal " << report.equalTriangles << '\n';
-    for (const std::string& warning : report.warnings) out << "warning " << warning << '\n';
+    for (const Sentence& warning : report.warnings) out << "warning " << warningLine(warning) << '\n';
     writePaths(out, "file", report.files);
     writePaths(out, "image", report.images);
     return out.str();
@@ -103,7 +105,7 @@ ImportReport readReport(const std::string& text) {
         if (name == "nonfinite") report.nonFiniteTriangles = count;
         if (name == "unconnected") report.unconnectedTriangles = count;
         if (name == "equal") report.equalTriangles = count;
-        if (name == "warning") addWarning(report, value);
+        if (name == "warning") addWarning(report, readWarning(value));
         if (name == "file") addFile(report, pathOf(value));
         if (name == "image") addImage(report, pathOf(value));
     }

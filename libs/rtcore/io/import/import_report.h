@@ -21,7 +21,7 @@ struct ImportReport {
     std::uint64_t nonFiniteTriangles = 0;   ///< a coordinate is no number or beyond 1e12: dropped
     std::uint64_t unconnectedTriangles = 0; ///< name vertices that do not exist: dropped
     std::uint64_t equalTriangles = 0;       ///< the third and further of equal ones: dropped
-    std::vector<std::string> warnings;      ///< sentences for the user, without a file name
+    std::vector<Sentence> warnings;         ///< for the user, without a file name
     std::vector<std::string> files;         ///< all that was opened, absolute: the model, buffers, images
     std::vector<std::string> images;        ///< those of `files` that were decoded as images
 
@@ -32,7 +32,12 @@ struct ImportReport {
 Sentence firstOf(std::span<const std::string> names);
 
 /// A warning; beyond the 50th they are counted only. A warning that is there already is not repeated.
-void addWarning(ImportReport& report, const std::string& text);
+void addWarning(ImportReport& report, const Sentence& warning);
+
+/// Its line in a report and in a .bsp, and the warning of a line, which may be plain text: earlier versions
+/// wrote that.
+std::string warningLine(const Sentence& warning);
+Sentence readWarning(std::string_view line);
 
 /// A file that is there already is not repeated.
 void addFile(ImportReport& report, const std::string& path);

@@ -1,6 +1,5 @@
 #include "rtcore/io/loading/loading.h"
 
-#include "rtcore/io/import/import_forms.h"
 #include "rtcore/platform/sentence.h"
 
 #include "rtcore/sky/scene_sky.h"
@@ -15,10 +14,6 @@ void Loading::begin(LoadPhase phase) const {
 
 void Loading::warn(const Sentence& warning) {
     out.warnings.push_back(say("{0}: {1}", out.modelPath.string(), warning));
-}
-
-void Loading::warnOfImport(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) warn(readAs(warning, import_forms::kAll));
 }
 
 void Loading::take(const std::vector<SettingAssignment>& settings, bool last) {

@@ -6,7 +6,6 @@
 #include "rtcore/survey/survey.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace rtcore {
@@ -25,8 +24,6 @@ class Loading {
     void begin(LoadPhase phase) const;
     /// Under the name of the model.
     void warn(const Sentence& warning);
-    /// Warnings of an import, as its report and .bsp files hold them.
-    void warnOfImport(const std::vector<std::string>& warnings);
     /// Files' own assignments stand behind what follows from them, and before what the user says, which comes
     /// last.
     void take(const std::vector<SettingAssignment>& settings, bool last = false);

@@ -27,7 +27,7 @@ class ModelReading {
         } else if (!loadBuilt()) {
             loading_.begin(LoadPhase::ImportingModel);
             ImportedModel imported = importModel(path, import);
-            loading_.warnOfImport(imported.report.warnings);
+            for (const Sentence& warning : imported.report.warnings) loading_.warn(warning);
             out_.origin = std::move(imported.report.origin);
             out_.modelFiles.assign(imported.report.files.begin(), imported.report.files.end());
             out_.files.insert(out_.files.end(), out_.modelFiles.begin(), out_.modelFiles.end());
@@ -47,7 +47,7 @@ class ModelReading {
 
   private:
     void take(BspContent content) {
-        loading_.warnOfImport(content.warnings);
+        for (const std::string& line : content.warnings) loading_.warn(readWarning(line));
         out_.origin = std::move(content.origin);
         out_.scene.model = std::move(content.model);
         if (content.tree) out_.tree = std::move(*content.tree);

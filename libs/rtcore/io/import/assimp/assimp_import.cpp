@@ -408,14 +408,13 @@ void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile
     if (const auto libraries = missingMaterialLibraries(path); !libraries.empty()) {
         addWarning(report, say(libraries.size() == 1 ? import_forms::kMissingLibrary
                                                      : import_forms::kMissingLibraries,
-                               firstOf(libraries))
-                               .english());
+                               firstOf(libraries)));
     }
-    for (const std::string& sentence : unreadInCollada(path)) addWarning(report, sentence);
+    for (const char* const form : unreadInCollada(path)) addWarning(report, form);
     if (const auto needs = gltf ? needsOf(*gltf) : std::nullopt)
-        addWarning(report, say(import_forms::kNeeds, *needs).english());
+        addWarning(report, say(import_forms::kNeeds, *needs));
     if (gltf && !gltf->ignoredExtensions.empty())
-        addWarning(report, say(import_forms::kIgnored, firstOf(gltf->ignoredExtensions)).english());
+        addWarning(report, say(import_forms::kIgnored, firstOf(gltf->ignoredExtensions)));
 }
 
 /// The names of the nodes from below the root on, with slashes between them.
@@ -484,7 +483,7 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     if (cut && result.model.triangles.empty()) refuse(*cut);
     refuseUseless(assembler, scene.mNumMeshes, result);
 
-    if (cut) addWarning(result.report, cut->english());
+    if (cut) addWarning(result.report, *cut);
     warnOfLostTriangles(result.model, result.report);
     warnOfFiles(path, gltf, result.report);
     warnOfMissingTextures(textures.missing(), result.report);

@@ -163,9 +163,8 @@ void addLights(const aiScene& scene, const NodeTransforms& transforms, const For
             out.nameOffset = model.addName(light->mName.C_Str());
             model.lights.push_back(out);
         } else {
-            addWarning(
-                report,
-                say(import_forms::kLightLeftOut, std::string("'") + light->mName.C_Str() + "'").english());
+            addWarning(report,
+                       say(import_forms::kLightLeftOut, std::string("'") + light->mName.C_Str() + "'"));
         }
     }
 }
@@ -180,9 +179,8 @@ void addCameras(const aiScene& scene, const NodeTransforms& transforms, const Fo
             out.nameOffset = model.addName(camera->mName.C_Str());
             model.cameras.push_back(out);
         } else {
-            addWarning(
-                report,
-                say(import_forms::kCameraLeftOut, std::string("'") + camera->mName.C_Str() + "'").english());
+            addWarning(report,
+                       say(import_forms::kCameraLeftOut, std::string("'") + camera->mName.C_Str() + "'"));
         }
     }
 }

@@ -237,7 +237,7 @@ TexcoordUse texcoordUseOf(const aiMaterial& material, const MaterialText& text, 
         if (use == *first) continue;
         aiString name;
         material.Get(AI_MATKEY_NAME, name);
-        addWarning(report, say(import_forms::kLaidAlike, std::string("'") + name.C_Str() + "'").english());
+        addWarning(report, say(import_forms::kLaidAlike, std::string("'") + name.C_Str() + "'"));
     }
     return first.value_or(TexcoordUse{});
 }

@@ -68,16 +68,16 @@ std::vector<std::filesystem::path> materialLibraries(const std::filesystem::path
     return found;
 }
 
-std::vector<std::string> unreadInCollada(const std::filesystem::path& path) {
+std::vector<const char*> unreadInCollada(const std::filesystem::path& path) {
     if (!hasEnding(path, ".dae")) return {};
     const FileBytes file = openFileBytes(path);
     const std::string_view text = textOf(file);
     const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
-    std::vector<std::string> sentences;
+    std::vector<const char*> sentences;
     const bool ends =
         has("<wrap_s>CLAMP") || has("<wrap_t>CLAMP") || has("<wrap_s>MIRROR") || has("<wrap_t>MIRROR");
-    if (ends) sentences.emplace_back(import_forms::kWrapped);
-    if (has("<orthographic>")) sentences.emplace_back(import_forms::kOrthographic);
+    if (ends) sentences.push_back(import_forms::kWrapped);
+    if (has("<orthographic>")) sentences.push_back(import_forms::kOrthographic);
     return sentences;
 }
 

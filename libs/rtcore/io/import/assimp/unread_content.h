@@ -14,8 +14,8 @@ std::vector<std::string> missingMaterialLibraries(const std::filesystem::path& p
 /// The libraries that it does find, in the order in which the file names them.
 std::vector<std::filesystem::path> materialLibraries(const std::filesystem::path& path);
 
-/// Sentences about a Collada file (.dae): textures that do not repeat, orthographic cameras. Nothing when the
-/// file is no .dae.
-std::vector<std::string> unreadInCollada(const std::filesystem::path& path);
+/// Forms of what is to be said of a Collada file (.dae): textures that do not repeat, orthographic cameras.
+/// Nothing when the file is no .dae.
+std::vector<const char*> unreadInCollada(const std::filesystem::path& path);
 
 } // namespace rtcore

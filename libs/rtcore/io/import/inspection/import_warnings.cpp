@@ -64,21 +64,19 @@ void warnOfLostTriangles(const ModelBuffers& model, ImportReport& report) {
         const char* const form = all == 1    ? import_forms::kOnlyDamaged
                                  : lost == 1 ? import_forms::kOneDamaged
                                              : import_forms::kDamaged;
-        addWarning(report, say(form, lost, all, why.value_or(Sentence())).english());
+        addWarning(report, say(form, lost, all, why.value_or(Sentence())));
     }
     if (report.equalTriangles > 0) {
         const bool one = report.equalTriangles == 1;
-        addWarning(
-            report,
-            say(one ? import_forms::kOneEqual : import_forms::kEqual, report.equalTriangles).english());
+        addWarning(report, say(one ? import_forms::kOneEqual : import_forms::kEqual, report.equalTriangles));
     }
 }
 
 void warnOfMissingTextures(std::span<const std::string> names, ImportReport& report) {
     if (names.size() == 1) {
-        addWarning(report, say(import_forms::kMissingTexture, firstOf(names)).english());
+        addWarning(report, say(import_forms::kMissingTexture, firstOf(names)));
     } else if (names.size() > 1) {
-        addWarning(report, say(import_forms::kMissingTextures, names.size(), firstOf(names)).english());
+        addWarning(report, say(import_forms::kMissingTextures, names.size(), firstOf(names)));
     }
 }
 

@@ -92,9 +92,9 @@ std::optional<LdrImage> TextureStore::read(const std::string& name, const std::s
         LdrImage image = embedded ? embedded_.decode(name) : readLdrImage(key);
         if (!image.empty() && !embedded) addImage(report_, key);
         if (!image.empty()) return image;
-        addWarning(report_, say(import_forms::kEmptyTexture, "'" + name + "'").english());
+        addWarning(report_, say(import_forms::kEmptyTexture, "'" + name + "'"));
     } catch (const FileError& error) {
-        addWarning(report_, say(import_forms::kBadTexture, error.sentence()).english());
+        addWarning(report_, say(import_forms::kBadTexture, error.sentence()));
     }
     return {};
 }
