@@ -16,10 +16,14 @@ from xml.sax.saxutils import escape
 FILE = "apps/gui/translations/sentences_cs.ts"
 # Whose refusals and messages reach people through clients.
 SERVERS = ("apps/rtserver/commands", "apps/rtserver/document", "apps/rtserver/frames", "apps/rtserver/loop", "apps/rtserver/walk",
-           "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/settings/settings_merge.cpp", "apps/bridge/control", "apps/bridge/room")
+           "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/settings/settings_merge.cpp", "apps/common/settings/guess_text.cpp", "apps/bridge/control", "apps/bridge/room")
 LIBRARIES = ("libs/rtcore", "libs/ipc")
+# Programs whose messages the window shows in the logs of its jobs.
+JOBS = ("apps/renderer", "apps/bspbuilder", "apps/common/cli/run_program.cpp")
 SAYS = r"(?:say|form|Refusal|BadValue|Refused|UsageError|FileError|badImage|cannotEncode|wrongShape|refuse|refuseMesh|refuseToExport|Error)"
 CALL = re.compile(r"(?<!class )(?<!explicit )\b%s\(" % SAYS)
+# What a command line lacks is said in the words of command lines.
+CALL_OF_JOBS = re.compile(r"\b(?:say|form|FileError|refuse)\(")
 LITERALS = re.compile(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+')
 ONE = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 # Arguments that are texts of their own.
@@ -74,11 +78,12 @@ def sources(folders):
 
 def forms():
     found = {}
-    for name, text in sources(SERVERS + LIBRARIES):
+    for name, text in sources(SERVERS + LIBRARIES + JOBS):
+        call_here = CALL_OF_JOBS if name.startswith(JOBS) else CALL
         if name in HEADERS:
             for each in literals(re.sub(r'(?m)^#.*$', "", text)):
                 found.setdefault(each, name)
-        for call in CALL.finditer(text):
+        for call in call_here.finditer(text):
             argument = without_texts(inside(text, call.end()))
             for each in literals(COMPARED.sub("", argument)):
                 found.setdefault(each, name)

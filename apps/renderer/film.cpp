@@ -60,8 +60,9 @@ void Film::add(const rtcore::LdrImage& frame, int number) {
     if (frame.width != frameWidth_ || frame.height != frameHeight_) {
         throw rtcore::FileError(
             rtcore::FailureKind::BadData, film_.string(),
-            fmt::format("frame {} has {} pixels, those before it {}; give all of them one size by -w and -h",
-                        number, sizeText(frame.width, frame.height), sizeText(frameWidth_, frameHeight_)));
+            rtcore::say(
+                "frame {0} has {1} pixels, those before it {2}; give all of them one size by -w and -h",
+                number, sizeText(frame.width, frame.height), sizeText(frameWidth_, frameHeight_)));
     }
     packFrame(frame, shape_.width, shape_.height, bytes_);
     if (!process_->write(bytes_)) fail(process_->finish());
@@ -79,16 +80,14 @@ void Film::finish() {
 }
 
 void Film::fail(const rtcore::ProcessResult& result) const {
-    std::string reason = ffmpeg_.string();
-    if (result.end == rtcore::ProcessEnd::Signalled) {
-        reason += fmt::format(" was ended by a signal ({})", rtcore::signalName(result.code));
-    } else if (result.code != 0) {
-        reason += fmt::format(" failed with exit code {}", result.code);
-    } else {
-        reason += " ended without making the film";
-    }
+    const std::string program = ffmpeg_.string();
+    rtcore::Sentence reason = rtcore::say("{0} ended without making the film", program);
+    if (result.end == rtcore::ProcessEnd::Signalled)
+        reason = rtcore::say("{0} was ended by a signal ({1})", program, rtcore::signalName(result.code));
+    else if (result.code != 0)
+        reason = rtcore::say("{0} failed with exit code {1}", program, result.code);
     const std::string words = lastWords(result.errors);
-    if (!words.empty()) reason += ": " + words;
+    if (!words.empty()) reason = rtcore::say("{0}: \"{1}\"", reason, words);
     throw rtcore::FileError(rtcore::FailureKind::CannotWrite, film_.string(), reason);
 }
 

@@ -5,6 +5,7 @@
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
 
 #include <algorithm>
 #include <atomic>
@@ -21,19 +22,18 @@ namespace {
 std::optional<FileFlaw> flawOf(int frame, const std::filesystem::path& file) {
     std::error_code ignored;
     if (isStandardOutput(file) || !std::filesystem::exists(file, ignored))
-        return FileFlaw{frame, file, true, ""};
+        return FileFlaw{frame, file, true, {}};
     try {
+        const rtcore::FileBytes content = rtcore::openFileBytes(file);
         if (rtcore::isHdrFormat(file)) {
-            rtcore::readHdrImage(file);
+            rtcore::decodeHdrImage(content.bytes, "");
         } else {
-            rtcore::readLdrImage(file);
+            rtcore::decodeLdrImage(content.bytes, "");
         }
     } catch (const rtcore::FileError& error) {
-        if (error.kind == rtcore::FailureKind::TryAgain) throw;
-        std::string reason = error.what();
-        const std::string name = file.string() + ": ";
-        if (reason.starts_with(name)) reason.erase(0, name.size());
-        return FileFlaw{frame, file, false, reason};
+        if (error.kind == rtcore::FailureKind::TryAgain)
+            throw rtcore::FileError(error.kind, file.string(), error.sentence());
+        return FileFlaw{frame, file, false, error.sentence()};
     }
     return std::nullopt;
 }

@@ -3,9 +3,10 @@
 
 #include "renderer/frame_list.h"
 
+#include "rtcore/platform/sentence.h"
+
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace app {
@@ -18,7 +19,7 @@ struct FileFlaw {
     int frame = 1;              ///< its number
     std::filesystem::path file; ///< "-" for standard output, which keeps nothing
     bool missing = false;       ///< else it is broken
-    std::string reason;         ///< the reader's words; empty when it is missing
+    rtcore::Sentence reason;    ///< the reader's words; empty when it is missing
 };
 
 /// The files that are missing or broken, in the order of the frames. A file is whole when it can be decoded

@@ -65,7 +65,7 @@ void FrameRun::renderList(std::vector<FrameTask> frames) {
 
 app::ExitCode FrameRun::finish() {
     if (failed_ > 0) {
-        progress_.print(fmt::format("{} of {} frames failed", failed_, asked_));
+        progress_.tell(rtcore::say("{0} of {1} frames failed", failed_, asked_));
     }
     return result_;
 }
@@ -75,7 +75,8 @@ void FrameRun::findFinished(std::vector<FrameTask>& frames) {
     for (const FileFlaw& flaw : findFlaws(frames, options_.threads, progress_)) {
         unfinished.insert(flaw.frame);
         if (!flaw.missing) {
-            progress_.print("warning: " + flaw.file.string() + " is rendered again: " + flaw.reason);
+            const auto again = rtcore::say("{0} is rendered again: {1}", flaw.file.string(), flaw.reason);
+            progress_.tell(rtcore::say("warning: {0}", again));
         }
     }
     std::size_t there = 0;
@@ -85,8 +86,8 @@ void FrameRun::findFinished(std::vector<FrameTask>& frames) {
         there += frame.finished ? 1 : 0;
     }
     if (there > 0) {
-        progress_.print(fmt::format("{} of {} frames are there already (--force renders them again)", there,
-                                    frames.size()));
+        progress_.tell(rtcore::say("{0} of {1} frames are there already (--force renders them again)", there,
+                                   frames.size()));
     }
 }
 

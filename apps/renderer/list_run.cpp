@@ -21,10 +21,11 @@ namespace {
 using Paths = std::vector<std::filesystem::path>;
 
 [[noreturn]] void failForWantOfFfmpeg(const RendererOptions& options, double framesPerSecond) {
-    throw rtcore::FileError(rtcore::FailureKind::NoInput, options.video->string(),
-                            "there is no ffmpeg to make it; install it, or render the frames with "
-                            "-o frame_####.png and make the film of them where it is: " +
-                                encodeCommand(*options.video, framesPerSecond));
+    throw rtcore::FileError(
+        rtcore::FailureKind::NoInput, options.video->string(),
+        rtcore::say("there is no ffmpeg to make it; install it, or render the frames with -o "
+                    "frame_####.png and make the film of them where it is: {0}",
+                    encodeCommand(*options.video, framesPerSecond)));
 }
 
 class ListRun {
@@ -39,7 +40,7 @@ class ListRun {
             maker_.setFirstOfList(cameras.front());
             frames = framesOfChunk(framesOfList(cameras, options_.frames, patterns_), options_.chunk);
             if (frames.empty()) {
-                progress_.print("there are more chunks than frames; this one is empty");
+                progress_.tell(rtcore::form("there are more chunks than frames; this one is empty"));
                 return app::ExitCode::Done;
             }
         }
@@ -99,8 +100,10 @@ class ListRun {
             if (!grown) break;
         }
         if (known < static_cast<std::size_t>(options_.frames.last)) {
-            progress_.print(
-                "warning: the list has no end mark, but did not grow any more; it is taken as complete");
+            progress_.tell(rtcore::say(
+                "warning: {0}",
+                rtcore::form(
+                    "the list has no end mark, but did not grow any more; it is taken as complete")));
         }
     }
 

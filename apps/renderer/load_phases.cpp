@@ -123,11 +123,12 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     try {
         rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
         for (const rtcore::Sentence& warning : loaded.warnings)
-            progress.print("warning: " + warning.english());
-        const std::string guess = app::guessText(loaded.units);
+            progress.tell(rtcore::say("warning: {0}", warning));
+        const rtcore::Sentence guess = app::guessText(loaded.units);
         const bool forPeople =
             options.progress != app::ProgressStyle::None && options.progress != app::ProgressStyle::Json;
-        if (!guess.empty() && forPeople) progress.print(options.scene.filename().string() + ": " + guess);
+        if (!guess.empty() && forPeople)
+            progress.print(options.scene.filename().string() + ": " + guess.english());
         rtcore::useGuesses(loaded.scene, loaded.guesses);
         if (!loaded.guesses.empty() && forPeople)
             progress.print(options.scene.filename().string() + ": " +

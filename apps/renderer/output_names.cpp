@@ -74,8 +74,9 @@ std::filesystem::path numberedPath(const std::filesystem::path& pattern, int num
 void checkOutput(const std::filesystem::path& path, MissingFolder missing) {
     if (isStandardOutput(path)) return;
     if (!rtcore::isWritableFormat(path)) {
-        throw app::UsageError(path.string() + ": cannot write images with this extension, only " +
-                              rtcore::writableFormats());
+        throw app::UsageError(rtcore::say(
+            "{0}: {1}", path.string(),
+            rtcore::say("cannot write images with this extension, only {0}", rtcore::writableFormats())));
     }
     checkPlace(path, missing);
 }
@@ -84,8 +85,9 @@ bool makeFolder(const std::filesystem::path& folder) {
     std::error_code error;
     const bool made = !folder.empty() && std::filesystem::create_directory(folder, error);
     if (error)
-        throw rtcore::FileError(rtcore::FailureKind::CannotWrite, folder.string(),
-                                "the folder cannot be made: " + error.message());
+        throw rtcore::FileError(
+            rtcore::FailureKind::CannotWrite, folder.string(),
+            rtcore::say("the folder cannot be made: {0}", rtcore::systemReason(error.value())));
     return made;
 }
 
@@ -105,7 +107,7 @@ void checkFilm(const std::filesystem::path& film) {
 }
 
 void checkPlace(const std::filesystem::path& path, MissingFolder missing) {
-    const auto refuse = [&](const std::string& reason) {
+    const auto refuse = [&](const rtcore::Sentence& reason) {
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(), reason);
     };
     std::error_code ignored;
@@ -113,7 +115,7 @@ void checkPlace(const std::filesystem::path& path, MissingFolder missing) {
     if (missing == MissingFolder::Make && !std::filesystem::exists(folder, ignored))
         folder = folder.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
-        refuse("there is no folder " + folder.string() + "; make it first");
+        refuse(rtcore::say("there is no folder {0}; make it first", folder.string()));
     }
     if (std::filesystem::is_directory(path, ignored)) refuse("this is a folder; name a file in it");
 }

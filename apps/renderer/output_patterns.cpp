@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const RendererOptions& options, const std::string& reason) {
+[[noreturn]] void refuse(const RendererOptions& options, const rtcore::Sentence& reason) {
     throw rtcore::FileError(rtcore::FailureKind::BadData, options.scene.string(), reason);
 }
 
@@ -27,8 +27,10 @@ void checkInsideFolder(const RendererOptions& options, const fs::path& output) {
     const bool inside =
         std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first == folder.end();
     if (!inside)
-        refuse(options, "its output, " + output.string() +
-                            ", lies outside of the scene's folder; name it by -o if it is to be written");
+        refuse(options,
+               rtcore::say("its output, {0}, lies outside of the scene's folder; name it by -o if it is "
+                           "to be written",
+                           output.string()));
 }
 
 } // namespace
@@ -44,7 +46,7 @@ std::vector<fs::path> outputPatterns(const RendererOptions& options, const rtcor
     try {
         checkOutput(output, options.missingFolder());
     } catch (const app::UsageError& error) {
-        refuse(options, error.what());
+        refuse(options, error.sentence());
     }
     return {output};
 }

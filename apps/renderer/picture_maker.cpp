@@ -117,15 +117,16 @@ PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile
         const rtcore::Sentence warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);
         app::selectLights(options_.selection, loaded_.scene);
         // Once: the other cameras of a list say the same.
-        if (!warning.empty() && !warned_) progress_.print("warning: " + warning.english());
+        if (!warning.empty() && !warned_) progress_.tell(rtcore::say("warning: {0}", warning));
         warned_ = warned_ || !warning.empty();
     }
     shot.settings = app::mergeSettings({.scene = loaded_.still,
                                         .settingsFile = settingsFile_,
                                         .camera = file ? &*file : nullptr,
                                         .commandLine = options_.settings});
-    const std::string unused = unusedSettingsWarning(shot.settings, settingsFile_, options_.settings);
-    if (!unused.empty() && !std::exchange(warnedOfUnused_, true)) progress_.print(unused);
+    const rtcore::Sentence unused = unusedSettingsWarning(shot.settings, settingsFile_, options_.settings);
+    if (!unused.empty() && !std::exchange(warnedOfUnused_, true))
+        progress_.tell(rtcore::say("warning: {0}", unused));
     return shot;
 }
 
@@ -283,7 +284,7 @@ const rtcore::HdrImage& PictureMaker::finish(const rtcore::RenderSettings& setti
 void PictureMaker::tell(const std::vector<rtcore::ImageRemark>& remarks) {
     for (const rtcore::ImageRemark& remark : remarks) {
         if (remark.detail && (!options_.verbose || (remark.ofScene && toldOfScene_))) continue;
-        progress_.print(remark.text);
+        progress_.tell(remark.text);
     }
     toldOfScene_ = true;
 }

@@ -112,7 +112,7 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
         const bool terminated =
             error.kind == rtcore::FailureKind::Stopped && app::stopExitCode() == app::ExitCode::Terminated;
         if (!terminated || !options.requeue) throw;
-        progress.print("stopped; try again");
+        progress.tell(rtcore::form("stopped; try again"));
         return app::ExitCode::TryAgain;
     } catch (const ipc::Error& error) {
         progress.tell(app::sentenceOf(error));

@@ -42,7 +42,7 @@ Request parseRequest(std::string_view line) {
     }
     if (!good) {
         throw rtcore::FileError(
-            rtcore::FailureKind::BadData, "standard input",
+            rtcore::FailureKind::BadData, std::string("standard input"),
             "a request is a line of a number, a scene and a camera, with tabs between them");
     }
     request.scene = *scene;

@@ -38,7 +38,7 @@ app::ExitCode verifyFrames(const RendererOptions& options, app::Progress& progre
     for (const FileFlaw& flaw : findFlaws(frames, options.threads, progress)) {
         unfinished.insert(flaw.frame);
         lines += fmt::format("{}\t{}\t{}\n", flaw.frame, flaw.file.string(),
-                             flaw.missing ? "missing" : "broken: " + flaw.reason);
+                             flaw.missing ? "missing" : "broken: " + flaw.reason.english());
     }
     app::writeLines(lines);
     progress.print(unfinished.empty() ? fmt::format("all {} frames are there", frames.size())

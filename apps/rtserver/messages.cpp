@@ -24,18 +24,17 @@ constexpr auto kSayEvery = std::chrono::seconds(1);
 
 } // namespace
 
-void Messages::print(const std::string& text) {
-    if (app::errorTakesMore())
-        app::printMessage(serverSpec().name, rtcore::printable(text).substr(0, kLongest));
-}
-
-void Messages::printSentence(const rtcore::Sentence& said) {
-    if (said.english().size() > kLongest) return print(said.english());
-    if (app::errorTakesMore()) app::printSentence(serverSpec().name, said);
+void Messages::print(const rtcore::Sentence& said) {
+    if (!app::errorTakesMore()) return;
+    const std::string text = rtcore::printable(said.english());
+    if (text.size() > kLongest)
+        app::printMessage(serverSpec().name, text.substr(0, kLongest));
+    else
+        app::printSentence(serverSpec().name, said);
 }
 
 void Messages::warn(const rtcore::Sentence& said) {
-    printSentence(rtcore::say("warning: {0}", said));
+    print(rtcore::say("warning: {0}", said));
     keep("warning", said);
 }
 
@@ -49,7 +48,7 @@ void Messages::complain(const rtcore::Sentence& said) {
     const rtcore::Sentence all =
         others_ == 0 ? said : rtcore::say("{0} (and {1} other failures before)", said, others_);
     others_ = 0;
-    printSentence(all);
+    print(all);
     keep("warning", all);
 }
 

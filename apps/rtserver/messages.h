@@ -16,8 +16,7 @@ class Messages {
   public:
     /// On stderr alone, with the program's name. Left out when stderr takes no more; cut off after some 4000
     /// bytes.
-    static void print(const std::string& text);
-    static void printSentence(const rtcore::Sentence& said);
+    static void print(const rtcore::Sentence& said);
     /// A warning: on stderr, and kept for clients.
     void warn(const rtcore::Sentence& said);
     /// The same for what clients can bring about as often as they like: one a second, and how many there were

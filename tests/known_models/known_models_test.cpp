@@ -80,7 +80,7 @@ void check(const KnownModel& model, const fs::path& path, Count& count) {
     count.toldRight += model.told && right ? 1 : 0;
     std::printf("%s %-28s %s %8.4g m, true %s %8.4g m: %s\n", right ? "right" : "WRONG", model.file.c_str(),
                 std::string(rtcore::axisName(scene.units.up)).c_str(), height, model.up.c_str(), model.height,
-                rtcore::describe(scene.units).c_str());
+                rtcore::describe(scene.units).english().c_str());
 }
 
 TEST(KnownModels, TheListIsAsItWasMeant) {

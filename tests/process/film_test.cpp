@@ -132,7 +132,7 @@ TEST_F(Films, FailWithTheWordsOfFfmpeg) {
         setFfmpeg(std::string("#!/bin/sh\n") + body + "echo 'Unknown encoder' >&2; exit 3\n");
         const test::ProgramResult result = render({"-o", "out/f#.png", "--video", "films/a.mp4"});
         EXPECT_EQ(result.exitCode, 73) << result.error;
-        EXPECT_NE(result.error.find("ffmpeg failed with exit code 3: Unknown encoder"), std::string::npos)
+        EXPECT_NE(result.error.find("ffmpeg failed with exit code 3: \"Unknown encoder\""), std::string::npos)
             << result.error;
         EXPECT_EQ(films(), Names{"a.mp4"});
         EXPECT_EQ(test::readBytes(folder / "films" / "a.mp4"), "old");

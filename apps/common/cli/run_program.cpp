@@ -71,14 +71,14 @@ int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
         printSentence(spec.name, error.sentence());
         code = exitCodeOf(error.kind);
     } catch (const std::bad_alloc&) {
-        printMessage(spec.name,
-                     "not enough memory; make the image or the model smaller, or use a machine with more");
+        printForm(spec.name, rtcore::form("not enough memory; make the image or the model smaller, or use a "
+                                          "machine with more"));
     } catch (const std::length_error& error) {
-        printMessage(spec.name, std::string("the input is too large: ") + error.what());
+        printSentence(spec.name, rtcore::say("the input is too large: {0}", std::string(error.what())));
     } catch (const std::exception& error) {
         printSentence(spec.name, rtcore::sentenceOf(error));
     } catch (...) {
-        printMessage(spec.name, "unknown error");
+        printForm(spec.name, rtcore::form("unknown error"));
     }
     return static_cast<int>(code);
 }

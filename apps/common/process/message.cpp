@@ -47,4 +47,12 @@ void printSentence(std::string_view program, const rtcore::Sentence& said) noexc
     });
 }
 
+void printForm(std::string_view program, const char* form) noexcept {
+    try {
+        printSentence(program, form);
+    } catch (const std::bad_alloc&) {
+        printMessage(program, form);
+    }
+}
+
 } // namespace app

@@ -15,5 +15,7 @@ void printMessage(std::string_view program, std::string_view text) noexcept;
 /// JSON (rtcore/io/text/sentence_json.h) behind the control character RS, as RFC 7464 begins a record: for
 /// who started the program and shows what it says in another language. No name can forge such a line.
 void printSentence(std::string_view program, const rtcore::Sentence& said) noexcept;
+/// The same for a form without places, which takes no memory before it.
+void printForm(std::string_view program, const char* form) noexcept;
 
 } // namespace app

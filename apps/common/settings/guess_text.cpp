@@ -2,9 +2,10 @@
 
 namespace app {
 
-std::string guessText(const rtcore::ModelUnits& units) {
+rtcore::Sentence guessText(const rtcore::ModelUnits& units) {
     if (units.upSaid != rtcore::Said::Guessed && units.unitSaid != rtcore::Said::Guessed) return {};
-    return rtcore::describe(units) + "; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it";
+    return rtcore::say("{0}; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it",
+                       rtcore::describe(units));
 }
 
 } // namespace app

@@ -9,6 +9,6 @@ namespace app {
 
 /// Which way is up and how long a unit is, as far as that is guessed, and what says it; empty where nothing
 /// is.
-std::string guessText(const rtcore::ModelUnits& units);
+rtcore::Sentence guessText(const rtcore::ModelUnits& units);
 
 } // namespace app

@@ -75,27 +75,27 @@ void JobProcess::stop() { process_->terminate(); }
 void JobProcess::kill() { process_->kill(); }
 qint64 JobProcess::process() const { return process_->processId(); }
 
-void JobProcess::read(QByteArray& rest, const QByteArray& bytes) {
-    rest += bytes;
+void JobProcess::read(Stream& stream, const QByteArray& bytes) {
+    QByteArray& rest = stream.rest += bytes;
     qsizetype begin = 0;
     for (qsizetype end = 0; (end = rest.indexOf('\n', begin)) >= 0; begin = end + 1)
-        take(rest.mid(begin, end - begin));
+        take(stream, rest.mid(begin, end - begin));
     rest.remove(0, begin);
 }
 
-void JobProcess::take(const QByteArray& line) {
+void JobProcess::take(Stream& stream, const QByteArray& line) {
     if (const auto report = readProgress(line)) {
         emit progressed(*report);
     } else {
-        if (const auto shown = printed_.shown(QString::fromUtf8(line))) emit printed(*shown);
+        if (const auto shown = stream.lines.shown(QString::fromUtf8(line))) emit printed(*shown);
     }
 }
 
 void JobProcess::finish(int exitCode, const QString& trouble) {
     read(output_, process_->readAllStandardOutput());
     read(error_, process_->readAllStandardError());
-    for (QByteArray* rest : {&output_, &error_}) {
-        if (!rest->isEmpty()) take(std::exchange(*rest, {}));
+    for (Stream* stream : {&output_, &error_}) {
+        if (!stream->rest.isEmpty()) take(*stream, std::exchange(stream->rest, {}));
     }
     emit ended(exitCode, trouble);
 }

@@ -47,13 +47,17 @@ class JobProcess : public QObject {
     void ended(int exitCode, const QString& trouble);
 
   private:
-    void read(QByteArray& rest, const QByteArray& bytes);
-    void take(const QByteArray& line);
+    /// What the program prints in one of its two ways.
+    struct Stream {
+        QByteArray rest; ///< a line that has not ended yet
+        PrintedLines lines;
+    };
+    void read(Stream& stream, const QByteArray& bytes);
+    void take(Stream& stream, const QByteArray& line);
     void finish(int exitCode, const QString& trouble);
 
     QProcess* process_;
-    QByteArray output_, error_; ///< lines that have not ended yet
-    PrintedLines printed_;
+    Stream output_, error_;
 };
 
 } // namespace gui

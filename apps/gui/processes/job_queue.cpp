@@ -2,10 +2,12 @@
 
 #include "gui/models/plain_text.h"
 #include "gui/processes/job_process.h"
+#include "gui/session/server_sentence.h"
 
 #include "bspbuilder/builder_spec.h"
 #include "common/progress/progress_format.h"
 #include "renderer/renderer_spec.h"
+#include "rtcore/platform/sentence.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -30,10 +32,10 @@ QStringList withQueueOptions(const JobRequest& request) {
 // "Renderer: nave.scn: there is no such file", without what hints at --help.
 QString lastMessage(const Job& job) {
     const QString prefix = job.request.program + QStringLiteral(": ");
+    const QString warning = prefix + translated(rtcore::say("warning: {0}", std::string()));
     const QStringList lines = job.log.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-        if (line->startsWith(prefix) && !line->startsWith(prefix + QStringLiteral("warning: ")))
-            return line->mid(prefix.size());
+        if (line->startsWith(prefix) && !line->startsWith(warning)) return line->mid(prefix.size());
     }
     return lines.isEmpty() ? QString() : lines.last();
 }
@@ -42,10 +44,15 @@ QString phaseText(const QString& phase) {
     static constexpr const char* kPhases[] = {QT_TRANSLATE_NOOP("JobPhase", "reading the scene"),
                                               QT_TRANSLATE_NOOP("JobPhase", "importing"),
                                               QT_TRANSLATE_NOOP("JobPhase", "building the tree"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "checking the tree"),
                                               QT_TRANSLATE_NOOP("JobPhase", "loading images"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "checking"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "waiting for frames"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "measuring the light"),
                                               QT_TRANSLATE_NOOP("JobPhase", "rendering"),
                                               QT_TRANSLATE_NOOP("JobPhase", "denoising"),
-                                              QT_TRANSLATE_NOOP("JobPhase", "writing")};
+                                              QT_TRANSLATE_NOOP("JobPhase", "writing"),
+                                              QT_TRANSLATE_NOOP("JobPhase", "finishing the film")};
     for (const char* known : kPhases) {
         if (phase == QLatin1String(known)) return QCoreApplication::translate("JobPhase", known);
     }

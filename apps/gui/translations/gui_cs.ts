@@ -121,6 +121,26 @@
         <source>denoising</source>
         <translation>odstraňování šumu</translation>
     </message>
+    <message>
+        <source>checking the tree</source>
+        <translation>kontrola stromu</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>kontrola</translation>
+    </message>
+    <message>
+        <source>waiting for frames</source>
+        <translation>čekání na snímky</translation>
+    </message>
+    <message>
+        <source>measuring the light</source>
+        <translation>měření světla</translation>
+    </message>
+    <message>
+        <source>finishing the film</source>
+        <translation>dokončování filmu</translation>
+    </message>
 </context>
 <context>
     <name>Skies</name>

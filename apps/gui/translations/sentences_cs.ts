@@ -36,6 +36,10 @@
         <translation>'{2}' je tu dvakrát; jedno z nich odstraňte</translation>
     </message>
     <message>
+        <source>--quality counts with --fast only</source>
+        <translation>--quality platí jen spolu s --fast</translation>
+    </message>
+    <message>
         <source>A viewer asks to drive</source>
         <translation>Divák žádá o řízení</translation>
     </message>
@@ -416,6 +420,10 @@
         <translation>už se nahrává: {0}; ukončí to 'export video stop'</translation>
     </message>
     <message>
+        <source>a request is a line of a number, a scene and a camera, with tabs between them</source>
+        <translation>požadavek je řádek s číslem, scénou a kamerou, oddělenými tabulátory</translation>
+    </message>
+    <message>
         <source>a request is an object</source>
         <translation>požadavek je objekt</translation>
     </message>
@@ -608,6 +616,10 @@
         <translation>ukázala se jiná scéna</translation>
     </message>
     <message>
+        <source>as you say</source>
+        <translation>jak jste určili</translation>
+    </message>
+    <message>
         <source>asks for environment {0} (counted from 0), but the scene has {1}</source>
         <translation>chce mapu okolí {0} (počítáno od 0), ale scéna jich má {1}</translation>
     </message>
@@ -674,6 +686,10 @@
     <message>
         <source>cannot read back from the folder for temporary files</source>
         <translation>ze složky pro dočasné soubory nelze číst</translation>
+    </message>
+    <message>
+        <source>cannot write images with this extension, only {0}</source>
+        <translation>obrazy s touto příponou nelze zapsat, jen {0}</translation>
     </message>
     <message>
         <source>check its permissions, or name another place</source>
@@ -884,6 +900,10 @@
         <translation>forward nebo up je nula nebo to není číslo</translation>
     </message>
     <message>
+        <source>frame {0} has {1} pixels, those before it {2}; give all of them one size by -w and -h</source>
+        <translation>snímek {0} má {1} pixelů, předchozí {2}; dejte všem stejnou velikost pomocí -w a -h</translation>
+    </message>
+    <message>
         <source>free some space or set TMPDIR to another folder</source>
         <translation>uvolněte místo, nebo nastavte TMPDIR na jinou složku</translation>
     </message>
@@ -898,6 +918,14 @@
     <message>
         <source>glass</source>
         <translation>sklo</translation>
+    </message>
+    <message>
+        <source>guessed</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>guessed: {0}</source>
+        <translation>odhad: {0}</translation>
     </message>
     <message>
         <source>header: damaged (its checksum differs)</source>
@@ -954,6 +982,10 @@
     <message>
         <source>innerAngle must be below outerAngle, by enough to tell them apart</source>
         <translation>innerAngle musí být znatelně menší než outerAngle</translation>
+    </message>
+    <message>
+        <source>integrator {0} does not use {1}</source>
+        <translation>integrátor {0} nepoužívá {1}</translation>
     </message>
     <message>
         <source>is no .bsp file of this suite (other programs use the same ending)</source>
@@ -1148,6 +1180,10 @@
         <translation>uvádí texturu, která neexistuje</translation>
     </message>
     <message>
+        <source>it names no .cam file; write one path a line</source>
+        <translation>neuvádí žádný soubor .cam; napište jednu cestu na řádek</translation>
+    </message>
+    <message>
         <source>it names {0}, which is not there</source>
         <translation>odkazuje na {0}, který tu není</translation>
     </message>
@@ -1158,6 +1194,10 @@
     <message>
         <source>it needs {0}, which is not read; {1}</source>
         <translation>potřebuje rozšíření {0}, které nelze načíst; {1}</translation>
+    </message>
+    <message>
+        <source>it was changed while it was read; build again</source>
+        <translation>během čtení se změnil; vytvořte strom znovu</translation>
     </message>
     <message>
         <source>it was written or changed by hand, and its comments and its layout would be lost; add 'replace', then it is kept as {0}</source>
@@ -1258,6 +1298,10 @@
     <message>
         <source>its node graph has no end; repair the file</source>
         <translation>graf jeho uzlů nemá konec; opravte soubor</translation>
+    </message>
+    <message>
+        <source>its output, {0}, lies outside of the scene's folder; name it by -o if it is to be written</source>
+        <translation>její výstup, {0}, leží mimo složku scény; má-li se zapsat, uveďte ho pomocí -o</translation>
     </message>
     <message>
         <source>its own lights leave much of what is seen in the dark; a background that lights was added</source>
@@ -1362,6 +1406,10 @@
     <message>
         <source>material library {0} is missing; what it describes is plain grey</source>
         <translation>knihovna materiálů {0} chybí; co popisuje, je šedé</translation>
+    </message>
+    <message>
+        <source>material {0} is seen to emit light, but lights nothing</source>
+        <translation>materiál {0} je vidět, jak svítí, ale nic neosvětluje</translation>
     </message>
     <message>
         <source>materials: there must be at least one</source>
@@ -1536,6 +1584,14 @@
         <translation>na tento obraz není dost paměti</translation>
     </message>
     <message>
+        <source>not enough memory; make the image or the model smaller, or use a machine with more</source>
+        <translation>nedostatek paměti; zmenšete obraz nebo model, nebo použijte počítač, který jí má víc</translation>
+    </message>
+    <message>
+        <source>not written, since frames are missing</source>
+        <translation>nezapsán, protože chybějí snímky</translation>
+    </message>
+    <message>
         <source>not written, since it could not be read back: {0}</source>
         <translation>nezapsáno, protože by to nešlo znovu přečíst: {0}</translation>
     </message>
@@ -1624,6 +1680,14 @@
         <translation>parts: dvě části se překrývají nebo nejdou vzestupně</translation>
     </message>
     <message>
+        <source>paths are lit by {0} lights, {1} emissive triangles</source>
+        <translation>cesty osvětlují světla ({0}) a svítící trojúhelníky ({1})</translation>
+    </message>
+    <message>
+        <source>paths are lit by {0} lights, {1} emissive triangles, and the surroundings</source>
+        <translation>cesty osvětlují světla ({0}), svítící trojúhelníky ({1}) a okolí</translation>
+    </message>
+    <message>
         <source>paths in brackets</source>
         <translation>cesty v hranatých závorkách</translation>
     </message>
@@ -1642,6 +1706,10 @@
     <message>
         <source>reading it takes more than the {0} MB of memory that the importer may use; raise the memory limit when the model is that large, else simplify it or export it again</source>
         <translation>ke čtení je potřeba víc než {0} MB paměti, které smí importér použít; je-li model opravdu tak velký, zvyšte limit paměti, jinak ho zjednodušte nebo exportujte znovu</translation>
+    </message>
+    <message>
+        <source>ready: instance '{0}', {1}, {2} x {3}</source>
+        <translation>připraven: instance '{0}', {1}, {2} x {3}</translation>
     </message>
     <message>
         <source>recording ended: {0}</source>
@@ -1784,6 +1852,10 @@
         <translation>zastaveno</translation>
     </message>
     <message>
+        <source>stopped; try again</source>
+        <translation>zastaveno; zkuste to znovu</translation>
+    </message>
+    <message>
         <source>strings: the first name must be empty</source>
         <translation>strings: první jméno musí být prázdné</translation>
     </message>
@@ -1876,6 +1948,10 @@
         <translation>žádost dostal ten, kdo řídí</translation>
     </message>
     <message>
+        <source>the exact kd-tree is in use; it took {0} s</source>
+        <translation>používá se přesný kd-strom; trval {0} s</translation>
+    </message>
+    <message>
         <source>the faces of a cube are squares of one size, here {0} a side</source>
         <translation>stěny krychle jsou stejně velké čtverce, zde o straně {0}</translation>
     </message>
@@ -1914,6 +1990,14 @@
     <message>
         <source>the file is truncated</source>
         <translation>soubor je useknutý</translation>
+    </message>
+    <message>
+        <source>the file says so</source>
+        <translation>říká to soubor</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: {0}</source>
+        <translation>složku nelze vytvořit: {0}</translation>
     </message>
     <message>
         <source>the folder for temporary files: {0}</source>
@@ -1968,6 +2052,14 @@
         <translation>vnitřní úhel musí být znatelně menší než vnější</translation>
     </message>
     <message>
+        <source>the input is too large: {0}</source>
+        <translation>vstup je příliš velký: {0}</translation>
+    </message>
+    <message>
+        <source>the kd-tree of the visible parts is in use; it took {0} s</source>
+        <translation>používá se kd-strom viditelných částí; trval {0} s</translation>
+    </message>
+    <message>
         <source>the kd-tree: {0}</source>
         <translation>kd-strom: {0}</translation>
     </message>
@@ -2012,6 +2104,14 @@
         <translation>světla byla upravena</translation>
     </message>
     <message>
+        <source>the list has become shorter while it was followed; start again</source>
+        <translation>seznam se během sledování zkrátil; začněte znovu</translation>
+    </message>
+    <message>
+        <source>the list has no end mark, but did not grow any more; it is taken as complete</source>
+        <translation>seznam nemá značku konce, ale už se neprodlužoval; považuje se za úplný</translation>
+    </message>
+    <message>
         <source>the list names no camera</source>
         <translation>seznam neuvádí žádnou kameru</translation>
     </message>
@@ -2048,6 +2148,10 @@
         <translation>cesta {0} není absolutní</translation>
     </message>
     <message>
+        <source>the process that started this server is gone, and no client is connected: it ends</source>
+        <translation>proces, který tento server spustil, skončil a žádný klient není připojen: server končí</translation>
+    </message>
+    <message>
         <source>the recording {0} ended after {1} frames: {2}</source>
         <translation>záznam {0} skončil (počet snímků: {1}): {2}</translation>
     </message>
@@ -2058,6 +2162,10 @@
     <message>
         <source>the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along</source>
         <translation>scéna odkazuje na soubory mimo svou složku: {0}; 'pack FOLDER outside' je přibalí</translation>
+    </message>
+    <message>
+        <source>the scene says so</source>
+        <translation>říká to scéna</translation>
     </message>
     <message>
         <source>the sections are damaged (their checksum differs)</source>
@@ -2116,6 +2224,10 @@
         <translation>šířka ortografického pohledu je víc než 0</translation>
     </message>
     <message>
+        <source>there are more chunks than frames; this one is empty</source>
+        <translation>dílů je víc než snímků; tento je prázdný</translation>
+    </message>
+    <message>
         <source>there are more warnings than these</source>
         <translation>upozornění je víc než tato</translation>
     </message>
@@ -2126,6 +2238,10 @@
     <message>
         <source>there are {0} lights, the most that pages may have</source>
         <translation>světel je už {0}, víc jich stránky mít nesmějí</translation>
+    </message>
+    <message>
+        <source>there is a file of this name that is no .bsp file; remove it, or name another</source>
+        <translation>soubor tohoto jména už existuje a není to .bsp; odstraňte ho, nebo uveďte jiné jméno</translation>
     </message>
     <message>
         <source>there is no driver now</source>
@@ -2142,6 +2258,18 @@
     <message>
         <source>there is no environment {0}; the scene has {1}</source>
         <translation>mapa okolí {0} tu není; scéna má {1}</translation>
+    </message>
+    <message>
+        <source>there is no ffmpeg to make it; install it, or render the frames with -o frame_####.png and make the film of them where it is: {0}</source>
+        <translation>chybí ffmpeg, který by ho vytvořil; nainstalujte ho, nebo vykreslete snímky s -o frame_####.png a film z nich vytvořte tam, kde je: {0}</translation>
+    </message>
+    <message>
+        <source>there is no folder {0}; make it first</source>
+        <translation>složka {0} neexistuje; nejdřív ji vytvořte</translation>
+    </message>
+    <message>
+        <source>there is no frame for it</source>
+        <translation>není pro něj žádný snímek</translation>
     </message>
     <message>
         <source>there is no frame yet, and the server is paused</source>
@@ -2240,6 +2368,18 @@
         <translation>tento bajt není text; uložte seznam v UTF-8</translation>
     </message>
     <message>
+        <source>this is a .bsp file already; build from the model that it was made of</source>
+        <translation>toto už je soubor .bsp; použijte model, ze kterého vznikl</translation>
+    </message>
+    <message>
+        <source>this is a folder; name a file in it</source>
+        <translation>toto je složka; uveďte soubor v ní</translation>
+    </message>
+    <message>
+        <source>this is a preview of an image that is being rendered; it takes no commands</source>
+        <translation>toto je náhled obrazu, který se vykresluje; nepřijímá příkazy</translation>
+    </message>
+    <message>
         <source>this is another net: its SHA-256 is {0}, not {1}; {2} brings the right one</source>
         <translation>to je jiná síť: její SHA-256 je {0}, ne {1}; správnou přinese {2}</translation>
     </message>
@@ -2326,6 +2466,10 @@
     <message>
         <source>unexpected row size</source>
         <translation>neočekávaná délka řádku</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>neznámá chyba</translation>
     </message>
     <message>
         <source>unknown image format; known are {0}</source>
@@ -2448,6 +2592,14 @@
         <translation>{0} je až ve verzi {1} tohoto formátu; začněte soubor řádkem: version = {1}</translation>
     </message>
     <message>
+        <source>{0} ended without making the film</source>
+        <translation>{0} skončil, aniž vytvořil film</translation>
+    </message>
+    <message>
+        <source>{0} failed with exit code {1}</source>
+        <translation>{0} selhal s návratovým kódem {1}</translation>
+    </message>
+    <message>
         <source>{0} files</source>
         <translation>soubory {0}</translation>
     </message>
@@ -2496,6 +2648,10 @@
         <translation>{0} je mimo rozsah</translation>
     </message>
     <message>
+        <source>{0} is rendered again: {1}</source>
+        <translation>{0} se vykreslí znovu: {1}</translation>
+    </message>
+    <message>
         <source>{0} is taken for up ({1}); 'up {2}' turns the model</source>
         <translation>nahoru je asi {0} ({1}); model otočí 'up {2}'</translation>
     </message>
@@ -2506,6 +2662,10 @@
     <message>
         <source>{0} is the former name of {1}, which stands here, too; remove {0}</source>
         <translation>{0} je dřívější jméno pro {1}, které tu je také; odstraňte {0}</translation>
+    </message>
+    <message>
+        <source>{0} is up ({1}); one unit is {2} m ({3})</source>
+        <translation>vzhůru míří {0} ({1}); jedna jednotka je {2} m ({3})</translation>
     </message>
     <message>
         <source>{0} is what CUI does itself, not the server</source>
@@ -2548,6 +2708,14 @@
         <translation>materiály odhadnuté podle jména: {0} ({1})</translation>
     </message>
     <message>
+        <source>{0} of {1} frames are there already (--force renders them again)</source>
+        <translation>hotové snímky: {0} z {1} (--force je vykreslí znovu)</translation>
+    </message>
+    <message>
+        <source>{0} of {1} frames failed</source>
+        <translation>nezdařené snímky: {0} z {1}</translation>
+    </message>
+    <message>
         <source>{0} of {1} triangle was damaged and left out: {2}</source>
         <translation>vynechané poškozené trojúhelníky: {0} z {1}: {2}</translation>
     </message>
@@ -2566,6 +2734,14 @@
     <message>
         <source>{0} or {1}</source>
         <translation>{0} nebo {1}</translation>
+    </message>
+    <message>
+        <source>{0} samples are brighter than {1} and count as that: the image has less light than the scene</source>
+        <translation>některé vzorky ({0}) jsou jasnější než {1} a počítají se jako to: v obrazu je méně světla než ve scéně</translation>
+    </message>
+    <message>
+        <source>{0} samples were not finite and do not count; the scene has numbers that are too large</source>
+        <translation>některé vzorky ({0}) nejsou konečné a nepočítají se; scéna obsahuje příliš velká čísla</translation>
     </message>
     <message>
         <source>{0} takes a number, from 1</source>
@@ -2618,6 +2794,10 @@
     <message>
         <source>{0} triangles are the third or a further one of the same corners and left out</source>
         <translation>vynechané trojúhelníky, které jsou třetí nebo další se stejnými vrcholy: {0}</translation>
+    </message>
+    <message>
+        <source>{0} was ended by a signal ({1})</source>
+        <translation>{0} byl ukončen signálem ({1})</translation>
     </message>
     <message>
         <source>{0} with coordinates that are no numbers or beyond 1e12</source>
@@ -2674,6 +2854,10 @@
     <message>
         <source>{0}; 'material reset *' takes them as they are</source>
         <translation>{0}; jak jsou v souboru, je ukáže 'material reset *'</translation>
+    </message>
+    <message>
+        <source>{0}; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it</source>
+        <translation>{0}; určuje to --up a --units, nebo 'up' a 'metresPerUnit' v .scn</translation>
     </message>
     <message>
         <source>{0}; build it again with BSPBuilder</source>

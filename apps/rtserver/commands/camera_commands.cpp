@@ -240,7 +240,7 @@ Result up(const Call& call) {
     } else if (call.size() > 0) {
         call.document().setModelUnits(rtcore::axisNamed(call[0]), std::nullopt);
     }
-    return {.answer = rtcore::describe(call.document().modelUnits())};
+    return {.answer = rtcore::describe(call.document().modelUnits()).english()};
 }
 
 Result units(const Call& call) {
@@ -250,7 +250,7 @@ Result units(const Call& call) {
         const auto named = rtcore::unitNamed(call[0]);
         call.document().setModelUnits(std::nullopt, named ? *named : double{number(call[0])});
     }
-    return {.answer = rtcore::describe(call.document().modelUnits())};
+    return {.answer = rtcore::describe(call.document().modelUnits()).english()};
 }
 
 Result walk(const Call& call) {

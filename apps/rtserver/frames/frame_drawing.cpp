@@ -67,7 +67,8 @@ SceneUpkeep::Pace FrameDrawing::pace() {
             .complete = current && frames_.whole(),
             .idle = idle(),
             .seconds = frames_.seconds(),
-            .coarsest = schedule_.coarsest()};
+            .coarsest = schedule_.coarsest(),
+            .wanted = state_.frameSeconds};
 }
 
 // --- Drawing it ---

@@ -29,7 +29,7 @@ void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::fil
     if (load_ != nullptr) throw rtcore::Refusal("another scene is being loaded");
     rtcore::ImportOptions import = options_.import;
     rtcore::LightingOptions lighting = options_.lighting;
-    if (state_.document.ready()) { // what was said of the first model
+    if (document_.ready()) { // what was said of the first model
         import.up.reset();
         import.metresPerUnit.reset();
         lighting = {.usual = options_.lighting.usual};
@@ -43,7 +43,7 @@ std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
     try {
         show(load->take());
     } catch (const std::exception& error) {
-        if (!state_.document.ready()) throw;
+        if (!document_.ready()) throw;
         messages_.complain(rtcore::sentenceOf(error));
         return Loaded{failureOf(error)};
     }
@@ -51,24 +51,24 @@ std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
 }
 
 void SceneUpkeep::show(std::unique_ptr<World> world) {
-    state_.document.show(std::move(world));
+    document_.show(std::move(world));
     messages_.forget();
     rtcore::allowRegularFilesOnly(); // from here on paths come from clients
     tellModelUnits();
-    const rtcore::LoadedScene& loaded = state_.document.world().loaded;
+    const rtcore::LoadedScene& loaded = document_.world().loaded;
     if (!loaded.guesses.empty()) {
         const rtcore::Sentence said = rtcore::guessedText(loaded.guesses);
-        Messages::printSentence(rtcore::say("{0}: {1}", state_.document.title(), said));
+        Messages::print(rtcore::say("{0}: {1}", document_.title(), said));
         messages_.offer(rtcore::say(app::told::kMaterialOffer, said));
     }
     for (const rtcore::Sentence& warning : loaded.warnings) messages_.warn(warning);
 }
 
 void SceneUpkeep::tellModelUnits() {
-    const rtcore::ModelUnits& units = state_.document.modelUnits();
-    const std::string guess = app::guessText(units);
+    const rtcore::ModelUnits& units = document_.modelUnits();
+    const rtcore::Sentence guess = app::guessText(units);
     if (guess.empty()) return;
-    Messages::print(state_.document.title() + ": " + guess);
+    Messages::print(rtcore::say("{0}: {1}", document_.title(), guess));
     if (units.unitSaid == rtcore::Said::Guessed && units.metresPerUnit != 1)
         messages_.offer(
             rtcore::say(app::told::kUnitOffer, fmt::format("{}", units.metresPerUnit), units.unitWhy));
@@ -81,7 +81,7 @@ void SceneUpkeep::tellModelUnits() {
 
 void SceneUpkeep::noticeChanges() {
     using rtcore::Change;
-    const rtcore::Changes changes = changes_.take(state_.document.revisions());
+    const rtcore::Changes changes = changes_.take(document_.revisions());
     if (changes.has(Change::Scene)) {
         giveUp(std::move(refinement_));
         treeless_ = false;
@@ -93,7 +93,7 @@ void SceneUpkeep::noticeChanges() {
     // Maps hold what stands where, and what light passes through it.
     const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
     const bool lights = changes.has(Change::Light) && mapped_ != nullptr &&
-                        !castAlike(mapped_->lights, state_.document.scene()->lights);
+                        !castAlike(mapped_->lights, document_.scene()->lights);
     if (!solid && !lights) return;
     mapping_.reset();
     maps_.reset();
@@ -107,7 +107,7 @@ const rtcore::ShadowMaps* SceneUpkeep::shadowMaps() {
 }
 
 void SceneUpkeep::advance(const Pace& pace) {
-    if (!state_.document.ready()) return;
+    if (!document_.ready()) return;
     noticeChanges();
     std::erase_if(leaving_, [](const auto& each) { return each->done(); });
     refineTree(pace);
@@ -125,8 +125,8 @@ void SceneUpkeep::giveUp(std::unique_ptr<TreeRefinement> refinement) {
 void SceneUpkeep::refineTree(const Pace& pace) {
     if (refinement_ == nullptr) {
         // After the first frame, which nothing should slow down.
-        if (!state_.document.world().loaded.fastTree || treeless_ || !pace.complete) return;
-        const rtcore::LoadedScene& loaded = state_.document.world().loaded;
+        if (!document_.world().loaded.fastTree || treeless_ || !pace.complete) return;
+        const rtcore::LoadedScene& loaded = document_.world().loaded;
         refinement_ =
             std::make_unique<TreeRefinement>(loaded.scene, nullptr, loaded.tree.bounds, options_.threads);
     }
@@ -134,8 +134,9 @@ void SceneUpkeep::refineTree(const Pace& pace) {
     const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
     try {
         TreeRefinement::Result result = refinement->take();
-        state_.document.useTree(std::move(result.tree), std::move(result.tracer));
-        Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
+        document_.useTree(std::move(result.tree), std::move(result.tracer));
+        Messages::print(
+            rtcore::say("the exact kd-tree is in use; it took {0} s", shortNumber(result.seconds)));
     } catch (const std::bad_alloc&) { // then the fast one has to do
         treeless_ = true;
     }
@@ -144,18 +145,18 @@ void SceneUpkeep::refineTree(const Pace& pace) {
 // Soon, also while something moves, but after a first frame.
 void SceneUpkeep::buildVisible(const Pace& pace) {
     if (visible_ == nullptr) {
-        const bool needed = state_.document.visible().pruned() && !prunedOnly_;
+        const bool needed = document_.visible().pruned() && !prunedOnly_;
         if (!needed || !pace.current || refinement_ != nullptr) return;
-        const rtcore::Scene& scene = *state_.document.scene();
-        visible_ = std::make_unique<TreeRefinement>(
-            scene, scene.hiddenParts, state_.document.world().loaded.tree.bounds, options_.threads);
+        const rtcore::Scene& scene = *document_.scene();
+        visible_ = std::make_unique<TreeRefinement>(scene, scene.hiddenParts,
+                                                    document_.world().loaded.tree.bounds, options_.threads);
     }
     if (!visible_->done()) return;
     try {
         TreeRefinement::Result result = std::exchange(visible_, nullptr)->take();
-        state_.document.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
-        Messages::print("the kd-tree of the visible parts is in use; it took " + shortNumber(result.seconds) +
-                        " s");
+        document_.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
+        Messages::print(rtcore::say("the kd-tree of the visible parts is in use; it took {0} s",
+                                    shortNumber(result.seconds)));
     } catch (const std::bad_alloc&) {
         prunedOnly_ = true;
     }
@@ -166,11 +167,11 @@ void SceneUpkeep::buildVisible(const Pace& pace) {
 void SceneUpkeep::mapShadows(const Pace& pace) {
     if (maps_ != nullptr) return;
     if (mapping_ == nullptr) {
-        const double quick = state_.frameSeconds;
+        const double quick = pace.wanted;
         const bool needed = quick > 0 && (pace.coarsest > quick || (pace.idle && pace.seconds > quick));
-        if (mapless_ || !needed || state_.document.world().loaded.fastTree) return;
-        mapped_ = state_.document.scene();
-        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.document.tracer());
+        if (mapless_ || !needed || document_.world().loaded.fastTree) return;
+        mapped_ = document_.scene();
+        mapping_ = std::make_unique<ShadowMapping>(mapped_, document_.tracer());
     }
     if (!mapping_->done()) return;
     try {

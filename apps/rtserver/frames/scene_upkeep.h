@@ -2,13 +2,13 @@
 /// large one and the tree of its visible parts, making its shadow maps.
 #pragma once
 
+#include "rtserver/document/document.h"
 #include "rtserver/failure.h"
 #include "rtserver/frames/scene_load.h"
 #include "rtserver/frames/shadow_mapping.h"
 #include "rtserver/frames/tree_refinement.h"
 #include "rtserver/messages.h"
 #include "rtserver/server_options.h"
-#include "rtserver/walk/workspace.h"
 
 #include "rtcore/scene/revisions.h"
 #include "rtcore/scene/scene.h"
@@ -25,8 +25,8 @@ namespace rtserver {
 class SceneUpkeep {
   public:
     /// All must outlive it.
-    SceneUpkeep(const Options& options, Workspace& state, Messages& messages)
-        : options_(options), state_(state), messages_(messages) {}
+    SceneUpkeep(const Options& options, Document& document, Messages& messages)
+        : options_(options), document_(document), messages_(messages) {}
 
     /// Begins to load another scene. Throws std::runtime_error when one is being loaded. `cachedModel`: as in
     /// rtcore::LoadOptions.
@@ -50,6 +50,7 @@ class SceneUpkeep {
         bool idle = false;     ///< nothing else is to be done
         double seconds = 0;    ///< that it took
         double coarsest = 0;   ///< seconds of the coarsest ones; 0 = not known
+        double wanted = 0;     ///< seconds that one may take while something moves; 0 = any time
     };
     /// Takes over what is done, and begins what helps: better trees, by which frames have the same bits and
     /// come faster, and shadow maps, by which coarse frames are quicker and less exact.
@@ -70,7 +71,7 @@ class SceneUpkeep {
     void mapShadows(const Pace& pace);
 
     const Options& options_;
-    Workspace& state_;
+    Document& document_;
     Messages& messages_;
     rtcore::Subscription changes_;
     std::unique_ptr<SceneLoad> load_;

@@ -11,8 +11,6 @@
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -48,7 +46,7 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
                                    static_cast<std::uint32_t>(settings.height));
           },
           messages_),
-      upkeep_(options, state_, messages_),
+      upkeep_(options, state_.document, messages_),
       drawing_(state_, upkeep_,
                {.poll = [this] { return lookDuringFrame(); },
                 .publish = [this](const auto& info, const auto& image) { publish(info, image); }},
@@ -62,8 +60,8 @@ app::ExitCode ServerLoop::run() {
     while (!quit_) {
         if (app::stopRequested()) return app::stopExitCode();
         if (orphaned()) {
-            Messages::print(
-                "the process that started this server is gone, and no client is connected: it ends");
+            Messages::print(rtcore::form(
+                "the process that started this server is gone, and no client is connected: it ends"));
             break;
         }
         turn();
@@ -190,7 +188,7 @@ void ServerLoop::publish(const ipc::FrameInfo& info, const rtcore::LdrImage& ima
     if (!onReady_) return;
     publishStatus();
     const rtcore::RenderSettings& view = state_.document.settings(); // the first frame may be a coarse one
-    Messages::print(fmt::format("ready: instance '{}', {}, {} x {}", options_.instance,
+    Messages::print(rtcore::say("ready: instance '{0}', {1}, {2} x {3}", options_.instance,
                                 state_.document.title(), view.width, view.height));
     std::exchange(onReady_, nullptr)();
 }

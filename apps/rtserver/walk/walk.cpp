@@ -303,7 +303,7 @@ void Walk::show(const Playback::Shot& shot) {
     const rtcore::Sentence warning = app::applyCameraToScene(camera, shot.path, edited);
     document_.publish(std::move(edited));
     // Once: the other cameras of the path say the same.
-    if (!warning.empty() && !playedView_) Messages::printSentence(rtcore::say("warning: {0}", warning));
+    if (!warning.empty() && !playedView_) Messages::print(rtcore::say("warning: {0}", warning));
     player_->setCamera(camera.camera);
     takeCamera();
     document_.setPlayedExposure(camera.exposure);

@@ -1,6 +1,7 @@
 /// Images by any integrator: whose renderer is which is known here alone.
 #pragma once
 
+#include "rtcore/platform/sentence.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/pixel_area.h"
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace rtcore {
@@ -33,7 +33,7 @@ struct ImageRequest {
 
 /// A remark on an image for people.
 struct ImageRemark {
-    std::string text;
+    Sentence text;
     bool detail;  ///< only for those who ask for details
     bool ofScene; ///< all images of a scene have the same
 };

@@ -121,26 +121,29 @@ std::vector<ImageRemark> PathImages::remarks() const {
     std::vector<ImageRemark> remarks;
     const std::uint64_t dropped = paths_.sums().dropped(), clipped = paths_.sums().clipped();
     if (dropped > 0) {
-        remarks.push_back({fmt::format("warning: {} samples were not finite and do not count; the scene has "
-                                       "numbers that are too large",
-                                       dropped),
-                           false, false});
+        remarks.push_back(
+            {say("warning: {0}", say("{0} samples were not finite and do not count; the scene has "
+                                     "numbers that are too large",
+                                     dropped)),
+             false, false});
     }
     if (clipped > 0) {
-        remarks.push_back({fmt::format("{} samples are brighter than {:.3g} and count as that: the image has "
-                                       "less light than the scene",
-                                       clipped, paths_.sums().largest()),
-                           true, false});
+        remarks.push_back(
+            {say("{0} samples are brighter than {1} and count as that: the image has less light "
+                 "than the scene",
+                 clipped, fmt::format("{:.3g}", paths_.sums().largest())),
+             true, false});
     }
     const LightSet& lights = paths_.lights();
+    const bool alone = lights.surroundings().empty();
     remarks.push_back(
-        {fmt::format("paths are lit by {} lights, {} emissive triangles{}", lights.lights().size(),
-                     lights.emitters().size(), lights.surroundings().empty() ? "" : ", and the surroundings"),
+        {say(alone ? "paths are lit by {0} lights, {1} emissive triangles"
+                   : "paths are lit by {0} lights, {1} emissive triangles, and the surroundings",
+             lights.lights().size(), lights.emitters().size()),
          true, true});
     for (std::size_t i = 0; i < lights.emitsNoLight().size(); ++i) {
         if (lights.emitsNoLight()[i] == 0) continue;
-        remarks.push_back(
-            {fmt::format("material {} is seen to emit light, but lights nothing", i), true, true});
+        remarks.push_back({say("material {0} is seen to emit light, but lights nothing", i), true, true});
     }
     return remarks;
 }

@@ -181,27 +181,26 @@ ModelUnits withUserSays(ModelUnits units, std::optional<Vec3> up, std::optional<
 
 namespace {
 
-std::string reason(Said said, const Sentence& because) {
-    const std::string why = because.english();
+Sentence reason(Said said, const Sentence& why) {
     switch (said) {
     case Said::Guessed:
-        return why.empty() ? "guessed" : "guessed: " + why;
+        return why.empty() ? form("guessed") : say("guessed: {0}", why);
     case Said::ByFormat:
-        return "the file says so";
+        return form("the file says so");
     case Said::ByScene:
-        return "the scene says so";
+        return form("the scene says so");
     case Said::ByUser:
         break;
     }
-    return "as you say";
+    return form("as you say");
 }
 
 } // namespace
 
-std::string describe(const ModelUnits& units) {
-    return fmt::format("{} is up ({}); one unit is {:.4g} m ({})", axisName(units.up),
-                       reason(units.upSaid, units.upWhy), units.metresPerUnit,
-                       reason(units.unitSaid, units.unitWhy));
+Sentence describe(const ModelUnits& units) {
+    return say("{0} is up ({1}); one unit is {2} m ({3})", axisName(units.up),
+               reason(units.upSaid, units.upWhy), fmt::format("{:.4g}", units.metresPerUnit),
+               reason(units.unitSaid, units.unitWhy));
 }
 
 } // namespace rtcore

@@ -39,6 +39,6 @@ ModelUnits guessModelUnits(const ModelOrigin& origin, const KdTree& tree, const 
 ModelUnits withUserSays(ModelUnits units, std::optional<Vec3> up, std::optional<double> metresPerUnit);
 
 /// One line for people: "+z is up (as OpenSCAD writes it), a unit is 1 mm (its size)".
-std::string describe(const ModelUnits& units);
+Sentence describe(const ModelUnits& units);
 
 } // namespace rtcore

@@ -49,7 +49,7 @@ LiveServer::LiveServer(const WalkOptions& options)
     : walk_(options), options_(serverOptions(options)),
       state_(
           options_, [](const rtcore::RenderSettings&) {}, messages_),
-      upkeep_(options_, state_, messages_),
+      upkeep_(options_, state_.document, messages_),
       drawing_(state_, upkeep_,
                {.poll = [] { return rtserver::Arrivals{}; },
                 .publish =

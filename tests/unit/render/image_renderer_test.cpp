@@ -63,7 +63,7 @@ TEST(ImageRenderer, TellsOfTheLightThatPathsHave) {
     EXPECT_TRUE(imageOf(Integrator::Whitted).remarks.empty());
     const std::vector<ImageRemark> remarks = imageOf(Integrator::Path).remarks;
     ASSERT_FALSE(remarks.empty());
-    EXPECT_EQ(remarks.back().text.substr(0, 17), "paths are lit by ");
+    EXPECT_EQ(remarks.back().text.english().substr(0, 17), "paths are lit by ");
     EXPECT_TRUE(remarks.back().detail);
     EXPECT_TRUE(remarks.back().ofScene);
 }

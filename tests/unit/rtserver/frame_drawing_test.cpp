@@ -29,7 +29,7 @@ class FrameDrawingTest : public test::ShownRoom {
     std::function<Arrivals()> poll = [] { return Arrivals{}; };
     bool memory = true;
     std::vector<ipc::FrameInfo> published;
-    SceneUpkeep upkeep{options, state, messages};
+    SceneUpkeep upkeep{options, state.document, messages};
     FrameDrawing drawing{state,
                          upkeep,
                          {.poll = [this] { return poll(); },

@@ -44,12 +44,12 @@ class SceneUpkeepTest : public test::ShownRoom {
         }
     }
     void makeMaps() {
-        state.frameSeconds = 0.01;
-        advance({.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 0});
+        advance(
+            {.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 0, .wanted = 0.01});
     }
 
     test::TemporaryFolder folder;
-    SceneUpkeep upkeep{options, state, messages};
+    SceneUpkeep upkeep{options, document, messages};
 };
 
 TEST_F(SceneUpkeepTest, ShowsAnotherSceneWhenItIsLoaded) {
@@ -80,7 +80,7 @@ TEST_F(SceneUpkeepTest, ASceneThatCannotBeLoadedLeavesTheLast) {
 }
 
 TEST_F(SceneUpkeepTest, TheFirstSceneMustLoad) {
-    Workspace fresh(
+    Document fresh(
         options, [](const rtcore::RenderSettings&) {}, messages);
     SceneUpkeep first(options, fresh, messages);
     first.load(folder / "none.bsp", std::nullopt);
@@ -162,18 +162,22 @@ TEST_F(SceneUpkeepTest, TheExactTreeLeavesThatOfWhatIsVisible) {
 TEST_F(SceneUpkeepTest, ShadowMapsAreMadeWhereFramesTakeLong) {
     advance({.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 1});
     EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "they may take any time";
-    state.frameSeconds = 0.01;
-    advance({.current = true, .complete = true, .idle = true, .seconds = 0.005, .coarsest = 0.002});
+    SceneUpkeep::Pace pace{
+        .current = true, .complete = true, .idle = true, .seconds = 0.005, .coarsest = 0.002, .wanted = 0.01};
+    advance(pace);
     EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "they are quick";
-    advance({.current = true, .complete = true, .idle = false, .seconds = 1, .coarsest = 0.002});
+    pace.seconds = 1;
+    pace.idle = false;
+    advance(pace);
     EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "something else is to be done";
-    advance({.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 0.002});
+    pace.idle = true;
+    advance(pace);
     EXPECT_NE(upkeep.shadowMaps(), nullptr);
 }
 
 TEST_F(SceneUpkeepTest, ShadowMapsAreMadeAtOnceWhereEvenTheCoarsestFramesTakeLong) {
-    state.frameSeconds = 0.01;
-    advance({.current = false, .complete = false, .idle = false, .seconds = 1, .coarsest = 0.02});
+    advance(
+        {.current = false, .complete = false, .idle = false, .seconds = 1, .coarsest = 0.02, .wanted = 0.01});
     EXPECT_NE(upkeep.shadowMaps(), nullptr);
 }
 

@@ -114,7 +114,8 @@ TEST(ModelUnits, WhatTheFileSaysIsTaken) {
     EXPECT_EQ(units.upSaid, Said::ByFormat);
     EXPECT_EQ(units.unitSaid, Said::ByFormat);
     EXPECT_FALSE(units.surprising);
-    EXPECT_EQ(describe(units), "-x is up (the file says so); one unit is 0.0254 m (the file says so)");
+    EXPECT_EQ(describe(units).english(),
+              "-x is up (the file says so); one unit is 0.0254 m (the file says so)");
 }
 
 TEST(ModelUnits, ProgramsHaveTheirHabits) {
