@@ -211,10 +211,12 @@ void PictureMaker::chooseNet(rtcore::RenderSettings& settings) {
 void PictureMaker::checkDigest(rtcore::Net net) const {
     const rtcore::NetFile& file = rtcore::fileOf(net);
     if (std::string_view(file.sha256).starts_with(options_.netDigest)) return;
-    throw rtcore::FileError(rtcore::FailureKind::BadData, "--denoise",
-                            fmt::format("the weights of {} have the SHA-256 {} here, not {}; use the version "
-                                        "of this suite that knows those",
-                                        file.name, file.sha256, options_.netDigest));
+    const std::string setting = "denoise.net";
+    throw rtcore::FileError(
+        rtcore::FailureKind::BadData, setting,
+        rtcore::say("the weights of {0} have the SHA-256 {1} here, not {2}; use the version "
+                    "of this suite that knows those",
+                    std::string(file.name), std::string(file.sha256), options_.netDigest));
 }
 
 void PictureMaker::chooseNetByItself(rtcore::RenderSettings& settings) {

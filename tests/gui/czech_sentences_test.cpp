@@ -1,4 +1,4 @@
-/// What is wrong with files, in Czech alone: in the logs of jobs and in what servers say.
+/// The sentences of jobs in a Czech window, to the last word.
 #include "gui/jobs_support.h"
 
 #include "gui/session/server_sentence.h"

@@ -2220,6 +2220,10 @@
         <translation>chybí verze; začněte soubor řádkem: version = {0}</translation>
     </message>
     <message>
+        <source>the weights of {0} have the SHA-256 {1} here, not {2}; use the version of this suite that knows those</source>
+        <translation>váhy sítě {0} tu mají SHA-256 {1}, ne {2}; použijte verzi této sady, která je zná</translation>
+    </message>
+    <message>
         <source>the width of an orthographic view is more than 0</source>
         <translation>šířka ortografického pohledu je víc než 0</translation>
     </message>
