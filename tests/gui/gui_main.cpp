@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     qputenv("XDG_CONFIG_HOME", (folder / "config").c_str());
     qputenv("XDG_DATA_HOME", (folder / "data").c_str());
     qputenv("XDG_CACHE_HOME", (folder / "cache").c_str());
+    qputenv("RT_KEEP_PRIORITY", "1");
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     testing::InitGoogleTest(&argc, argv);
     const QApplication application(argc, argv);

@@ -20,7 +20,8 @@ void detach();
 /// Async-signal-safe: a child may call it between fork and exec.
 void startSession() noexcept;
 
-/// This process leaves the processor to others. Async-signal-safe as well.
+/// This process leaves the processor to others, unless RT_KEEP_PRIORITY is set: tests that wait for such work
+/// would else wait for all that runs beside them. Async-signal-safe as well.
 void lowerPriority() noexcept;
 
 } // namespace app

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -78,6 +79,8 @@ void detach() {
 void startSession() noexcept { ::setsid(); }
 
 void lowerPriority() noexcept {
+    const char* const keep = std::getenv("RT_KEEP_PRIORITY");
+    if (keep != nullptr && *keep != '\0') return;
     constexpr int kStep = 10;
     static_cast<void>(!::nice(kStep));
 }
