@@ -13,7 +13,8 @@ SCENE.png. Images that are there and still right are not rendered again, so that
 
 Scenes: plane-point plane-directional plane-sphere plane-rectangle plane-emission plane-background (a floor lit by one
 light, directly: strengths), cube sky sun mirrors glass metals whites (generated), cornell sibenik sponza (of the folder of
-models); not among those taken without a name: lamborghini, and nave of scripts/make_data.sh (or the file $RT_NAVE).
+models); not among those taken without a name: furnished, lamborghini, and nave of scripts/make_data.sh (or the file
+$RT_NAVE).
 
   -o, --output=FOLDER       where scenes and images go [output/cycles]
   -s, --size=WxH            pixels [320x240]
@@ -68,7 +69,7 @@ fi
 for scene in $scenes; do
     case $scene in
         plane-point | plane-directional | plane-sphere | plane-rectangle | plane-emission | plane-background) ;;
-        cube | sky | sun | mirrors | glass | metals | whites | cornell | sibenik | sponza | lamborghini | nave) ;;
+        cube | sky | sun | mirrors | glass | metals | whites | furnished | cornell | sibenik | sponza | lamborghini | nave) ;;
         *) fail 2 "$scene: there is no such scene; compare-cycles.sh --help lists them" ;;
     esac
 done

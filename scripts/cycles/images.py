@@ -32,15 +32,26 @@ def blocks(image):
     return cut.transpose(0, 2, 1, 3, 4).reshape(rows * columns, BLOCK * BLOCK, 3)
 
 
-def relative_errors(image, truth):
-    """Squared error of each pixel over the square of what is right, with a hundredth of the mean's."""
-    return ((image - truth) ** 2 / (truth ** 2 + 0.01 * truth.mean() ** 2)).mean(axis=2).ravel()
+def relative_errors(image, one, other=None):
+    """Squared error of each pixel over the square of what is right, with a hundredth of the mean's.
+
+    With two independent references the product of what the image differs from each: their noise drops out of its mean.
+    """
+    other = one if other is None else other
+    truth = (one + other) / 2
+    return ((image - one) * (image - other) / (truth ** 2 + 0.01 * truth.mean() ** 2)).mean(axis=2).ravel()
+
+
+def without_worst(errors, order=None):
+    """Those of all but 0.1 % of the pixels: the worst by `order`, else by the errors themselves."""
+    chosen = numpy.argsort(errors if order is None else order)
+    return errors[chosen[:len(errors) - max(1, len(errors) // 1000)]]
 
 
 def rel_mse(image, truth):
     """The mean of these errors, without the worst 0.1 % of the pixels, and with them."""
-    errors = numpy.sort(relative_errors(image, truth))
-    return errors[:len(errors) - max(1, len(errors) // 1000)].mean(), errors.mean()
+    errors = relative_errors(image, truth)
+    return without_worst(errors).mean(), errors.mean()
 
 
 def differences(ours, theirs):

@@ -26,16 +26,14 @@ def run(command, log):
 
 
 class Ours:
-    name = "ours"
-
-    def __init__(self, program):
-        self.program, status = program, os.stat(program)
+    def __init__(self, program, name="ours", options=()):
+        self.program, self.name, self.options, status = program, name, list(options), os.stat(program)
         self.version = "%d-%d" % (status.st_size, status.st_mtime)
 
     def render(self, scene, output, size, samples, seed=0, threads=1):
         return run([self.program, scene + ".scn", "-o", output, "-w", str(size[0]), "-h", str(size[1]),
                     "--samples=%d" % samples, "--setting", "path.seed=%d" % seed, "--threads=%d" % threads,
-                    "--progress=none"], output + ".log")
+                    "--progress=none"] + self.options, output + ".log")
 
 
 class Theirs:

@@ -183,6 +183,11 @@ def whites():
     return scene
 
 
+def furnished():
+    import furnished as furniture  # noqa: PLC0415
+    return furniture.furnished()
+
+
 SCENES = {
     "plane-point": lambda: plane(Light("point", (4.0, 3.0, 2.0), **PLACE)),
     "plane-directional": lambda: plane(Light("directional", (3.0, 2.0, 1.0), direction=(-0.3, -1.0, 0.2))),
@@ -191,7 +196,7 @@ SCENES = {
     "plane-emission": plane_emission,
     "plane-background": lambda: plane(background=(0.7, 0.5, 0.3)),
     "cube": cube, "sky": sky, "sun": sun, "mirrors": mirrors, "glass": glass, "metals": metals,
-    "whites": whites,
+    "whites": whites, "furnished": furnished,
 }
 
 
