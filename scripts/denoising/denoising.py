@@ -36,6 +36,7 @@ def options():
     parser.add_argument("--samples", type=_numbers, help="per pixel, with commas between")
     parser.add_argument("--kinds", help="of: %s" % ",".join(KINDS))
     parser.add_argument("--reference", type=int, default=2 * PART, help="samples of each of the two references [%(default)s]")
+    parser.add_argument("--cycles-reference", type=int, default=128, help="the same of those by Cycles [%(default)s]")
     parser.add_argument("--size", type=_size, default=(320, 180), help="[320x180]")
     parser.add_argument("--models", default=os.environ.get("RT_TEST_SCENES", ""), help="folder of models [$RT_TEST_SCENES]")
     parser.add_argument("--renderer", default=os.path.join(paths.PROJECT, "build", "release", "bin", "Renderer"))
@@ -57,7 +58,8 @@ class Setting:
         _, samples, kinds, _ = MODES[words.mode]
         self.samples = words.samples or samples
         self.kinds = tuple(words.kinds.split(",")) if words.kinds else kinds
-        self.reference, self.size, self.models = words.reference, words.size, words.models
+        self.reference, self.cycles_reference = words.reference, words.cycles_reference
+        self.size, self.models = words.size, words.models
         self.folder, self.blender = words.output, shutil.which(words.blender)
         self.renderer = Renderer(words.renderer, words.output, words.size)
 

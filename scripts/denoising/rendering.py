@@ -61,9 +61,9 @@ class Reference:
         self.order = abs(images.relative_errors(one, self.mean))
 
     def rel_mse(self, image):
-        """Without the worst 0.1 % of the pixels, and with them. Noise may make it less than 0."""
+        """Without the references' worst 0.1 % of the pixels, with them, and without the image's own worst."""
         errors = images.relative_errors(image, self.one, self.other)
-        return images.without_worst(errors, self.order).mean(), errors.mean()
+        return images.without_worst(errors, self.order).mean(), errors.mean(), images.without_worst(errors).mean()
 
 
 def sampled(exr):

@@ -1,12 +1,18 @@
-"""Error by samples and kind of denoising: relMSE by two references, without the worst 0.1 % of the pixels and with them,
-PSNR and FLIP; and how many times the samples an image without denoising needs for the same error."""
+"""Error by samples and kind of denoising: relMSE by two references, PSNR and FLIP; and how many times the samples an image
+without denoising needs for the same error.
+
+relMSE is without the 0.1 % of the pixels that are the worst of the references; with them; and without the image's own
+worst ones: what paths found by rare chance lies in pixels of its own in each image.
+"""
 import math
+from collections import namedtuple
 
 import display
 from flip import flip
 from rendering import KINDS, sampled
 
 TIMES_AT = (4, 16)  # samples at which it is told how many times fewer they are
+Errors = namedtuple("Errors", "trimmed whole own psnr flip")
 
 
 def measure(setting, name, view):
@@ -16,7 +22,7 @@ def measure(setting, name, view):
 
     def errors(image):
         shown = display.shown(image, half)
-        return (*reference.rel_mse(image), display.psnr(shown, truth), flip(shown, truth))
+        return Errors(*reference.rel_mse(image), display.psnr(shown, truth), flip(shown, truth))
 
     found = {}
     for samples in setting.samples:
@@ -31,41 +37,41 @@ def measure(setting, name, view):
 
 
 def _tell(name, kind, samples, found):
-    trimmed, whole, ratio, difference = found[kind, samples]
-    print("%-14s %4d %-7s relMSE %9.3g, with worst %9.3g   PSNR %5.2f   FLIP %.4f" % (
-        name, samples, kind, trimmed, whole, ratio, difference), flush=True)
+    print("%-14s %4d %-7s relMSE %9.3g, with worst %9.3g, without own %9.3g   PSNR %5.2f   FLIP %.4f" % (
+        name, samples, kind, *found[kind, samples]), flush=True)
 
 
 def times_fewer_by_flip(found, kind, samples, all_samples):
     """By straight lines of raw FLIP over the logarithm of samples; beyond the last the ratio is only known to be more."""
-    wanted = found[kind, samples][3]
+    wanted = found[kind, samples].flip
     for few, many in zip(all_samples, all_samples[1:]):
-        high, low = found["raw", few][3], found["raw", many][3]
+        high, low = found["raw", few].flip, found["raw", many].flip
         if few >= samples and high >= wanted >= low:
             share = (high - wanted) / max(high - low, 1e-12)
             return "%.2g" % (math.exp(math.log(few) + share * math.log(many / few)) / samples)
-    return "< 1" if wanted > found["raw", samples][3] else "> %d" % (all_samples[-1] // samples)
+    return "< 1" if wanted > found["raw", samples].flip else "> %d" % (all_samples[-1] // samples)
 
 
 def rows(results, setting):
-    """As Markdown: each cell relMSE and FLIP; then PSNR, relMSE with the worst pixels, and times fewer samples."""
-    kinds = ("raw", *setting.kinds)
-    yield "| relMSE, FLIP | %s |" % " | ".join(kinds)
-    for name, found in results.items():
-        for samples in setting.samples:
-            yield "| %s, %d | %s |" % (name, samples, " | ".join(
-                "%s, %s" % (_short(found[k, samples][0]), _short(found[k, samples][3], 3)) for k in kinds))
-    yield "\n| PSNR; relMSE with the worst 0.1 %% | %s |" % " | ".join(kinds)
-    for name, found in results.items():
-        for samples in setting.samples:
-            yield "| %s, %d | %s |" % (name, samples, " | ".join(
-                "%.1f; %s" % (found[k, samples][2], _short(found[k, samples][1])) for k in kinds))
-    yield "\n| times fewer samples by relMSE (by FLIP) | %s |" % " | ".join(
-        "%s, %d" % (kind, n) for kind in setting.kinds for n in TIMES_AT if n in setting.samples)
+    """As Markdown."""
+    kinds, times = ("raw", *setting.kinds), [n for n in TIMES_AT if n in setting.samples]
+
+    def table(title, cell):
+        yield "\n| %s | %s |" % (title, " | ".join(kinds))
+        for name, found in results.items():
+            for samples in setting.samples:
+                yield "| %s, %d | %s |" % (name, samples, " | ".join(cell(found[k, samples]) for k in kinds))
+
+    yield from table("relMSE, FLIP", lambda e: "%s, %s" % (_short(e.trimmed), _short(e.flip, 3)))
+    yield from table("relMSE with the worst, without the own worst; PSNR",
+                     lambda e: "%s, %s; %.1f" % (_short(e.whole), _short(e.own), e.psnr))
+    yield "\n| times fewer samples by relMSE; without the own worst; by FLIP | %s |" % " | ".join(
+        "%s, %d" % (kind, n) for kind in setting.kinds for n in times)
     for name, found in results.items():
         yield "| %s | %s |" % (name, " | ".join(
-            "%.2g (%s)" % (found["raw", n][0] / found[kind, n][0], times_fewer_by_flip(found, kind, n, setting.samples))
-            for kind in setting.kinds for n in TIMES_AT if n in setting.samples))
+            "%.2g; %.2g; %s" % (found["raw", n].trimmed / found[kind, n].trimmed, found["raw", n].own / found[kind, n].own,
+                                times_fewer_by_flip(found, kind, n, setting.samples))
+            for kind in setting.kinds for n in times))
 
 
 def _short(value, digits=4):
