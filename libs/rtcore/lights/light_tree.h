@@ -27,12 +27,13 @@ struct LightNode {
     float lights = 0; ///< in it
     std::uint32_t next =
         0; ///< the second child (the first one follows the node); of a leaf the light's index
-    std::uint32_t kind = 0; ///< bits of LightNodeKind
+    std::uint32_t kind = 0; ///< of light_node
 
     friend bool operator==(const LightNode&, const LightNode&) = default;
 };
 static_assert(sizeof(LightNode) == 64);
 
+/// Bits of LightNode::kind.
 namespace light_node {
 inline constexpr std::uint32_t kLeaf = 1, kToHit = 2; ///< rays may meet a light of it
 }
