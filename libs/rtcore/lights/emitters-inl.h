@@ -42,11 +42,12 @@ HWY_INLINE F doubleArea(Vec3Of<F> normal) {
     return sqrt(dot(normal, normal));
 }
 
-/// Uniform by area within a triangle; there is an emitter. `bits`: 32 random ones. (Heitz 2019, "A
-/// Low-Distortion Map Between Triangle and Square")
+/// Of a cluster, 0 without a tree, uniform by area within a triangle; there is an emitter. `bits`: 32 random
+/// ones. (Heitz 2019, "A Low-Distortion Map Between Triangle and Square")
 template <typename F>
-HWY_INLINE EmitterSample<F> sampleEmitter(const EmitterRows& rows, F u, F v, UintOf<F> bits) {
-    const UintOf<F> emitter = sampleIndex<F>(rows.choice, bits);
+HWY_INLINE EmitterSample<F> sampleEmitter(const EmitterRows& rows, F u, F v, UintOf<F> bits,
+                                          UintOf<F> cluster = UintOf<F>(0U)) {
+    const UintOf<F> emitter = sampleIndex<F>(rows.choice, bits, cluster << rows.rowBits);
     const UintOf<F> triangle = gather(rows.triangles, toInt(emitter));
     const Corners<F> corners = cornersOf<F>(rows, triangle);
     const auto upper = v > u;

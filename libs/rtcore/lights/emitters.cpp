@@ -77,7 +77,11 @@ void Emitters::prepare(const Scene& scene, const EmitterChoice& choice) {
         *this = {};
         return;
     }
-    table_ = AliasTable(powers);
+    if (triangles_.size() > kMaxWithoutTree) {
+        clusters_.prepare(mesh_, triangles_, powers);
+    } else {
+        table_ = AliasTable(powers);
+    }
     const double max = *std::max_element(powers.begin(), powers.end());
     WeightedPosition centre;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -114,7 +118,13 @@ float Emitters::areaDensity(std::uint32_t triangle) const {
     const std::uint32_t emitter = emitterOf(triangle);
     if (emitter == kNoEmitter) return 0;
     const float twice = plain::doubleArea<float>(plain::normalOf(plain::cornersOf<float>(rows(), triangle)));
-    return 2.0F * table_.probability(emitter) / twice;
+    const float probability =
+        clusters_.empty() ? table_.probability(emitter) : clusters_.probability(emitter);
+    return 2.0F * probability / twice;
+}
+
+std::uint32_t Emitters::clusterOf(std::uint32_t triangle) const {
+    return clusters_.empty() ? 0 : clusters_.clusterOf(emitterOf(triangle));
 }
 
 std::uint32_t Emitters::emitterOf(std::uint32_t triangle) const {
@@ -128,8 +138,21 @@ std::uint32_t Emitters::emitterOf(std::uint32_t triangle) const {
 }
 
 EmitterRows Emitters::rows() const {
-    if (empty()) return {table_.rows(), nullptr, nullptr, nullptr};
-    return {table_.rows(), triangles_.data(), mesh_.triangles.data()->v, &mesh_.vertices.data()->x};
+    EmitterRows rows;
+    if (empty()) return rows;
+    rows.corners = mesh_.triangles.data()->v;
+    rows.vertices = &mesh_.vertices.data()->x;
+    if (clusters_.empty()) {
+        rows.choice = table_.rows();
+        rows.triangles = triangles_.data();
+        return rows;
+    }
+    const EmitterClusterRows clusters = clusters_.rows();
+    rows.choice = clusters.choice;
+    rows.triangles = clusters.triangles;
+    rows.tree = clusters.tree;
+    rows.rowBits = clusters.rowBits;
+    return rows;
 }
 
 } // namespace rtcore

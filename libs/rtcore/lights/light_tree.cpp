@@ -19,16 +19,6 @@ constexpr int kMaxDepth = 32;
 /// Distance of lights that are endlessly far, in radii of what is lit.
 constexpr float kFar = 1000;
 
-/// The place of lights, where they shine to, and how much.
-struct Cluster {
-    Box3 box;
-    Vec3 axis{0, 0, 0};  ///< unit; none where they shine to all sides
-    float cosSpread = 1; ///< as LightNode's
-    float cosEdge = 1;
-    float intensity = 0;
-    bool toHit = false;
-};
-
 /// The cosine of the sum of two angles up to pi, -1 where that is beyond it.
 float cosOfSum(float cosA, float cosB) {
     if (cosA + cosB <= 0) return -1; // a + b >= pi
@@ -36,10 +26,10 @@ float cosOfSum(float cosA, float cosB) {
     return std::max(cosA * cosB - sines, -1.0F);
 }
 
-Cluster merged(std::span<const Cluster> parts) {
-    Cluster all;
+LightCluster merged(std::span<const LightCluster> parts) {
+    LightCluster all;
     all.cosEdge = 1;
-    for (const Cluster& part : parts) {
+    for (const LightCluster& part : parts) {
         if (part.box.empty()) continue;
         all.box.extend(part.box);
         all.axis = all.axis + part.axis * part.intensity;
@@ -49,7 +39,7 @@ Cluster merged(std::span<const Cluster> parts) {
     }
     const float size = length(all.axis);
     all.axis = size > 0 ? all.axis / size : Vec3{0, 0, 1};
-    for (const Cluster& part : parts) {
+    for (const LightCluster& part : parts) {
         if (part.box.empty()) continue;
         const float apart = std::clamp(dot(all.axis, part.axis), -1.0F, 1.0F);
         all.cosSpread = std::min(all.cosSpread, part.cosSpread <= -1 ? -1 : cosOfSum(apart, part.cosSpread));
@@ -57,9 +47,9 @@ Cluster merged(std::span<const Cluster> parts) {
     return all;
 }
 
-Cluster clusterOf(const Light& light, const Box3& bounds) {
+LightCluster clusterOf(const Light& light, const Box3& bounds) {
     const float reach = 0.5F * bounds.diagonal();
-    Cluster cluster;
+    LightCluster cluster;
     cluster.intensity = luminance(light.intensity);
     if (!std::isfinite(cluster.intensity) || cluster.intensity < 0) cluster.intensity = 0;
     cluster.toHit = isAreaLight(light.kind);
@@ -68,6 +58,7 @@ Cluster clusterOf(const Light& light, const Box3& bounds) {
         const float distance = kFar * reach;
         cluster.box.extend(bounds.centre() - light.direction * distance);
         cluster.intensity *= distance * distance;
+        cluster.far = true;
         cluster.cosSpread = -1;
         return cluster;
     }
@@ -100,7 +91,7 @@ Cluster clusterOf(const Light& light, const Box3& bounds) {
 }
 
 /// The solid angle into which they shine, weighted by how much. (Conty Estevez and Kulla 2018, section 4.4)
-float orientationCost(const Cluster& cluster) {
+float orientationCost(const LightCluster& cluster) {
     const auto pi = static_cast<float>(kPi);
     const float spread = portableAcos(cluster.cosSpread), edge = portableAcos(cluster.cosEdge);
     const float widest = std::min(spread + edge, pi);
@@ -109,7 +100,7 @@ float orientationCost(const Cluster& cluster) {
            pi / 2 * (2 * widest * sine - portableCos(spread - 2 * widest) - 2 * spread * sine + cosine);
 }
 
-float cost(const Cluster& cluster) {
+float cost(const LightCluster& cluster) {
     const Vec3 size = cluster.box.size();
     // Lights on a line have no surface, and one of them no length.
     return cluster.intensity * orientationCost(cluster) * (cluster.box.halfArea() + 1e-3F * dot(size, size));
@@ -123,7 +114,8 @@ struct Split {
 
 class Builder {
   public:
-    Builder(std::vector<Cluster> clusters, std::vector<std::uint32_t> lights, std::vector<LightNode>& nodes)
+    Builder(std::vector<LightCluster> clusters, std::vector<std::uint32_t> lights,
+            std::vector<LightNode>& nodes)
         : clusters_(std::move(clusters)), lights_(std::move(lights)), nodes_(nodes) {}
 
     /// Returns the root.
@@ -146,7 +138,7 @@ class Builder {
     }
 
     LightNode nodeOf(std::size_t first, std::size_t last) const {
-        const Cluster all = merged(std::span(clusters_).subspan(first, last - first));
+        const LightCluster all = merged(std::span(clusters_).subspan(first, last - first));
         LightNode node;
         node.centre = all.box.centre();
         node.half = all.box.size() * 0.5F;
@@ -168,7 +160,7 @@ class Builder {
         const bool deep = depth + std::bit_width(count) >= kMaxDepth - 1;
         const Split split = deep ? Split{} : bestSplit(first, last, middles);
         if (split.axis < 0) return halve(first, last, middles);
-        const auto below = [&](const Cluster& c) { return c.box.centre()[split.axis] < split.position; };
+        const auto below = [&](const LightCluster& c) { return c.box.centre()[split.axis] < split.position; };
         std::size_t middle = first;
         for (std::size_t i = first; i < last; ++i) {
             if (below(clusters_[i])) swap(i, middle++);
@@ -183,8 +175,8 @@ class Builder {
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
         std::ranges::stable_sort(order, {},
                                  [&](std::uint32_t i) { return clusters_[first + i].box.centre()[axis]; });
-        const std::vector<Cluster> clusters(clusters_.begin() + static_cast<std::ptrdiff_t>(first),
-                                            clusters_.begin() + static_cast<std::ptrdiff_t>(last));
+        const std::vector<LightCluster> clusters(clusters_.begin() + static_cast<std::ptrdiff_t>(first),
+                                                 clusters_.begin() + static_cast<std::ptrdiff_t>(last));
         const std::vector<std::uint32_t> lights(lights_.begin() + static_cast<std::ptrdiff_t>(first),
                                                 lights_.begin() + static_cast<std::ptrdiff_t>(last));
         for (std::size_t i = 0; i < order.size(); ++i) {
@@ -202,8 +194,8 @@ class Builder {
             if (!(size[axis] > 0)) continue;
             const auto buckets = bucketsOf(first, last, axis, middles);
             for (int b = 1; b < kBuckets; ++b) {
-                const Cluster below = merged(std::span(buckets).first(static_cast<std::size_t>(b)));
-                const Cluster above = merged(std::span(buckets).subspan(static_cast<std::size_t>(b)));
+                const LightCluster below = merged(std::span(buckets).first(static_cast<std::size_t>(b)));
+                const LightCluster above = merged(std::span(buckets).subspan(static_cast<std::size_t>(b)));
                 if (below.box.empty() || above.box.empty()) continue;
                 // Thin slices of long boxes are to be avoided.
                 const float each = (cost(below) + cost(above)) * (longest / size[axis]);
@@ -213,16 +205,16 @@ class Builder {
         return best;
     }
 
-    std::array<Cluster, kBuckets> bucketsOf(std::size_t first, std::size_t last, int axis,
-                                            const Box3& middles) const {
-        std::array<std::vector<Cluster>, kBuckets> members;
+    std::array<LightCluster, kBuckets> bucketsOf(std::size_t first, std::size_t last, int axis,
+                                                 const Box3& middles) const {
+        std::array<std::vector<LightCluster>, kBuckets> members;
         for (std::size_t i = first; i < last; ++i) {
             const float at = clusters_[i].box.centre()[axis];
             int bucket = 0;
             while (bucket + 1 < kBuckets && !(at < positionOf(bucket + 1, axis, middles))) ++bucket;
             members[static_cast<std::size_t>(bucket)].push_back(clusters_[i]);
         }
-        std::array<Cluster, kBuckets> buckets;
+        std::array<LightCluster, kBuckets> buckets;
         for (std::size_t b = 0; b < buckets.size(); ++b)
             if (!members[b].empty()) buckets[b] = merged(members[b]);
         return buckets;
@@ -237,7 +229,7 @@ class Builder {
         std::swap(lights_[a], lights_[b]);
     }
 
-    std::vector<Cluster> clusters_;
+    std::vector<LightCluster> clusters_;
     std::vector<std::uint32_t> lights_; ///< of the clusters
     std::vector<LightNode>& nodes_;
 };
@@ -245,35 +237,42 @@ class Builder {
 } // namespace
 
 void LightTree::prepare(std::span<const Light> lights, const Box3& bounds) {
+    std::vector<LightCluster> clusters;
+    clusters.reserve(lights.size());
+    for (const Light& light : lights) clusters.push_back(clusterOf(light, bounds));
+    prepare(clusters, kMaxCut);
+}
+
+void LightTree::prepare(std::span<const LightCluster> clusters, std::size_t maxCut) {
     *this = {};
-    lights_ = lights.size();
-    std::array<std::vector<Cluster>, 2> clusters;
+    lights_ = clusters.size();
+    std::array<std::vector<LightCluster>, 2> sides;
     std::array<std::vector<std::uint32_t>, 2> numbers;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const std::size_t side = traitsOf(lights[i]).position ? 0 : 1;
-        clusters[side].push_back(clusterOf(lights[i], bounds));
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        const std::size_t side = clusters[i].far ? 1 : 0;
+        sides[side].push_back(clusters[i]);
         numbers[side].push_back(static_cast<std::uint32_t>(i));
     }
     std::vector<std::uint32_t> roots;
     for (std::size_t side = 0; side < 2; ++side) {
-        if (!clusters[side].empty())
-            roots.push_back(Builder(std::move(clusters[side]), std::move(numbers[side]), nodes_).build());
+        if (!sides[side].empty())
+            roots.push_back(Builder(std::move(sides[side]), std::move(numbers[side]), nodes_).build());
         if (side == 0) near_ = nodes_.size();
     }
-    chooseCut(std::move(roots), 1 / (kFar * kFar));
+    chooseCut(std::move(roots), 1 / (kFar * kFar), std::min(maxCut, kMaxCut));
     markTrails();
 }
 
 /// The brightest node is divided as long as there is room. `farScale` makes lights that are far comparable:
 /// by what they would have to be at the border of what is lit.
-void LightTree::chooseCut(std::vector<std::uint32_t> roots, float farScale) {
+void LightTree::chooseCut(std::vector<std::uint32_t> roots, float farScale, std::size_t maxCut) {
     cut_ = std::move(roots);
     const auto weight = [&](std::uint32_t number) {
         const LightNode& node = nodes_[number];
         const float scale = number < near_ ? 1 : farScale;
         return (node.kind & light_node::kLeaf) != 0 ? -1 : node.intensity * scale;
     };
-    while (!cut_.empty() && cut_.size() < kMaxCut) {
+    while (!cut_.empty() && cut_.size() < maxCut) {
         const auto brightest = std::ranges::max_element(cut_, {}, weight);
         if (weight(*brightest) < 0) break;
         const std::uint32_t first = *brightest + 1, second = nodes_[*brightest].next;

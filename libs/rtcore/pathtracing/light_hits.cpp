@@ -138,10 +138,11 @@ float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t
     return sampled * plain::probabilityOfLight<float>(lights, k, point, s.normal.at(i), s.total[i]);
 }
 
-float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i) {
+float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i,
+                            std::uint32_t cluster) {
     if (!lights.emitters) return 0;
     const ScatterState& s = batch.scattered();
-    return plain::probabilityOfEmitters<float>(lights, s.point.at(i), s.total[i]);
+    return plain::probabilityOfEmitters<float>(lights, cluster, s.point.at(i), s.normal.at(i), s.total[i]);
 }
 
 float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i) {

@@ -24,8 +24,9 @@ Colour discSeen(const Light& light, Vec3 direction);
 /// The density with which next event at the origin of the scattered ray `i` samples the light `k`, whose disc
 /// the ray meets.
 float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t i, std::uint32_t k);
-/// The probability that next event there selects the emitters, or the surroundings.
-float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i);
+/// The probability that next event there selects that cluster of emitters, or the surroundings.
+float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i,
+                            std::uint32_t cluster);
 float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i);
 
 } // namespace rtcore

@@ -36,12 +36,17 @@ HWY_INLINE F expectedOfEmitters(const LightRows& rows, Vec3Of<F> point) {
     return selectOrZero(isFinite(arriving), arriving);
 }
 
-/// The same of a node in the cut of the tree.
+/// The same of a node in the cut of a tree.
+template <typename F>
+HWY_INLINE F expectedOfCut(const LightTreeRows& tree, std::uint32_t c, Vec3Of<F> point, Vec3Of<F> normal) {
+    return expectedOfNode<F>(tree.directed, broadcastNode<F>(tree.nodes[tree.cut[c]]), point, normal);
+}
+/// Of the tree of lights, where one light is weighed by itself.
 template <typename F>
 HWY_INLINE F expectedOfCut(const LightRows& rows, std::uint32_t c, Vec3Of<F> point, Vec3Of<F> normal) {
     const LightNode& node = rows.tree.nodes[rows.tree.cut[c]];
     if ((node.kind & light_node::kLeaf) != 0) return expectedOf<F>(rows.light[node.next], point, normal);
-    return expectedOfNode<F>(rows.tree.directed, broadcastNode<F>(node), point, normal);
+    return expectedOfCut<F>(rows.tree, c, point, normal);
 }
 
 /// Mixes the fraction of the expected light with a uniform part: the middle says little about a large light
@@ -66,9 +71,16 @@ HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F
         selectionProbability<F>(rows, expectedOfCut<F>(rows, rows.tree.cutOf[k], point, normal), total);
     return ofCut * probabilityOfLeaf<F>(rows.tree, k, point, normal);
 }
+/// Of a cluster of emitters; of all of them without a tree.
 template <typename F>
-HWY_INLINE F probabilityOfEmitters(const LightRows& rows, Vec3Of<F> point, F total) {
-    return selectionProbability<F>(rows, expectedOfEmitters<F>(rows, point), total);
+HWY_INLINE F probabilityOfEmitters(const LightRows& rows, std::uint32_t cluster, Vec3Of<F> point,
+                                   Vec3Of<F> normal, F total) {
+    if (!rows.emittersByTree())
+        return selectionProbability<F>(rows, expectedOfEmitters<F>(rows, point), total);
+    const LightTreeRows& tree = rows.emitterTree;
+    const F ofCut =
+        selectionProbability<F>(rows, expectedOfCut<F>(tree, tree.cutOf[cluster], point, normal), total);
+    return ofCut * probabilityOfLeaf<F>(tree, cluster, point, normal);
 }
 template <typename F>
 HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, F total) {
@@ -77,14 +89,15 @@ HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, F total) {
 
 struct ChosenLight {
     Uint group;
+    Uint cluster; ///< of emitters
     Float probability;
     Float total; ///< what all are expected to throw
 };
 
 /// `bits`, `more`: 32 random ones each. There is a group.
 HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 normal, Uint bits, Uint more) {
-    HWY_ALIGN float expected[(LightSet::kMaxWeighed + 2) * kLanes];
-    std::uint32_t groups[LightSet::kMaxWeighed + 2]; // of the tree: nodes of its cut
+    HWY_ALIGN float expected[LightSet::kMaxCandidates * kLanes];
+    std::uint32_t groups[LightSet::kMaxCandidates]; // of a tree: nodes of its cut
     std::uint32_t count = 0;
     Float total = 0.0F;
     const auto weigh = [&](std::uint32_t group, Float e) HWY_ATTR {
@@ -100,12 +113,18 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
             weigh(k, expectedOf<Float>(rows.light[k], point, normal));
     }
     const std::uint32_t ofLights = count;
-    if (rows.emitters) weigh(rows.emitterGroup(), expectedOfEmitters<Float>(rows, point));
+    if (rows.emittersByTree()) {
+        for (std::uint32_t c = 0; c < rows.emitterTree.cuts; ++c)
+            weigh(rows.emitterTree.cut[c], expectedOfCut<Float>(rows.emitterTree, c, point, normal));
+    } else if (rows.emitters) {
+        weigh(rows.emitterGroup(), expectedOfEmitters<Float>(rows, point));
+    }
+    const std::uint32_t ofEmitters = count;
     if (rows.surroundings) weigh(rows.surroundingGroup(), rows.surroundingLight);
     const Float u = toFloat(toInt(bits >> 8)) * 0x1p-24F;
     Float before = 0.0F;
-    ChosenLight chosen{groups[count - 1], 0.0F, total};
-    Mask open = allLanes(), light = noLanes();
+    ChosenLight chosen{groups[count - 1], Uint(0U), 0.0F, total};
+    Mask open = allLanes(), light = noLanes(), emitter = noLanes();
     for (std::uint32_t k = 0; k < count; ++k) {
         const Float p = selectionProbability<Float>(rows, load(expected + k * kLanes), total);
         before += p;
@@ -114,14 +133,24 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
         chosen.group = select(here, Uint(groups[k]), chosen.group);
         chosen.probability = select(here, p, chosen.probability);
         open = without(open, here);
-        if (k < ofLights) light = light | here;
+        if (k < ofLights) {
+            light = light | here;
+        } else if (k < ofEmitters) {
+            emitter = emitter | here;
+        }
     }
-    if (!rows.byTree()) return chosen;
     const Float v = toFloat(toInt(more >> 8)) * 0x1p-24F;
-    const ChosenLeaf leaf =
-        chooseLeaf(rows.tree, select(light, chosen.group, Uint(0U)), light, point, normal, v);
-    chosen.group = select(light, leaf.light, chosen.group);
-    chosen.probability = chosen.probability * leaf.probability;
+    const auto leafOf = [&](const LightTreeRows& tree, Mask lanes) HWY_ATTR {
+        const ChosenLeaf leaf =
+            chooseLeaf(tree, select(lanes, chosen.group, Uint(0U)), lanes, point, normal, v);
+        chosen.probability = chosen.probability * leaf.probability;
+        return leaf.light;
+    };
+    if (rows.byTree()) chosen.group = select(light, leafOf(rows.tree, light), chosen.group);
+    if (rows.emittersByTree()) {
+        chosen.cluster = leafOf(rows.emitterTree, emitter);
+        chosen.group = select(emitter, Uint(rows.emitterGroup()), chosen.group);
+    }
     return chosen;
 }
 

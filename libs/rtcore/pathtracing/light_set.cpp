@@ -80,6 +80,7 @@ LightRows LightSet::rows() const {
     rows.surroundings = !surroundings_.empty();
     if (!tree_.empty()) rows.tree = tree_.rows();
     if (rows.emitters) {
+        rows.emitterTree = emitters_.rows().tree;
         const Vec3 size = emitters_.bounds().size();
         rows.emittersCentre = emitters_.centre();
         rows.emittersIntensity = static_cast<float>(emitters_.power() / (4 * kPi));

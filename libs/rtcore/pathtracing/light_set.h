@@ -24,8 +24,9 @@ struct LightRows {
     const Light* light = nullptr;
     std::uint32_t lights = 0;
     bool emitters = false, surroundings = false;
-    LightTreeRows tree;  ///< without nodes: each light is weighed by itself
-    Vec3 emittersCentre; ///< seen from far away, the emitters are a point light there
+    LightTreeRows tree;        ///< without nodes: each light is weighed by itself
+    LightTreeRows emitterTree; ///< without nodes: few emitters, weighed together
+    Vec3 emittersCentre;       ///< seen from far away, they are a point light there
     float emittersIntensity = 0,
           emittersSquare = 0;   ///< its luminance, W/sr; distances^2 below this count as it
     float surroundingLight = 0; ///< luminance of what surroundings throw on a surface
@@ -33,9 +34,11 @@ struct LightRows {
     std::uint32_t emitterGroup() const { return lights; }
     std::uint32_t surroundingGroup() const { return lights + 1; }
     bool byTree() const { return tree.nodes != nullptr; }
-    /// What a point weighs: lights or the cut of their tree, emitters and surroundings.
+    bool emittersByTree() const { return emitterTree.nodes != nullptr; }
+    /// What a point weighs: lights and emitters, or the cuts of their trees, and surroundings.
     std::uint32_t candidates() const {
-        return (byTree() ? tree.cuts : lights) + (emitters ? 1U : 0U) + (surroundings ? 1U : 0U);
+        return (byTree() ? tree.cuts : lights) +
+               (emittersByTree() ? emitterTree.cuts : (emitters ? 1U : 0U)) + (surroundings ? 1U : 0U);
     }
 };
 
@@ -44,6 +47,7 @@ class LightSet {
   public:
     /// Up to this many lights are weighed one by one at each point, more of them by their tree.
     static constexpr std::size_t kMaxWeighed = LightTree::kMaxCut;
+    static constexpr std::size_t kMaxCandidates = kMaxWeighed + EmitterClusters::kMaxCut + 1;
 
     /// Takes the lights that are on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model,
     /// not 0 where it is; may be empty.

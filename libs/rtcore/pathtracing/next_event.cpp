@@ -66,8 +66,9 @@ HWY_INLINE GroupSample sampleOfLight(const Light& light, Float3 position, Float 
 }
 
 HWY_INLINE GroupSample sampleOfEmitters(const EmitterRows& rows, Float3 position, const PathNumbers& numbers,
-                                        Uint bits, const EmitterHits& hits, std::size_t i, Mask chosen) {
-    const EmitterSample<Float> sample = sampleEmitter<Float>(rows, numbers.u, numbers.v, bits);
+                                        Uint bits, Uint cluster, const EmitterHits& hits, std::size_t i,
+                                        Mask chosen) {
+    const EmitterSample<Float> sample = sampleEmitter<Float>(rows, numbers.u, numbers.v, bits, cluster);
     const Float3 offset = sample.position - position;
     const Float distance = sqrt(dot(offset, offset));
     const Mask apart = chosen & (distance > 0.0F);
@@ -124,8 +125,12 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
                 take(sample, these,
                      sampleOfLight(light, isAreaLight(light) ? start : position, numbers.u, numbers.v));
             } else if (group == rows.lights.emitterGroup()) {
+                // A tree has used those bits.
+                const Uint bits = rows.emitters.byTree()
+                                      ? numbersFor(name, SampleDimension::Emitter, visit).bitsOfU
+                                      : choice.bitsOfV;
                 take(sample, these,
-                     sampleOfEmitters(rows.emitters, start, numbers, choice.bitsOfV, hits, i, these));
+                     sampleOfEmitters(rows.emitters, start, numbers, bits, chosen.cluster, hits, i, these));
             } else {
                 take(sample, these, sampleOfSurroundings(rows.surroundings, numbers));
             }

@@ -245,8 +245,11 @@ float PathIntegrator::weightOfEmission(std::size_t i) const {
     if (scattered.density[i] == 0) return weightOfHit(i, 0);
     const Vec3 offset = wave_.surfaces.position.at(i) - scattered.point.at(i);
     const float cosine = dot(wave_.direction(i), wave_.surfaces.geometricNormal.at(i));
-    const float sampled = lights_->emitters().density(wave_.hits.triangle[i], length(offset), cosine);
-    return weightOfHit(i, sampled * probabilityOfEmitters(rows_, *paths_, i));
+    const Emitters& emitters = lights_->emitters();
+    const std::uint32_t triangle = wave_.hits.triangle[i];
+    const float sampled = emitters.density(triangle, length(offset), cosine);
+    if (!(sampled > 0)) return weightOfHit(i, 0); // no emitter, or beyond all numbers
+    return weightOfHit(i, sampled * probabilityOfEmitters(rows_, *paths_, i, emitters.clusterOf(triangle)));
 }
 
 /// Next event: one light for each point.

@@ -15,13 +15,13 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 /// An index whose weight is above 0, of a table that is not empty. `bits`: 32 random ones; a float has too
-/// few for large tables.
+/// few for large tables. `first`: where the table begins, of several that follow each other.
 template <typename F>
-HWY_INLINE UintOf<F> sampleIndex(const AliasRows& rows, UintOf<F> bits) {
-    const UintOf<F> row = bits >> rows.shift;
+HWY_INLINE UintOf<F> sampleIndex(const AliasRows& rows, UintOf<F> bits, UintOf<F> first = UintOf<F>(0U)) {
+    const UintOf<F> row = bits >> rows.shift, at = first + row;
     const UintOf<F> rest = bits & UintOf<F>((1U << rows.shift) - 1);
-    const UintOf<F> threshold = gather(rows.threshold, toInt(row));
-    return select(rest < threshold, row, gather(rows.other, toInt(row)));
+    const UintOf<F> threshold = gather(rows.threshold, toInt(at));
+    return select(rest < threshold, at, first + gather(rows.other, toInt(at)));
 }
 
 /// AliasTable::probability().

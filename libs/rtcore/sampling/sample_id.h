@@ -26,7 +26,8 @@ enum class SampleDimension : std::uint32_t {
     Glass,     ///< whether light is reflected or passes
     Lobe,      ///< which lobe of a surface scatters
     Direction, ///< where it scatters to
-    Light      ///< which light is sampled
+    Light,     ///< which light is sampled
+    Emitter    ///< which emissive triangle of a cluster
 };
 
 #define RT_FORMULA constexpr

@@ -70,10 +70,10 @@ double expectedOfTwoPolygons(const Mesh& mesh) {
            5 * lambert({corner(4, 0), corner(4, 1), corner(4, 2)});
 }
 
-SampledPoint sampleOne(const Emitters& emitters, test::Random& random) {
+SampledPoint sampleOne(const Emitters& emitters, test::Random& random, std::uint32_t cluster = 0) {
     const float u = random.number(0, 1), v = random.number(0, 1);
     const std::uint32_t bits = random.index(std::size_t{1} << 32U);
-    return HWY_NAMESPACE::sampleEmitter<float>(emitters.rows(), u, v, bits);
+    return HWY_NAMESPACE::sampleEmitter<float>(emitters.rows(), u, v, bits, cluster);
 }
 
 TEST(Emitters, GiveTheIrradianceOfLambertsFormula) {
@@ -195,6 +195,69 @@ TEST(Emitters, AreSampledByPowerAndUniformlyOverATriangle) {
     untextured.textures = false;
     emitters.prepare(scene, untextured);
     EXPECT_NEAR(emitters.power(), 2 * test::kPi * (2 + 1 + 6), 1e-5);
+}
+
+/// So many triangles of random places, sizes and brightness, every third of which emits nothing.
+Scene manyTriangles(std::size_t count) {
+    SceneBuilder b;
+    const std::uint32_t black = b.material(test::matte(1)), dim = b.material(test::emitter(kWhite)),
+                        bright = b.material(test::emitter(kWhite * 7));
+    test::Random random(8);
+    const auto vector = [&](float size) {
+        return Vec3{random.number(-size, size), random.number(-size, size), random.number(-size, size)};
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 at = i % 7 == 0 ? Vec3{1, 2, 3} : vector(10);
+        b.triangle(at + vector(0.3F), at + vector(0.3F), at + vector(0.3F),
+                   i % 3 == 0   ? black
+                   : i % 3 == 1 ? dim
+                                : bright);
+    }
+    return b.finish();
+}
+
+TEST(Emitters, AreEachInOneClusterOfMany) {
+    // Without a tree, one to a cluster, and several.
+    for (const std::size_t count :
+         {std::size_t{48}, std::size_t{50}, std::size_t{6000}, std::size_t{20000}}) {
+        const Scene scene = manyTriangles(count);
+        Emitters emitters;
+        emitters.prepare(scene);
+        const EmitterRows rows = emitters.rows();
+        EXPECT_EQ(rows.byTree(), emitters.size() > Emitters::kMaxWithoutTree) << count;
+        std::map<std::uint32_t, double> sums;
+        for (std::uint32_t t = 0; t < count; ++t) {
+            const auto density = static_cast<double>(emitters.areaDensity(t));
+            EXPECT_EQ(density > 0, t % 3 != 0) << t;
+            if (density == 0) continue;
+            const double area = 0.5 * static_cast<double>(length(scene.mesh().geometricNormal(t)));
+            sums[emitters.clusterOf(t)] += density * area;
+        }
+        EXPECT_EQ(sums.size(), rows.byTree() ? std::min(emitters.size(), EmitterClusters::kMaxClusters) : 1);
+        for (const auto& [cluster, sum] : sums) ASSERT_NEAR(sum, 1, 1e-5) << cluster;
+    }
+}
+
+TEST(Emitters, OfAClusterAreSampledAsOftenAsTold) {
+    const Scene scene = manyTriangles(20000);
+    Emitters emitters;
+    emitters.prepare(scene);
+    test::Random random(9);
+    constexpr int kCount = 20000;
+    for (const std::uint32_t cluster : {0U, 77U, 4095U}) {
+        std::map<std::uint32_t, int> counts;
+        for (int i = 0; i < kCount; ++i) {
+            const SampledPoint p = sampleOne(emitters, random, cluster);
+            ASSERT_EQ(emitters.clusterOf(p.triangle), cluster);
+            ASSERT_EQ(p.density, emitters.areaDensity(p.triangle));
+            ++counts[p.triangle];
+        }
+        for (const auto& [triangle, found] : counts) {
+            const double p = static_cast<double>(emitters.areaDensity(triangle)) * 0.5 *
+                             static_cast<double>(length(scene.mesh().geometricNormal(triangle)));
+            EXPECT_NEAR(found / double{kCount}, p, 5 * std::sqrt(p / kCount)) << triangle;
+        }
+    }
 }
 
 TEST(Emitters, LeaveOutWhatHasNoAreaAndWhatIsNotANumber) {

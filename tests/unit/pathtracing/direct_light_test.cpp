@@ -119,16 +119,8 @@ TEST(DirectLight, OfManyLightsSurvivesIntensitiesThatAreNoNumbers) {
     EXPECT_GT(lightened, ids.size() / 4);
 }
 
-TEST(DirectLight, OfManyBallsIsTheSameByEitherStrategy) {
-    Scene lit = lobedScene();
-    for (int i = 0; i < 60; ++i) {
-        const auto at = static_cast<float>(i);
-        Light ball = test::pointLight({0.15F * at - 4, 1.5F + 0.5F * std::sin(at), 2 * std::cos(at)}, 0.5F);
-        ball.kind = LightKind::Sphere;
-        ball.radius = 0.3F;
-        lit.lights.push_back(ball);
-    }
-    const test::PathScene scene(std::move(lit));
+/// The same light on the mean of each strategy.
+void expectOneLight(const test::PathScene& scene) {
     const Vec3 eye{0.3F, 2.5F, 6};
     for (const Vec3 to : {Vec3{0, 0, 2}, Vec3{-1, 1, 0}}) {
         test::PathLimits limits = test::bouncesAlone(0);
@@ -140,6 +132,44 @@ TEST(DirectLight, OfManyBallsIsTheSameByEitherStrategy) {
             const test::PathMean seen = scene.see(eye, to - eye, 20000, limits);
             EXPECT_NEAR(seen.mean[0], both.mean[0], 4 * (seen.error[0] + both.error[0]));
         }
+    }
+}
+
+/// So many places around and above the scene.
+Vec3 placeAround(int i) {
+    const auto at = static_cast<float>(i);
+    return {0.15F * at - 4, 1.5F + 0.5F * std::sin(at), 2 * std::cos(at)};
+}
+
+TEST(DirectLight, OfManyBallsIsTheSameByEitherStrategy) {
+    Scene lit = lobedScene();
+    for (int i = 0; i < 60; ++i) {
+        Light ball = test::pointLight(placeAround(i), 0.5F);
+        ball.kind = LightKind::Sphere;
+        ball.radius = 0.3F;
+        lit.lights.push_back(ball);
+    }
+    expectOneLight(test::PathScene(std::move(lit)));
+}
+
+TEST(DirectLight, OfManyEmissiveTrianglesIsTheSameByEitherStrategy) {
+    // One to a cluster, and several, beside many lights.
+    for (const int facets : {0, 32}) {
+        test::SceneBuilder b;
+        b.square({0, 0, 0}, {0, 1, 0}, 4, b.material(test::matte(0.6F)));
+        const std::uint32_t shines = b.material(test::emitter({40, 30, 20}));
+        for (int i = 0; i < 60; ++i) {
+            if (facets == 0) {
+                b.square(placeAround(i), normalize(Vec3{std::sin(static_cast<float>(i)), -1, 0.2F}), 0.2F,
+                         shines);
+            } else if (i % 5 == 0) {
+                b.sphere(placeAround(i), 0.3F, facets, shines);
+            }
+        }
+        Scene lit = b.finish();
+        for (int i = 0; facets != 0 && i < 40; ++i)
+            lit.lights.push_back(test::pointLight(placeAround(i), 0.1F));
+        expectOneLight(test::PathScene(std::move(lit)));
     }
 }
 

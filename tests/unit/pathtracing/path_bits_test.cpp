@@ -13,7 +13,7 @@ namespace rtcore {
 namespace {
 
 /// Everything occurs: lobes, mirrors, glass, holes, emission, area lights, fog where there are no more lights
-/// than are weighed one by one, and a tree of lights where there is no fog.
+/// than are weighed one by one, and trees of lights and of emissive triangles where there is no fog.
 Scene everything(bool foggy) {
     test::SceneBuilder b;
     Material floor = test::matte(0.8F);
@@ -52,6 +52,8 @@ Scene everything(bool foggy) {
         more.intensity = {0.1F, 0.2F, 0.1F};
         b.scene.lights.emplace_back(more);
     }
+    const std::uint32_t shines = b.material(test::emitter({0.5F, 0.3F, 0.2F}));
+    for (int i = 0; i < 4; ++i) b.sphere({static_cast<float>(i) - 2, 1.8F, -1}, 0.1F, 40, shines);
     return b.finish();
 }
 
