@@ -45,7 +45,7 @@ inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore:
     rtcore::alongAxis(shear.kz, [&](auto kz) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
             rtcore::Hit one;
-            one.t = ray.tMax;
+            one.t = std::min(ray.tMax, rtcore::kFarthestHit);
             if (testTriangle<kz>(mesh, i, ray, shear, one)) all.push_back(one);
         }
     });

@@ -302,7 +302,6 @@ HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats t
         // A triangle is met once more in each leaf that has it.
         const Ints index = hn::Set(di, triangle);
         const Mask same = hn::RebindMask(d, hn::Eq(index, found.triangle));
-        // NaN, of two hits at infinity, is a tie.
         const Floats behind = hn::Sub(outcome.t, found.best);
         hit = hn::AndNot(hn::Or(same, hn::Gt(behind, found.tie)), open);
         const Mask nearest = hn::Lt(behind, hn::Neg(found.tie));

@@ -32,11 +32,11 @@ struct IntervalVector {
 };
 
 /// Intervals that end before 0 are empty; they become [infinity, 0], since ends below 0 mean "has been hit"
-/// to any-hit walks.
+/// to any-hit walks. None goes beyond the farthest hit.
 HWY_INLINE RayVector loadRays(const RaySpan& rays, std::size_t at) {
     const FloatTag d;
     const Floats tMin = hn::LoadU(d, rays.tMin + at);
-    const Floats tMax = hn::LoadU(d, rays.tMax + at);
+    const Floats tMax = hn::Min(hn::LoadU(d, rays.tMax + at), hn::Set(d, kFarthestHit));
     const Mask isEmpty = hn::Lt(tMax, hn::Zero(d));
     return {hn::LoadU(d, rays.origin[0] + at),
             hn::LoadU(d, rays.origin[1] + at),

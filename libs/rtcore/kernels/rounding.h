@@ -1,6 +1,8 @@
 /// How much rounding is allowed for, the same in every kernel: they have to enter the same cells.
 #pragma once
 
+#include <limits>
+
 namespace rtcore {
 
 /// Plane distances are (s - o) * (1 / d), three roundings; each is taken a little too small where an interval
@@ -12,6 +14,9 @@ inline constexpr float kPlaneUp = 1 + 6 * 0x1p-24F;
 /// The largest rounding error of distances, as a fraction of the size that it grows with: in the leaf test
 /// the distance of a triangle's farthest corner, from one surface to another in its plane coordinateSize().
 inline constexpr float kDistanceError = 0x1p-17F;
+
+/// No hit is farther, however far a ray goes: an infinite distance has overflowed and orders nothing.
+inline constexpr float kFarthestHit = std::numeric_limits<float>::max();
 
 /// Hits that lie no further apart than this fraction of what traversal allows for are looked at again: they
 /// may be on one surface (one_surface.h).

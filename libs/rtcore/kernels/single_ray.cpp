@@ -117,7 +117,9 @@ void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Vi
 /// A ray that is prepared for the tests of leaves.
 struct HitSearch {
     HitSearch(const KernelScene& in, const Ray& along, const NarrowTriangles* known = nullptr)
-        : scene(in), narrow(known), ray(along), shear(along.direction) {}
+        : scene(in), narrow(known), ray(along), shear(along.direction) {
+        ray.tMax = std::min(ray.tMax, kFarthestHit);
+    }
 
     const KernelScene& scene;
     const NarrowTriangles* narrow; ///< null: to be found out
@@ -181,10 +183,11 @@ SurfacePlane planeOf(const KernelScene& scene, std::uint32_t triangle) {
 
 bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit) {
     const float tie = tieOf(scene, ray);
+    const HitSearch search(scene, ray);
     Hit best;
-    best.t = ray.tMax;
+    best.t = search.ray.tMax;
     float farthest = best.t + tie;
-    HitSearch(scene, ray).eachHitAlong(best.t, farthest, [&](const Hit& found) {
+    search.eachHitAlong(best.t, farthest, [&](const Hit& found) {
         if (found.triangle == best.triangle) return false; // met in another leaf before
         const bool tied = found.t >= best.t - tie;
         best = {std::min(best.t, found.t), tied ? found.triangle | kTiedHit : found.triangle, found.u,
@@ -201,7 +204,7 @@ std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* 
                                Hit& hit) {
     HitSearch search(scene, ray, narrow);
     search.ray.tMin = hit.t;
-    search.ray.tMax = std::min(hit.t + tieOf(scene, ray), ray.tMax);
+    search.ray.tMax = std::min(hit.t + tieOf(scene, ray), search.ray.tMax);
     const auto eachTie = [&](auto&& use) {
         search.eachHitAlong(search.ray.tMax, search.ray.tMax, [&](const Hit& found) {
             use(found);
@@ -247,7 +250,8 @@ bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit) {
 
 bool findAny(const KernelScene& scene, const Ray& ray) {
     bool any = false;
-    HitSearch(scene, ray).eachHitAlong(ray.tMax, ray.tMax, [&](const Hit& found) {
+    const HitSearch search(scene, ray);
+    search.eachHitAlong(search.ray.tMax, search.ray.tMax, [&](const Hit& found) {
         any = scene.clear == nullptr || !scene.letsThrough(found.triangle);
         return any;
     });

@@ -382,6 +382,22 @@ TEST(AwkwardWaves, BeyondTheRangeOfDistances) {
     }
 }
 
+// The distance itself, 2e17, has room: the sum that it is divided from has not. A ray to infinity, too, then
+// meets nothing, whether the closest hit is asked for or any.
+TEST(AwkwardWaves, WhoseDistancesOverflow) {
+    Random random(29);
+    test::SampleMesh mesh;
+    mesh.addTriangle({-1e12F, -1e12F, 1e12F}, {1e12F, -1e12F, 1e12F}, {0, 1e12F, 1e12F});
+    const WaveScene scene(std::move(mesh));
+    for (const bool overflows : {true, false}) {
+        for (const auto& [name, wave] : waysOf(random, [&] {
+                 const Vec3 aside{random.number(-0.2F, 0.2F), random.number(-0.2F, 0.2F), 1};
+                 return rayFrom(random.vector(1e11F), aside * (overflows ? 5e-6F : 1.0F));
+             }))
+            EXPECT_EQ(scene.expectBruteForce(name, wave), overflows ? 0 : wave.size());
+    }
+}
+
 // The leaf test's distance of a large wall is off by more than planes are widened: rays that end there must
 // look further than their ends, and those that begin there before their beginnings.
 TEST(AwkwardWaves, ThatEndOrBeginAtLargeWalls) {
