@@ -261,6 +261,7 @@ void LightTree::prepare(std::span<const LightCluster> clusters, std::size_t maxC
     }
     chooseCut(std::move(roots), 1 / (kFar * kFar), std::min(maxCut, kMaxCut));
     markTrails();
+    directed_ = std::ranges::any_of(nodes_, [](const LightNode& node) { return node.cosSpread > -1; });
 }
 
 /// The brightest node is divided as long as there is room. `farScale` makes lights that are far comparable:
@@ -306,10 +307,8 @@ void LightTree::markTrails() {
 }
 
 LightTreeRows LightTree::rows() const {
-    const bool directed =
-        std::ranges::any_of(nodes_, [](const LightNode& node) { return node.cosSpread > -1; });
     return {nodes_.data(), cut_.data(),   static_cast<std::uint32_t>(cut_.size()),
-            directed,      cutOf_.data(), trail_.data()};
+            directed_,     cutOf_.data(), trail_.data()};
 }
 
 } // namespace rtcore

@@ -83,6 +83,7 @@ class LightTree {
     std::vector<LightNode> nodes_;
     std::vector<std::uint32_t> cut_, cutOf_, trail_;
     std::size_t lights_ = 0;
+    bool directed_ = false;
     std::size_t near_ = 0; ///< nodes of lights that have a place; the others follow
 };
 
