@@ -79,8 +79,13 @@ def write_beside(path, ours, theirs):
         v = numpy.clip(image * 0.3 / mean, 0, 1)
         return numpy.where(v <= 0.0031308, 12.92 * v, 1.055 * v ** (1 / 2.4) - 0.055)
 
-    whole = numpy.concatenate((shown(ours), shown(theirs), numpy.clip(5 * abs(ours - theirs) / mean, 0, 1)), axis=1)
-    rows = (255 * whole + 0.5).astype(numpy.uint8)
+    write_shown(path, numpy.concatenate(
+        (shown(ours), shown(theirs), numpy.clip(5 * abs(ours - theirs) / mean, 0, 1)), axis=1))
+
+
+def write_shown(path, image):
+    """A PNG of what a display shows, 0 to 1."""
+    rows = (255 * image + 0.5).astype(numpy.uint8)
     pictures.write_png(path, rows.shape[1], rows.shape[0], [row.tobytes() for row in rows])
 
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """How good denoising is, by the Renderer itself. docs/lab/denoising.md has what was found. Needs numpy.
 
-    denoising.py table|error|flicker|time [OPTION]... [SCENE]...
+    denoising.py table|error|flicker|time|rest [OPTION]... [SCENE]...
 
 table: relMSE, PSNR and FLIP beside the image without denoising; error: the estimated error beside the true one;
-flicker: the deviation between seeds; time: seconds to a relMSE of 0.01 beside Cycles (Debian package blender).
+flicker: the deviation between seeds; time: seconds to a relMSE of 0.01 beside Cycles (Debian package blender); rest:
+what the window shows at rest by seconds.
 """
 import argparse
 import os
@@ -16,6 +17,7 @@ import duration
 import error_bar
 import flicker
 import programs
+import rest
 import table
 from rendering import KINDS, PART, Renderer
 from views import VIEWS, Views
@@ -23,7 +25,8 @@ from views import VIEWS, Views
 MODES = {"table": (table, (1, 4, 16, 64), tuple(KINDS), tuple(VIEWS)),
          "error": (error_bar, (16, 64, 256), ("base",), tuple(VIEWS)[:7]),
          "flicker": (flicker, (16, 64), ("base", "large"), ("sponza", "sibenik", "lamborghini")),
-         "time": (duration, (), ("base", "large"), duration.SCENES)}
+         "time": (duration, (), ("base", "large"), duration.SCENES),
+         "rest": (rest, (), (), ("nave", "sponza", "sibenik", "room", "mirrors"))}
 
 
 def options():

@@ -24,8 +24,13 @@ def srgb(linear):
 
 
 def shown(image, half):
-    """0 to 1; `half`: the exposure."""
-    return srgb(image / (half + luminance(image))[..., None])
+    """0 to 1; `half`: the exposure. What is brighter than 1 in a channel fades to the grey of its luminance."""
+    light = numpy.maximum(luminance(image), 0)
+    grey, mapped = (light / (half + light))[..., None], image / (half + light)[..., None]
+    largest = mapped.max(axis=-1, keepdims=True)
+    bright = largest > 1
+    kept = numpy.where(bright, (1 - grey) / numpy.where(bright, largest - grey, 1), 1)
+    return srgb(grey + (mapped - grey) * kept)
 
 
 def slope(image, half):

@@ -65,7 +65,7 @@ def ours(setting, path, checksum):
     for kind in setting.kinds:
         one = Measured(setting, programs.Ours(raw.program.program, "ours-" + kind, KINDS[kind]), path, checksum)
         found[kind] = []
-        for samples in SAMPLES:
+        for samples in setting.samples or SAMPLES:
             found[kind].append(one.point(samples, reference, once))
             if found[kind][-1].trimmed <= GOAL:
                 break

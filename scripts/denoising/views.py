@@ -15,6 +15,7 @@ import write_scene
 STRANGERS = os.path.join(PROJECT, "tests", "strangers", "make_strangers.py")
 ASSIMP = "/usr/share/assimp/models"  # of the Debian package assimp-testmodels
 FOLIAGE = "version = 1\neye = [9.0, 1.6, 9.0]\nforward = [-0.7, 0.12, -0.7]\nfov = 60.0\n"
+CAUSTICS = ("--lights=none", "--setting=path.emitters=on", "--setting=path.caustics=true")
 
 
 class Views:
@@ -29,11 +30,11 @@ class Views:
     def known(self, *path):
         return os.path.join(self.models, *path)
 
-    def project(self, *path):
+    def project(self, *path, options=()):
         """One of the scenes whose model scripts/make_data.sh makes."""
         scene = os.path.join(PROJECT, *path)
         model = os.path.join(os.path.dirname(scene), "generated", os.path.basename(scene)[:-3] + "glb")
-        return [scene] if os.path.isfile(model) else None
+        return [scene, *options] if os.path.isfile(model) else None
 
     def stranger(self, name):
         """A model that tests/strangers makes."""
@@ -69,5 +70,6 @@ VIEWS = {
     "engine": lambda v: [os.path.join(ASSIMP, "glTF2", "2CylinderEngine-glTF-Binary", "2CylinderEngine.glb"), "--look=studio"],
     "foliage": lambda v: v.foliage(),
     "glass": lambda v: v.shared("glass") + ["--setting=path.caustics=false"],
+    "caustics": lambda v: v.project("data", "gallery", "caustics.scn", options=CAUSTICS),
     "sibenik-sky": lambda v: [v.known("sibenik", "sibenik.obj"), "--look=sky"],
 }
