@@ -63,7 +63,7 @@ void EmitterClusters::prepare(const Mesh& mesh, std::span<const std::uint32_t> t
     Divider(mesh, triangles).divide(parts, [&](std::span<const std::uint32_t> members) {
         addCluster(mesh, triangles, powers, members);
     });
-    tree_.prepare(clusters_, kMaxCut);
+    tree_.prepare(clusters_);
     clusters_ = {};
 }
 

@@ -26,8 +26,6 @@ struct EmitterClusterRows {
 class EmitterClusters {
   public:
     static constexpr std::size_t kMaxClusters = 4096;
-    /// What a point weighs of the tree.
-    static constexpr std::size_t kMaxCut = 16;
 
     /// `triangles` of the mesh, at most 2^24, each with an area and its power in W, both sides together.
     /// Takes 10 microseconds for each cluster, and about 0.3 for each triangle.

@@ -240,10 +240,10 @@ void LightTree::prepare(std::span<const Light> lights, const Box3& bounds) {
     std::vector<LightCluster> clusters;
     clusters.reserve(lights.size());
     for (const Light& light : lights) clusters.push_back(clusterOf(light, bounds));
-    prepare(clusters, kMaxCut);
+    prepare(clusters);
 }
 
-void LightTree::prepare(std::span<const LightCluster> clusters, std::size_t maxCut) {
+void LightTree::prepare(std::span<const LightCluster> clusters) {
     *this = {};
     lights_ = clusters.size();
     std::array<std::vector<LightCluster>, 2> sides;
@@ -259,21 +259,21 @@ void LightTree::prepare(std::span<const LightCluster> clusters, std::size_t maxC
             roots.push_back(Builder(std::move(sides[side]), std::move(numbers[side]), nodes_).build());
         if (side == 0) near_ = nodes_.size();
     }
-    chooseCut(std::move(roots), 1 / (kFar * kFar), std::min(maxCut, kMaxCut));
+    chooseCut(std::move(roots), 1 / (kFar * kFar));
     markTrails();
     directed_ = std::ranges::any_of(nodes_, [](const LightNode& node) { return node.cosSpread > -1; });
 }
 
 /// The brightest node is divided as long as there is room. `farScale` makes lights that are far comparable:
 /// by what they would have to be at the border of what is lit.
-void LightTree::chooseCut(std::vector<std::uint32_t> roots, float farScale, std::size_t maxCut) {
+void LightTree::chooseCut(std::vector<std::uint32_t> roots, float farScale) {
     cut_ = std::move(roots);
     const auto weight = [&](std::uint32_t number) {
         const LightNode& node = nodes_[number];
         const float scale = number < near_ ? 1 : farScale;
         return (node.kind & light_node::kLeaf) != 0 ? -1 : node.intensity * scale;
     };
-    while (!cut_.empty() && cut_.size() < maxCut) {
+    while (!cut_.empty() && cut_.size() < kMaxCut) {
         const auto brightest = std::ranges::max_element(cut_, {}, weight);
         if (weight(*brightest) < 0) break;
         const std::uint32_t first = *brightest + 1, second = nodes_[*brightest].next;

@@ -63,13 +63,14 @@ struct LightTreeRows {
 /// Immutable once prepared; safe from many threads. About 140 bytes for each light.
 class LightTree {
   public:
-    static constexpr std::size_t kMaxCut = 32;
+    /// With 32 the error of 1,000 lights in a street is 0.97 of that, at 1.07 times the time.
+    static constexpr std::size_t kMaxCut = 16;
 
     /// `bounds`: of all that is lit, to which directional lights are far. Takes about 10 microseconds for
     /// each light.
     void prepare(std::span<const Light> lights, const Box3& bounds);
-    /// Of anything that shines: leaves are the numbers of `clusters`. `maxCut`: at most kMaxCut.
-    void prepare(std::span<const LightCluster> clusters, std::size_t maxCut);
+    /// Of anything that shines: leaves are the numbers of `clusters`.
+    void prepare(std::span<const LightCluster> clusters);
 
     bool empty() const { return nodes_.empty(); }
     LightTreeRows rows() const;
@@ -77,7 +78,7 @@ class LightTree {
     std::span<const std::uint32_t> cut() const { return cut_; }
 
   private:
-    void chooseCut(std::vector<std::uint32_t> roots, float farScale, std::size_t maxCut);
+    void chooseCut(std::vector<std::uint32_t> roots, float farScale);
     void markTrails();
 
     std::vector<LightNode> nodes_;

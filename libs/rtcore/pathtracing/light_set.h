@@ -46,8 +46,8 @@ struct LightRows {
 class LightSet {
   public:
     /// Up to this many lights are weighed one by one at each point, more of them by their tree.
-    static constexpr std::size_t kMaxWeighed = LightTree::kMaxCut;
-    static constexpr std::size_t kMaxCandidates = kMaxWeighed + EmitterClusters::kMaxCut + 1;
+    static constexpr std::size_t kMaxWeighed = 32;
+    static constexpr std::size_t kMaxCandidates = kMaxWeighed + LightTree::kMaxCut + 1;
 
     /// Takes the lights that are on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model,
     /// not 0 where it is; may be empty.
