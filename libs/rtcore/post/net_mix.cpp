@@ -53,6 +53,16 @@ class UsualDisplay {
             shown <= 0.0031308F ? 12.92F : 1.055F / 2.4F * portablePow(shown, 1.0F / 2.4F - 1);
         return static_cast<double>(255 * scale_ * slope / ((1 + x) * (1 + x)));
     }
+    /// Codes by which a radiance of that luminance is shown brighter once `error` is added: no more than the
+    /// display has left.
+    double codesOf(float luminance, double error) const {
+        const auto shown = [&](double light) {
+            const auto x = static_cast<float>(std::min(light * static_cast<double>(scale_), 1e30));
+            return static_cast<double>(srgbEncode(x / (1 + x)));
+        };
+        const double light = std::max(static_cast<double>(luminance), 0.0);
+        return std::isfinite(light + error) ? 255 * (shown(light + error) - shown(light)) : 255;
+    }
     /// What a squared error at that luminance counts.
     double weight(float luminance) const {
         const double x = static_cast<double>(luminance) * static_cast<double>(scale_ / kKey);
@@ -267,7 +277,8 @@ MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const U
         mixes ? std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)))
               : 0;
     const double error = squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
-    return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k), error / weight * codes};
+    return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k),
+            squared(display.codesOf(light, std::sqrt(std::max(error, 0.0) / weight)))};
 }
 
 } // namespace

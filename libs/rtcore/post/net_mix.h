@@ -38,7 +38,8 @@ struct NetMixInput {
 };
 
 /// The estimated error of an image, root mean square of the channels, in codes of 255 of a display that shows
-/// it by the exposure that a net takes (exposureForNet) and the curve `luminance`.
+/// it by the exposure that a net takes (exposureForNet) and the curve `luminance`: those by which a pixel
+/// gets brighter once its standard error is added.
 struct EstimatedError {
     float all = 0;             ///< of the whole image
     float largestBlock = 0;    ///< of the 8 x 8 pixels where it is largest
