@@ -4,6 +4,7 @@
 
 #include "rtcore/math/box.h"
 #include "rtcore/scene/closed_surfaces.h"
+#include "rtcore/scene/photometry.h"
 #include "rtcore/scene/scene.h"
 
 #include <cstddef>
@@ -83,8 +84,13 @@ inline void addLights(rtcore::Scene& scene, const rtcore::Box3& bounds) {
     sun.direction = rtcore::normalize({-0.4F, -1, -0.3F});
     sun.intensity = {2, 1.8F, 1.5F};
     sun.discSine = 0.01F;
-    static_assert(rtcore::kLightKinds == 5, "one light of each kind");
-    scene.lights = {ball, panel, bulb, spot, sun};
+    rtcore::Light luminaire = spot;
+    luminaire.kind = rtcore::LightKind::Ies;
+    luminaire.right = rtcore::basisAround(luminaire.direction).tangent;
+    luminaire.photometry = rtcore::keepPhotometry(
+        {{0, 20, 40, 90}, {0, 90, 270, 360}, {9, 5, 8, 0, 9, 6, 2, 1, 9, 5, 4, 0, 9, 5, 8, 0}});
+    static_assert(rtcore::kLightKinds == 6, "one light of each kind");
+    scene.lights = {ball, panel, bulb, spot, sun, luminaire};
 }
 
 /// A sky that is brighter above than below, and differs to all sides.

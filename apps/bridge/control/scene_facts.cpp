@@ -31,7 +31,8 @@ json cameraJson(const rtcore::Camera& camera) {
             {"orthographic", orthographic ? camera.orthographicWidth : 0}};
 }
 
-void describe(json& row, const rtcore::LightDescription& description, float metresPerUnit) {
+void describe(json& row, const app::ReportedLight& reported, float metresPerUnit) {
+    const rtcore::LightDescription& description = *reported.description;
     const rtcore::Light& light = description.light;
     const float max = rtcore::maxComponent(light.intensity);
     const rtcore::Colour colour = max > 0 ? light.intensity / max : rtcore::Colour{1, 1, 1};
@@ -40,7 +41,7 @@ void describe(json& row, const rtcore::LightDescription& description, float metr
     row["direction"] = vectorJson(light.direction);
     row["colour"] = {colour.r, colour.g, colour.b};
     row["temperature"] = description.temperature;
-    const float power = rtcore::powerOf(rtcore::tintedLight(description));
+    const float power = reported.power.value_or(rtcore::powerOf(rtcore::tintedLight(description)));
     row["power"] = power;
     row["lumens"] =
         rtcore::kLumensPerWatt * rtcore::radiantWatts(light, double{power}, double{metresPerUnit});
@@ -49,6 +50,7 @@ void describe(json& row, const rtcore::LightDescription& description, float metr
     row["height"] = light.height;
     row["angle"] = rtcore::degreesOfHalfSine(light.discSine);
     row["mirrored"] = light.mirrored != 0;
+    row["file"] = description.file.filename().string();
     const bool spot = light.kind == rtcore::LightKind::Spot;
     row["inner"] = spot ? rtcore::degreesOfCosine(light.cosInner) : 0;
     row["outer"] = spot ? rtcore::degreesOfCosine(light.cosOuter) : 0;
@@ -58,7 +60,7 @@ json lightsJson(const app::StateReport& state) {
     json rows = json::array();
     for (const app::ReportedLight& light : state.lights) {
         json row{{"id", light.id}, {"on", light.on}, {"name", light.name}};
-        if (light.description) describe(row, *light.description, state.metresPerUnit);
+        if (light.description) describe(row, light, state.metresPerUnit);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -133,6 +135,7 @@ json lightKindsJson() {
                          {"radius", kind.position && !kind.sides},
                          {"sides", kind.sides},
                          {"disc", kind.disc},
+                         {"turns", kind.turns()},
                          {"area", kind.radius || kind.sides}});
     return kinds;
 }

@@ -83,6 +83,8 @@ std::string lightAdd(const std::string& kind) { return line(CommandId::LightAdd,
 std::string lightCopy(int id) { return line(CommandId::LightCopy, id); }
 std::string lightRemove(int id) { return line(CommandId::LightRemove, id); }
 std::string lightName(int id, const std::string& name) { return line(CommandId::LightName, id, name); }
+std::string lightFile(int id, const std::string& path) { return line(CommandId::LightFile, id, path); }
+std::string lightTurn(int id, double degrees) { return line(CommandId::LightTurn, id, degrees); }
 std::string lightKind(int id, const std::string& kind) { return line(CommandId::LightKind, id, kind); }
 std::string lightMove(int id, const std::array<float, 3>& position) {
     return line(CommandId::LightMove, id, "at", position);

@@ -50,6 +50,8 @@ std::string lightCopy(int id);
 std::string lightRemove(int id);
 std::string lightName(int id, const std::string& name);
 std::string lightKind(int id, const std::string& kind);
+std::string lightFile(int id, const std::string& path);
+std::string lightTurn(int id, double degrees);
 std::string lightMove(int id, const std::array<float, 3>& position);
 std::string lightMoveHere(int id);
 std::string lightMoveSeen(int id);

@@ -95,6 +95,8 @@ enum class CommandId {
     LightSize,
     LightAngles,
     LightMirrored,
+    LightTurn,
+    LightFile,
     LightName,
     Environment,
     EnvironmentOpen,

@@ -29,7 +29,8 @@ struct Extent {
     bool lights; ///< all of each light
 };
 
-constexpr int kVersion = 2; ///< which [[light]] with an id needs
+constexpr const char* kPathsFrom = "/"; ///< where those of luminaires begin
+constexpr int kVersion = 2;             ///< which [[light]] with an id needs
 
 void write(rtcore::TomlWriter& writer, const std::string& key, const std::vector<NamedSwitch>& switches,
            const Extent& extent) {
@@ -62,7 +63,9 @@ void writeLights(rtcore::TomlWriter& writer, const StateReport& state, const Ext
         if (!light.description) continue;
         rtcore::LightDescription description = *light.description;
         description.name = rtcore::printable(description.name);
-        rtcore::writeLight(writer, description);
+        description.file = rtcore::printable(description.file.string());
+        rtcore::writeLight(writer, description, kPathsFrom);
+        if (light.power) writer.add("power", *light.power);
     }
 }
 
@@ -133,9 +136,12 @@ void readLights(rtcore::StrictTable& root, StateReport& state) {
     for (std::size_t i = 0; i < on.size(); ++i)
         lights.push_back({ids[i], on[i], i < names.size() ? names[i] : std::string()});
     for (rtcore::StrictTable& each : root.tables("light")) {
-        const rtcore::LightDescription description = rtcore::readLight(each);
+        const auto power = each.number("power", rtcore::kNotNegative);
+        const rtcore::LightDescription description = rtcore::readLight(each, kPathsFrom);
         const auto light = std::ranges::find(lights, description.id, &ReportedLight::id);
-        if (light != lights.end()) light->description = description;
+        if (light == lights.end()) continue;
+        light->description = description;
+        light->power = power;
     }
 }
 

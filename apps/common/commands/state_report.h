@@ -25,6 +25,9 @@ struct ReportedLight {
     std::string name; ///< may be empty
     /// As a .scn of version 2 has it; nothing where very many would be too long.
     std::optional<rtcore::LightDescription> description = {};
+    /// As rtcore::powerOf() counts it; nothing where the description tells it. Of a luminaire it takes the
+    /// file.
+    std::optional<float> power = {};
     friend bool operator==(const ReportedLight&, const ReportedLight&) = default;
 };
 

@@ -21,7 +21,7 @@ QList<NamedSwitch> switchesOf(const std::vector<app::NamedSwitch>& switches) {
 QList<ShownLight> lightsOf(const std::vector<app::ReportedLight>& lights) {
     QList<ShownLight> list;
     for (const app::ReportedLight& each : lights)
-        list.append({each.id, each.on, QString::fromStdString(each.name), each.description});
+        list.append({each.id, each.on, QString::fromStdString(each.name), each.description, each.power});
     return list;
 }
 

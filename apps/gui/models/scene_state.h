@@ -23,6 +23,7 @@ struct ShownLight {
     bool on = false;
     QString name;                                             ///< may be empty
     std::optional<rtcore::LightDescription> description = {}; ///< nothing where there are very many lights
+    std::optional<float> power = {};                          ///< as app::ReportedLight
     friend bool operator==(const ShownLight&, const ShownLight&) = default;
 };
 

@@ -16,6 +16,8 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -33,7 +35,7 @@ namespace {
 
 namespace command = app::command;
 
-constexpr double kFar = 1e9, kMaxDegrees = 180;
+constexpr double kFar = 1e9, kMaxDegrees = 180, kTurn = 15;
 constexpr int kFrame = 14; ///< pixels around the text of a field
 constexpr float kUsualTemperature = 4000;
 
@@ -85,6 +87,7 @@ LightFields::LightFields(QWidget* parent) : QWidget(parent), form_(new QFormLayo
     addPlace();
     addColour();
     addShape();
+    addFile();
 }
 
 void LightFields::send(const char* step, const std::string& line) {
@@ -188,6 +191,10 @@ void LightFields::addPlace() {
                         command::lightAimAhead),
                  button(tr("Aim at view centre"), tr("Let it shine to what is in the middle of the image"),
                         "light aim", command::lightAimSeen)});
+    turnRow_ = row({}, {button(tr("Turn left"), tr("Turn it by 15° about its direction"), "light turn",
+                               [](int id) { return command::lightTurn(id, kTurn); }),
+                        button(tr("Turn right"), tr("Turn it by 15° about its direction"), "light turn",
+                               [](int id) { return command::lightTurn(id, -kTurn); })});
 }
 
 void LightFields::addColour() {
@@ -217,6 +224,14 @@ void LightFields::addColour() {
     connect(power_, &PowerField::edited, this, [this](double value, const std::string& unit) {
         send("light power", command::lightPower(light_.id, value, unit));
     });
+}
+
+void LightFields::addFile() {
+    file_ = new QPushButton;
+    file_->setAccessibleName(tr("File of the light"));
+    file_->setToolTip(plainTip(tr("An IES or EULUMDAT file, which says how the luminaire shines")));
+    form_->addRow(tr("File"), file_);
+    connect(file_, &QPushButton::clicked, this, &LightFields::chooseFile);
 }
 
 void LightFields::addShape() {
@@ -297,7 +312,7 @@ void LightFields::show(const ShownLight& light, float metresPerUnit) {
     hasTemperature_->setChecked(temperature > 0);
     temperature_->setEnabled(temperature > 0);
     set(*temperature_, static_cast<double>(temperature > 0 ? temperature : kUsualTemperature));
-    const float power = rtcore::powerOf(tintedLight(*light.description));
+    const float power = light.power.value_or(rtcore::powerOf(tintedLight(*light.description)));
     power_->show(shines, static_cast<double>(power), metresPerUnit);
     showSize(shines);
     if (traits.beam == rtcore::Beam::Cone) {
@@ -305,6 +320,9 @@ void LightFields::show(const ShownLight& light, float metresPerUnit) {
         set(*angles_[1], rtcore::degreesOfCosine(shines.cosOuter));
     }
     mirrored_->setChecked(shines.mirrored != 0);
+    const auto& file = light.description->file;
+    file_->setText(file.empty() ? tr("Choose…")
+                                : plainText(QString::fromStdString(file.filename().string())));
     showColour();
     showRows(traits);
     showing_ = false;
@@ -317,6 +335,19 @@ void LightFields::showRows(const rtcore::LightTraits& traits) {
     form_->setRowVisible(directionButtons_, traits.direction);
     form_->setRowVisible(anglesRow_, traits.beam == rtcore::Beam::Cone);
     form_->setRowVisible(mirrored_, traits.radius || traits.sides);
+    form_->setRowVisible(turnRow_, traits.turns());
+    form_->setRowVisible(file_, traits.beam == rtcore::Beam::Measured);
+}
+
+void LightFields::chooseFile() {
+    auto* dialog =
+        new QFileDialog(this, tr("Open a luminaire"), {}, tr("Luminaires (*.ies *.ldt);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        send("light file", command::lightFile(light_.id, QFileInfo(path).absoluteFilePath().toStdString()));
+    });
+    dialog->open();
 }
 
 // --- Colour ---

@@ -65,6 +65,7 @@ class LightFields : public QWidget {
     void addPlace();
     void addColour();
     void addShape();
+    void addFile();
     Vector vectorFields(const QString& name, double max);
     /// The other two components stay to the last bit.
     void onVector(const Vector& fields, const char* step,
@@ -77,6 +78,7 @@ class LightFields : public QWidget {
     void showSize(const rtcore::Light& light);
     void showRows(const rtcore::LightTraits& traits);
     void chooseColour();
+    void chooseFile();
     void showColour();
 
     double inMetres(float length) const {
@@ -96,7 +98,9 @@ class LightFields : public QWidget {
     ValueBox* temperature_;
     PowerField* power_;
     std::array<ValueBox*, 2> size_, angles_;
-    QWidget *positionRow_, *positionButtons_, *directionRow_, *directionButtons_, *sizeRow_, *anglesRow_;
+    QWidget *positionRow_, *positionButtons_, *directionRow_, *directionButtons_, *turnRow_, *sizeRow_,
+        *anglesRow_;
+    QPushButton* file_;
 };
 
 } // namespace gui

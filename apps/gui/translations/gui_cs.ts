@@ -2185,6 +2185,42 @@ Alt+%2</translation>
         <source>Mirrors, lacquer and glass that bends show the light itself; the camera does not</source>
         <translation>Zrcadla, lak a sklo, které láme světlo, ukazují samotné světlo; kamera ne</translation>
     </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Otočit doleva</translation>
+    </message>
+    <message>
+        <source>Turn it by 15° about its direction</source>
+        <translation>Otočí je o 15° kolem jeho směru</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Otočit doprava</translation>
+    </message>
+    <message>
+        <source>File of the light</source>
+        <translation>Soubor světla</translation>
+    </message>
+    <message>
+        <source>An IES or EULUMDAT file, which says how the luminaire shines</source>
+        <translation>Soubor IES nebo EULUMDAT, který říká, jak svítidlo svítí</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Soubor</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Vybrat…</translation>
+    </message>
+    <message>
+        <source>Open a luminaire</source>
+        <translation>Otevřít svítidlo</translation>
+    </message>
+    <message>
+        <source>Luminaires (*.ies *.ldt);;All files (*)</source>
+        <translation>Svítidla (*.ies *.ldt);;Všechny soubory (*)</translation>
+    </message>
 </context>
 <context>
     <name>gui::LightOperations</name>

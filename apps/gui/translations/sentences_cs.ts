@@ -252,6 +252,10 @@
         <translation>datum nebo čas</translation>
     </message>
     <message>
+        <source>a direct ratio</source>
+        <translation>podíl přímého světla</translation>
+    </message>
+    <message>
         <source>a directional light has no lm; give lx, or W for W/m2</source>
         <translation>směrové světlo nemá lm; zadejte lx, nebo W jako W/m2</translation>
     </message>
@@ -304,6 +308,10 @@
         <translation>strana snímku má 1 až {0} pixelů, ne {1} x {2}</translation>
     </message>
     <message>
+        <source>a horizontal angle</source>
+        <translation>vodorovný úhel</translation>
+    </message>
+    <message>
         <source>a key cannot hold '{0}'; it is of letters, digits, - and _, or stands in quotes</source>
         <translation>klíč nemůže obsahovat '{0}'; skládá se z písmen, číslic, - a _, nebo je v uvozovkách</translation>
     </message>
@@ -320,8 +328,16 @@
         <translation>klíč je na jednom řádku; na každém konci použijte jedny uvozovky, ne troje</translation>
     </message>
     <message>
+        <source>a length</source>
+        <translation>délka</translation>
+    </message>
+    <message>
         <source>a library says "{0}"</source>
         <translation>knihovna hlásí anglicky: „{0}“</translation>
+    </message>
+    <message>
+        <source>a line TILT=</source>
+        <translation>řádek TILT=</translation>
     </message>
     <message>
         <source>a line cannot begin with '{0}'; it reads key = value, or [name]</source>
@@ -342,6 +358,10 @@
     <message>
         <source>a model of SketchUp, which is not read</source>
         <translation>model programu SketchUp, který nelze načíst</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>název</translation>
     </message>
     <message>
         <source>a name in quotes</source>
@@ -372,6 +392,10 @@
         <translation>číslo od {0}, menší než {1}</translation>
     </message>
     <message>
+        <source>a number for future use</source>
+        <translation>číslo pro budoucí použití</translation>
+    </message>
+    <message>
         <source>a number is not finite</source>
         <translation>některé číslo není konečné</translation>
     </message>
@@ -390,6 +414,10 @@
     <message>
         <source>a plain bitmap holds only 0 and 1</source>
         <translation>textová bitmapa obsahuje jen 0 a 1</translation>
+    </message>
+    <message>
+        <source>a plane's angle</source>
+        <translation>úhel roviny</translation>
     </message>
     <message>
         <source>a point cloud (E57), which has no surfaces</source>
@@ -444,6 +472,10 @@
         <translation>některý oddíl nemá řádné jméno</translation>
     </message>
     <message>
+        <source>a side of the luminaire</source>
+        <translation>rozměr svítidla</translation>
+    </message>
+    <message>
         <source>a sky that was modelled around it keeps the light out; make it a part of its own</source>
         <translation>obloha vymodelovaná kolem něj nepropouští světlo; udělejte z ní samostatnou část</translation>
     </message>
@@ -492,12 +524,20 @@
         <translation>textura je na povrchu natočená; to se nepodporuje, takže natočená není</translation>
     </message>
     <message>
+        <source>a tilt</source>
+        <translation>sklon</translation>
+    </message>
+    <message>
         <source>a value is a boolean, a number or a text</source>
         <translation>hodnota je true nebo false, číslo, nebo text</translation>
     </message>
     <message>
         <source>a value is missing here</source>
         <translation>tady chybí hodnota</translation>
+    </message>
+    <message>
+        <source>a vertical angle</source>
+        <translation>svislý úhel</translation>
     </message>
     <message>
         <source>a web page, not a model</source>
@@ -532,6 +572,10 @@
         <translation>{0} světlo nemá plochu, kterou by ukazovala zrcadla</translation>
     </message>
     <message>
+        <source>a {0} light is the same however it is turned about its direction</source>
+        <translation>světlo druhu {0} vypadá stejně, ať je kolem svého směru natočeno jakkoli</translation>
+    </message>
+    <message>
         <source>a {0} light shines to all sides; 'light kind' changes that</source>
         <translation>{0} světlo svítí na všechny strany; to změní 'light kind'</translation>
     </message>
@@ -552,6 +596,10 @@
         <translation>activeEnvironment je {0}, ale je tu {1} {2}, počítáno od 0</translation>
     </message>
     <message>
+        <source>all intensities are zero; choose the file of a luminaire that gives off light</source>
+        <translation>všechny svítivosti jsou nulové; vyberte soubor svítidla, které svítí</translation>
+    </message>
+    <message>
         <source>alphas: there must be none or one per normal</source>
         <translation>alphas: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
@@ -566,6 +614,14 @@
     <message>
         <source>an IGES file of CAD surfaces, which are not read</source>
         <translation>soubor IGES s plochami CAD, které nelze načíst</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>úhel</translation>
+    </message>
+    <message>
+        <source>an angle of the axis</source>
+        <translation>úhel od osy</translation>
     </message>
     <message>
         <source>an array</source>
@@ -590,6 +646,10 @@
     <message>
         <source>an image of {0} x {1} pixels cannot be written</source>
         <translation>obraz o velikosti {0} x {1} pixelů nelze zapsat</translation>
+    </message>
+    <message>
+        <source>an intensity</source>
+        <translation>svítivost</translation>
     </message>
     <message>
         <source>another bookmark is called {0}</source>
@@ -884,6 +944,10 @@
         <translation>stáhněte model (git lfs pull)</translation>
     </message>
     <message>
+        <source>file is empty; name an IES or EULUMDAT file</source>
+        <translation>file je prázdné; uveďte soubor IES nebo EULUMDAT</translation>
+    </message>
+    <message>
         <source>flying</source>
         <translation>let</translation>
     </message>
@@ -976,6 +1040,10 @@
         <translation>klid byl vypnut</translation>
     </message>
     <message>
+        <source>ies</source>
+        <translation>IES</translation>
+    </message>
+    <message>
         <source>ignored, since not supported: {0}</source>
         <translation>ignorováno, protože se nepodporuje: {0}</translation>
     </message>
@@ -1026,6 +1094,10 @@
     <message>
         <source>it has no nodes</source>
         <translation>nemá žádné uzly</translation>
+    </message>
+    <message>
+        <source>it has one vertical angle; two or more are needed</source>
+        <translation>má jediný svislý úhel; jsou potřeba aspoň dva</translation>
     </message>
     <message>
         <source>it has samples of an unusual kind</source>
@@ -1140,6 +1212,10 @@
         <translation>není to model; zadejte sám model nebo .bsp</translation>
     </message>
     <message>
+        <source>it is no photometric file any more; choose another one</source>
+        <translation>už to není fotometrický soubor; vyberte jiný</translation>
+    </message>
+    <message>
         <source>it is no regular file; give a file</source>
         <translation>není to obyčejný soubor; zadejte soubor</translation>
     </message>
@@ -1160,6 +1236,10 @@
         <translation>je neznámého druhu</translation>
     </message>
     <message>
+        <source>it is of the photometric type {0}; convert it to type C, in which luminaires for rooms and streets are measured</source>
+        <translation>je fotometrického typu {0}; převeďte jej na typ C, ve kterém se měří svítidla do místností a na ulice</translation>
+    </message>
+    <message>
         <source>it is only {0} units large, too small to be traced; scale it up by a factor of {1}</source>
         <translation>měří jen {0} jednotek, takže je na výpočet příliš malý; zvětšete ho {1}krát</translation>
     </message>
@@ -1174,6 +1254,10 @@
     <message>
         <source>it is {0}; {1}</source>
         <translation>je to {0}; {1}</translation>
+    </message>
+    <message>
+        <source>it names a photometric file, which is not in it</source>
+        <translation>odkazuje na fotometrický soubor, který v něm není</translation>
     </message>
     <message>
         <source>it names a texture that does not exist</source>
@@ -1284,6 +1368,10 @@
         <translation>jeho hlavička slibuje {0} prvků '{1}', které se do něj nevejdou</translation>
     </message>
     <message>
+        <source>its horizontal angles end at {0} degrees; they span 0, 90, 180 or 360</source>
+        <translation>jeho vodorovné úhly končí na {0} stupních; mají sahat přes 0, 90, 180 nebo 360</translation>
+    </message>
+    <message>
         <source>its model is a scene file too; name a .bsp or a model: {0}</source>
         <translation>jeho model je také soubor scény; zadejte .bsp nebo model: {0}</translation>
     </message>
@@ -1316,8 +1404,16 @@
         <translation>jeho pixely nelze dekódovat</translation>
     </message>
     <message>
+        <source>its planes do not go with its number of symmetry, {0}; correct one of them</source>
+        <translation>jeho roviny neodpovídají číslu souměrnosti {0}; opravte jedno z toho</translation>
+    </message>
+    <message>
         <source>its sides are out of range</source>
         <translation>jeho strany jsou mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its tilt is in a file of its own, {0}, which does not count</source>
+        <translation>jeho sklon je ve zvláštním souboru {0}, ke kterému se nepřihlíží</translation>
     </message>
     <message>
         <source>its version is {0}, not {1}</source>
@@ -1392,6 +1488,10 @@
         <translation>lookAt je tam, kde eye; kamera potřebuje směr</translation>
     </message>
     <message>
+        <source>lumens are those of a file; name it by file, or give an intensity</source>
+        <translation>lumens patří k souboru; uveďte jej klíčem file, nebo zadejte intensity</translation>
+    </message>
+    <message>
         <source>lx is for directional lights; others give off lm or W</source>
         <translation>lx je pro směrová světla; ostatní mají lm nebo W</translation>
     </message>
@@ -1422,6 +1522,10 @@
     <message>
         <source>mirror</source>
         <translation>zrcadlo</translation>
+    </message>
+    <message>
+        <source>more follows behind the last intensity: '{0}'; the numbers of angles are wrong, or what follows is to be removed</source>
+        <translation>za poslední svítivostí ještě něco je: „{0}“; počty úhlů jsou špatně, nebo je třeba to odstranit</translation>
     </message>
     <message>
         <source>more than {0} bytes</source>
@@ -1628,6 +1732,10 @@
         <translation>z jeho {0} MB skoro nic nebylo zapsáno; zkopírujte nebo exportujte ho znovu</translation>
     </message>
     <message>
+        <source>only a light of the kind ies has a file and lumens</source>
+        <translation>file a lumens má jen světlo druhu ies</translation>
+    </message>
+    <message>
         <source>only number {0}</source>
         <translation>jen číslo {0}</translation>
     </message>
@@ -1724,8 +1832,8 @@
         <translation>odkaz {0} nepatří do žádného listu</translation>
     </message>
     <message>
-        <source>right is zero or along direction; give where the width of the light points to</source>
-        <translation>right je nulový nebo rovnoběžný s direction; zadejte, kam míří šířka světla</translation>
+        <source>right is zero or along direction; give where the width of the light points to, or C = 0 of a luminaire</source>
+        <translation>right je nulový nebo podél direction; uveďte, kam míří šířka světla nebo C = 0 svítidla</translation>
     </message>
     <message>
         <source>section nodes belongs to no tree</source>
@@ -1912,6 +2020,14 @@
         <translation>textury, které tento soubor Collada ořezává nebo zrcadlí, se místo toho opakují</translation>
     </message>
     <message>
+        <source>the angle {0} follows {1}; angles ascend, by a thousandth of a degree or more</source>
+        <translation>po úhlu {1} je {0}; úhly rostou aspoň o tisícinu stupně</translation>
+    </message>
+    <message>
+        <source>the ballast factor</source>
+        <translation>činitel předřadníku</translation>
+    </message>
+    <message>
         <source>the bridge ends</source>
         <translation>RTBridge končí</translation>
     </message>
@@ -1920,8 +2036,16 @@
         <translation>kamera potřebuje směr pohledu</translation>
     </message>
     <message>
+        <source>the candela multiplier</source>
+        <translation>násobitel svítivostí</translation>
+    </message>
+    <message>
         <source>the checksum of its part {0} is wrong</source>
         <translation>nesouhlasí kontrolní součet jeho části {0}</translation>
+    </message>
+    <message>
+        <source>the colour of the light sources</source>
+        <translation>barva zdrojů</translation>
     </message>
     <message>
         <source>the command ends with a backslash</source>
@@ -1930,6 +2054,10 @@
     <message>
         <source>the command is empty</source>
         <translation>příkaz je prázdný</translation>
+    </message>
+    <message>
+        <source>the conversion factor of intensities</source>
+        <translation>převodní činitel svítivostí</translation>
     </message>
     <message>
         <source>the direction is zero; give where the light shines to</source>
@@ -1942,6 +2070,18 @@
     <message>
         <source>the direction to the sun is not zero</source>
         <translation>směr ke slunci nesmí být nulový</translation>
+    </message>
+    <message>
+        <source>the distance of angles</source>
+        <translation>rozestup úhlů</translation>
+    </message>
+    <message>
+        <source>the distance of planes</source>
+        <translation>rozestup rovin</translation>
+    </message>
+    <message>
+        <source>the downward flux fraction</source>
+        <translation>podíl toku dolů</translation>
     </message>
     <message>
         <source>the driver is asked</source>
@@ -1970,6 +2110,10 @@
     <message>
         <source>the file ends too early: it is damaged or was not copied completely</source>
         <translation>soubor končí příliš brzy: je poškozený, nebo nebyl zkopírován celý</translation>
+    </message>
+    <message>
+        <source>the file ends where {0} should follow; it was cut off, so get it again</source>
+        <translation>soubor končí tam, kde má následovat {0}; je useknutý, opatřete si jej znovu</translation>
     </message>
     <message>
         <source>the file is cut off</source>
@@ -2068,6 +2212,14 @@
         <translation>chybí tu klíč {0}; přidejte ho</translation>
     </message>
     <message>
+        <source>the kind of light sources</source>
+        <translation>druh zdrojů</translation>
+    </message>
+    <message>
+        <source>the kind of luminaire</source>
+        <translation>druh svítidla</translation>
+    </message>
+    <message>
         <source>the largest value of a PNM must lie in 1..65535</source>
         <translation>největší hodnota v PNM musí být 1 až 65535</translation>
     </message>
@@ -2100,6 +2252,10 @@
         <translation>vrstva {0} není konvoluce 3 x 3</translation>
     </message>
     <message>
+        <source>the light output ratio</source>
+        <translation>účinnost svítidla</translation>
+    </message>
+    <message>
         <source>the lights were edited</source>
         <translation>světla byla upravena</translation>
     </message>
@@ -2114,6 +2270,18 @@
     <message>
         <source>the list names no camera</source>
         <translation>seznam neuvádí žádnou kameru</translation>
+    </message>
+    <message>
+        <source>the lumens of a light source</source>
+        <translation>lumeny zdroje</translation>
+    </message>
+    <message>
+        <source>the lumens of the light sources</source>
+        <translation>lumeny zdrojů</translation>
+    </message>
+    <message>
+        <source>the maker</source>
+        <translation>výrobce</translation>
     </message>
     <message>
         <source>the model has no such material; 'materials' lists them</source>
@@ -2136,6 +2304,38 @@
         <translation>síť má {0} výstupů, ne 3</translation>
     </message>
     <message>
+        <source>the number of angles in a plane</source>
+        <translation>počet úhlů v rovině</translation>
+    </message>
+    <message>
+        <source>the number of horizontal angles</source>
+        <translation>počet vodorovných úhlů</translation>
+    </message>
+    <message>
+        <source>the number of light sources</source>
+        <translation>počet zdrojů</translation>
+    </message>
+    <message>
+        <source>the number of planes</source>
+        <translation>počet rovin</translation>
+    </message>
+    <message>
+        <source>the number of sets of light sources</source>
+        <translation>počet sad zdrojů</translation>
+    </message>
+    <message>
+        <source>the number of symmetry</source>
+        <translation>číslo souměrnosti</translation>
+    </message>
+    <message>
+        <source>the number of tilts</source>
+        <translation>počet sklonů</translation>
+    </message>
+    <message>
+        <source>the number of vertical angles</source>
+        <translation>počet svislých úhlů</translation>
+    </message>
+    <message>
         <source>the outer angle is not wider than the inner</source>
         <translation>vnější úhel není větší než vnitřní</translation>
     </message>
@@ -2146,6 +2346,14 @@
     <message>
         <source>the path {0} is not absolute</source>
         <translation>cesta {0} není absolutní</translation>
+    </message>
+    <message>
+        <source>the photometric type</source>
+        <translation>fotometrický typ</translation>
+    </message>
+    <message>
+        <source>the position of the light source</source>
+        <translation>poloha zdroje</translation>
     </message>
     <message>
         <source>the process that started this server is gone, and no client is connected: it ends</source>
@@ -2166,6 +2374,10 @@
     <message>
         <source>the scene says so</source>
         <translation>říká to scéna</translation>
+    </message>
+    <message>
+        <source>the second factor of the ballast</source>
+        <translation>činitel předřadníku a zdroje</translation>
     </message>
     <message>
         <source>the sections are damaged (their checksum differs)</source>
@@ -2216,8 +2428,20 @@
         <translation>textury materiálu {0} na něm leží různě; všechny jsou položené jako první</translation>
     </message>
     <message>
+        <source>the tilt of the luminaire</source>
+        <translation>sklon svítidla</translation>
+    </message>
+    <message>
+        <source>the unit of lengths</source>
+        <translation>jednotka délek</translation>
+    </message>
+    <message>
         <source>the version is missing; begin the file with: version = {0}</source>
         <translation>chybí verze; začněte soubor řádkem: version = {0}</translation>
+    </message>
+    <message>
+        <source>the watts</source>
+        <translation>příkon</translation>
     </message>
     <message>
         <source>the weights of {0} have the SHA-256 {1} here, not {2}; use the version of this suite that knows those</source>
@@ -2410,6 +2634,10 @@
     <message>
         <source>this link is for looking only</source>
         <translation>tento odkaz je jen pro diváky</translation>
+    </message>
+    <message>
+        <source>this program has read {0} luminaires, the most that it keeps; start it anew</source>
+        <translation>tento program načetl {0} svítidel, víc jich neudrží; spusťte jej znovu</translation>
     </message>
     <message>
         <source>three numbers in brackets</source>
@@ -2684,6 +2912,14 @@
         <translation>{0} je zde nejvýše {1}</translation>
     </message>
     <message>
+        <source>{0} is {1}, but is a whole number from {2} to {3}</source>
+        <translation>{0} je {1}, má to ale být celé číslo od {2} do {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, but is from {2} to {3}</source>
+        <translation>{0} je {1}, má to ale být od {2} do {3}</translation>
+    </message>
+    <message>
         <source>{0} is {1}, but takes a whole number, {2}</source>
         <translation>{0} je {1}, ale má to být celé číslo, {2}</translation>
     </message>
@@ -2748,6 +2984,10 @@
         <translation>některé vzorky ({0}) nejsou konečné a nepočítají se; scéna obsahuje příliš velká čísla</translation>
     </message>
     <message>
+        <source>{0} should stand here, a number, and not '{1}'</source>
+        <translation>zde má stát {0}, číslo, a ne „{1}“</translation>
+    </message>
+    <message>
         <source>{0} takes a number, from 1</source>
         <translation>{0} bere číslo, od 1</translation>
     </message>
@@ -2786,6 +3026,10 @@
     <message>
         <source>{0} textures are missing, so their materials are plain: {1}</source>
         <translation>chybějící textury: {0}, jejich materiály jsou jednobarevné: {1}</translation>
+    </message>
+    <message>
+        <source>{0} times {1} angles are too many; at most {2} intensities are taken</source>
+        <translation>{0} krát {1} úhlů je příliš mnoho; svítivostí smí být nejvýš {2}</translation>
     </message>
     <message>
         <source>{0} to {1}</source>

@@ -695,6 +695,10 @@
         <translation>světlo v zrcadlech</translation>
     </message>
     <message>
+        <source>file of light</source>
+        <translation>soubor světla</translation>
+    </message>
+    <message>
         <source>name of light</source>
         <translation>název světla</translation>
     </message>
@@ -744,6 +748,10 @@
     <message>
         <source>Rectangle</source>
         <translation>Obdélník</translation>
+    </message>
+    <message>
+        <source>Ies</source>
+        <translation>Svítidlo IES</translation>
     </message>
 </context>
 <context>

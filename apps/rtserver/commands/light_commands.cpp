@@ -21,6 +21,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -49,7 +50,7 @@ Result describe(const Call& call) {
         rtcore::describeLight(scene, lightOf(*call.document().scene(), integer(call[0])));
     if (rtcore::findInvalidUtf8(light.name) != std::string::npos) light.name = rtcore::printable(light.name);
     rtcore::TomlWriter writer;
-    rtcore::writeLight(writer, light);
+    rtcore::writeLight(writer, light, {});
     const bool placed = traitsOf(light.light).position;
     const double watts =
         rtcore::radiantWatts(light.light, double{powerOf(light)}, double{scene.metresPerUnit});
@@ -236,6 +237,21 @@ Result mirrored(const Call& call) {
     return change(call, [&](LightDescription& light) { setMirrored(light, flag(call[1])); });
 }
 
+Result turn(const Call& call) {
+    return change(call, [&](LightDescription& light) { setTurn(light, preciseNumber(call[1])); });
+}
+
+Result takeFile(const Call& call) {
+    std::vector<rtcore::Sentence> warnings;
+    const Document& document = call.document();
+    change(call, [&](LightDescription& light) {
+        setFile(light, pathOf(call[1]), sceneExtentOf(document), document.scene()->metresPerUnit, warnings);
+    });
+    if (warnings.empty()) return {};
+    const Answer told = warningAnswer(warnings.front());
+    return {.answer = told.text, .detail = told.detail};
+}
+
 Result rename(const Call& call) {
     if (rtcore::findInvalidUtf8(call[1]) != std::string::npos)
         throw rtcore::BadValue("the name of a light is a text in UTF-8");
@@ -257,6 +273,8 @@ constexpr std::array kLightFunctions{
     CommandFunction{app::CommandId::LightSize, size},
     CommandFunction{app::CommandId::LightAngles, angles},
     CommandFunction{app::CommandId::LightMirrored, mirrored},
+    CommandFunction{app::CommandId::LightTurn, turn},
+    CommandFunction{app::CommandId::LightFile, takeFile},
     CommandFunction{app::CommandId::LightName, rename},
     CommandFunction{app::CommandId::Lights, listLights},
 };

@@ -1,5 +1,6 @@
 #include "rtserver/commands/state_report_of.h"
 
+#include "rtcore/scene/light_power.h"
 #include "rtcore/sky/scene_sky.h"
 
 #include <cstddef>
@@ -37,6 +38,8 @@ std::vector<app::ReportedLight> lightsOf(const Document& document) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const rtcore::LightDescription light = rtcore::describeLight(scene, i);
         all.push_back({light.id, light.light.on != 0, light.name, light});
+        if (traitsOf(light.light).beam == rtcore::Beam::Measured)
+            all.back().power = rtcore::powerOf(scene.lights[i].light);
     }
     return all;
 }

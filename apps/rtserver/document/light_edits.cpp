@@ -1,10 +1,12 @@
 #include "rtserver/document/light_edits.h"
 
+#include "rtcore/io/photometry/luminaire.h"
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/math/blackbody.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/light_power.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <fmt/core.h>
 
@@ -64,11 +66,12 @@ void complete(Light& light, const SceneExtent& extent) {
     const bool cone = traits.beam == rtcore::Beam::Cone;
     light.cosInner = cone ? rtcore::cosineOfDegrees(double{kInner}) : usual.cosInner;
     light.cosOuter = cone ? rtcore::cosineOfDegrees(double{kOuter}) : usual.cosOuter;
-    light.right = traits.sides ? basisAround(light.direction).tangent : usual.right;
+    light.right = traits.turns() ? basisAround(light.direction).tangent : usual.right;
     light.width = traits.sides ? sizes.width * unit : usual.width;
     light.height = traits.sides ? sizes.height * unit : usual.height;
     if (!traits.disc) light.discSine = usual.discSine;
     if (!isAreaLight(light.kind)) light.mirrored = usual.mirrored;
+    if (traits.beam != rtcore::Beam::Measured) light.photometry = usual.photometry;
 }
 
 void scale(LightDescription& light, float factor) {
@@ -140,6 +143,7 @@ void setKind(LightDescription& light, LightKind kind, const SceneExtent& extent)
         now.direction = has ? extent.downwards : unitOr(extent.centre - now.position, extent.downwards);
     const float square = squareDistance(now.position, extent.centre, extent);
     complete(now, extent);
+    changed.file.clear();
     if (had == has) {
         scale(changed, powerFactor(light.light) / powerFactor(now));
     } else {
@@ -181,6 +185,26 @@ void setAngles(LightDescription& light, float inner, float outer) {
     light.light.cosOuter = cosOuter;
 }
 
+void setFile(LightDescription& light, const std::filesystem::path& file, const SceneExtent& extent,
+             float metresPerUnit, std::vector<rtcore::Sentence>& warnings) {
+    LightDescription changed = light;
+    setKind(changed, LightKind::Ies, extent);
+    changed.file = file;
+    changed.lumens = 0.0F;
+    readLuminaire(changed, metresPerUnit, warnings);
+    light = changed;
+}
+
+void setTurn(LightDescription& light, double degrees) {
+    if (!traitsOf(light.light).turns())
+        throw rtcore::Refusal(rtcore::say("a {0} light is the same however it is turned about its direction",
+                                          kindOf(light.light)));
+    const float radians = static_cast<float>(degrees) * (kPi / 180);
+    const Vec3 across = cross(light.light.right, light.light.direction);
+    light.light.right =
+        normalize(light.light.right * rtcore::portableCos(radians) + across * rtcore::portableSin(radians));
+}
+
 void setPosition(LightDescription& light, Vec3 position) {
     if (!traitsOf(light.light).position)
         throw rtcore::Refusal("a directional light has no position; 'light aim' turns it");
@@ -194,7 +218,7 @@ void setDirection(LightDescription& light, Vec3 direction) {
     const Vec3 unit = normalize(direction);
     if (unit == Vec3{}) throw rtcore::BadValue("the direction is zero; give where the light shines to");
     light.light.direction = unit;
-    if (!traitsOf(light.light).sides) return;
+    if (!traitsOf(light.light).turns()) return;
     const Vec3 right = normalize(light.light.right - unit * dot(light.light.right, unit));
     light.light.right = right == Vec3{} ? basisAround(unit).tangent : right;
 }

@@ -4,8 +4,11 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/platform/sentence.h"
 
+#include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace rtserver {
 
@@ -51,6 +54,12 @@ void setSize(rtcore::LightDescription& light, double size, std::optional<double>
 void setAngles(rtcore::LightDescription& light, float inner, float outer);
 /// Whether mirrors show it: of spheres and rectangles.
 void setMirrored(rtcore::LightDescription& light, bool on);
+/// Makes it a luminaire of that photometric file, as bright as the file says in a scene of that unit, of the
+/// colour that it has. Appends what of the file does not count. Throws as readLuminaire() as well.
+void setFile(rtcore::LightDescription& light, const std::filesystem::path& file, const SceneExtent& extent,
+             float metresPerUnit, std::vector<rtcore::Sentence>& warnings);
+/// Turns a rectangle or a luminaire about its direction, counter-clockwise as one looks along it.
+void setTurn(rtcore::LightDescription& light, double degrees);
 void setPosition(rtcore::LightDescription& light, rtcore::Vec3 position);
 /// `direction` need not be of unit length. A rectangle turns with as little roll as may be.
 void setDirection(rtcore::LightDescription& light, rtcore::Vec3 direction);

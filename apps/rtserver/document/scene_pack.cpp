@@ -6,6 +6,7 @@
 #include "common/commands/pack_words.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/io/photometry/photometric_file.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
 #include "rtcore/platform/sentence.h"
@@ -45,6 +46,9 @@ Paths filesOf(const ScenePack& pack) {
     for (const rtcore::MaterialOverride& material : pack.scene.materials) {
         if (material.diffuseTexture) all.push_back(*material.diffuseTexture);
     }
+    for (const rtcore::LightDescription& light : pack.scene.lights) {
+        if (!light.file.empty()) all.push_back(light.file);
+    }
     for (const rtcore::EnvironmentFile& environment : pack.scene.environments)
         all.insert(all.end(), environment.files.begin(), environment.files.end());
     return all;
@@ -81,9 +85,9 @@ void countBytes(const ScenePack& pack, PackProgress& progress) {
     }
 }
 
-/// The copy of a file that `decode` reads as an image; nothing when it is none.
-std::optional<fs::path> takeImage(const fs::path& file, const char* folder, PackedFiles& pack,
-                                  const std::function<void(const fs::path&)>& decode) {
+/// The copy of a file that `decode` reads; nothing when it cannot.
+std::optional<fs::path> takeChecked(const fs::path& file, const char* folder, PackedFiles& pack,
+                                    const std::function<void(const fs::path&)>& decode) {
     if (!fs::is_regular_file(file)) {
         pack.noteMissing(file);
         return std::nullopt;
@@ -102,13 +106,23 @@ std::optional<fs::path> takeImage(const fs::path& file, const char* folder, Pack
 
 void takeEnvironment(rtcore::EnvironmentFile& environment, PackedFiles& pack) {
     for (fs::path& file : environment.files) {
-        const auto copy = takeImage(file, "environments", pack,
-                                    [](const fs::path& image) { (void)rtcore::readHdrImage(image); });
+        const auto copy = takeChecked(file, "environments", pack,
+                                      [](const fs::path& image) { (void)rtcore::readHdrImage(image); });
         if (!copy)
             throw rtcore::FileError(rtcore::FailureKind::BadData, file.string(),
                                     "it is no image any more; choose another environment map");
         file = *copy;
     }
+}
+
+void takeLuminaire(rtcore::LightDescription& light, PackedFiles& pack) {
+    if (light.file.empty()) return;
+    const auto copy = takeChecked(light.file, "luminaires", pack,
+                                  [](const fs::path& file) { (void)rtcore::readPhotometricFile(file); });
+    if (!copy)
+        throw rtcore::FileError(rtcore::FailureKind::BadData, light.file.string(),
+                                "it is no photometric file any more; choose another one");
+    light.file = *copy;
 }
 
 void fill(PackedFiles& files, ScenePack& pack, const std::string& name) {
@@ -118,9 +132,10 @@ void fill(PackedFiles& files, ScenePack& pack, const std::string& name) {
     for (rtcore::MaterialOverride& material : scene.materials) {
         if (material.diffuseTexture)
             material.diffuseTexture =
-                takeImage(*material.diffuseTexture, "textures", files,
-                          [](const fs::path& image) { (void)rtcore::readLdrImage(image); });
+                takeChecked(*material.diffuseTexture, "textures", files,
+                            [](const fs::path& image) { (void)rtcore::readLdrImage(image); });
     }
+    for (rtcore::LightDescription& light : scene.lights) takeLuminaire(light, files);
     for (rtcore::EnvironmentFile& environment : scene.environments) takeEnvironment(environment, files);
     const fs::path written = files.root() / name;
     rtcore::writeSceneFile(written, scene);

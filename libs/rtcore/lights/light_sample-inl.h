@@ -1,5 +1,6 @@
 // How much a light sends to a point, over the number F: float or Float. Included once for each
 // instruction set, inside the loop of foreach_target.h, or alone.
+#include "rtcore/lights/photometry-inl.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/math/float3-inl.h"
 #include "rtcore/sampling/disc-inl.h"
@@ -158,6 +159,8 @@ HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
     irradiance.z = light.intensity.b == light.intensity.r ? irradiance.x : light.intensity.b / square;
     if constexpr (traits.beam == Beam::Cone)
         irradiance = irradiance * spotFactor<F>(light, -dot(path.direction, broadcast<F>(light.direction)));
+    if constexpr (traits.beam == Beam::Measured)
+        irradiance = irradiance * measuredFactor<F>(light, -path.direction);
     F spread = F(0);
     if constexpr (flat) {
         const float area = areaOfFlat<kind>(light) * stratum.ofAll / kPi;

@@ -1,6 +1,7 @@
 #include "rtcore/lights/light_tree.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/scene/photometry.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -79,6 +80,11 @@ LightCluster clusterOf(const Light& light, const Box3& bounds) {
     cluster.cosSpread = -1;
     if (traits.beam == Beam::Even) return cluster;
     cluster.axis = light.direction;
+    if (traits.beam == Beam::Measured) {
+        cluster.cosSpread = photometryOf(light).cosSpread;
+        cluster.cosEdge = photometryOf(light).cosEdge;
+        return cluster;
+    }
     const bool cone = traits.beam == Beam::Cone;
     cluster.cosSpread = cone ? light.cosInner : 1;
     // Of the angles of a cone's rim the difference.

@@ -1,5 +1,6 @@
 #include "rtcore/look/visible_points.h"
 
+#include "rtcore/lights/photometry-inl.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/survey/closest_hit.h"
@@ -27,6 +28,8 @@ float irradianceAt(const KdTree& tree, const Mesh& mesh, const Light& light, con
     const float cosine = near ? -dot(direction, light.direction) / distance : 1;
     if (traitsOf(light).beam == Beam::Cone && cosine < light.cosOuter) return 0;
     if (traitsOf(light).beam == Beam::Cosine) strength *= std::max(cosine, 0.0F);
+    if (traitsOf(light).beam == Beam::Measured)
+        strength *= HWY_NAMESPACE::measuredFactor<float>(light, -direction);
     if (near) strength /= std::max(distance * distance, light.radius * light.radius);
     const float last = near ? std::max(1 - light.radius / distance, 0.0F) * kShort : Box3::kHuge;
     return occluded(tree, mesh, {point.position, 0, direction, last}) ? 0 : strength * facing;

@@ -22,35 +22,40 @@ enum class LightKind : std::uint32_t {
     Spot = 2,
     Sphere = 3,
     Rectangle = 4,
-    Last = Rectangle
+    Ies = 5, ///< of a luminaire, by its photometric file
+    Last = Ies
 };
 
 struct Light {
     LightKind kind = LightKind::Point;
     Vec3 position;             ///< all but directional: where its middle is, scene units
-    Vec3 direction{0, -1, 0};  ///< directional, spot, rectangle: where it shines to, unit length
+    Vec3 direction{0, -1, 0};  ///< directional, spot, rectangle: where it shines to, unit length; of a
+                               ///< luminaire the axis from which its angles are measured
     Colour intensity{1, 1, 1}; ///< directional: irradiance on a surface that faces it, W/m^2; else radiant
                                ///< intensity in W/sr (so irradiance is intensity / d^2), of a rectangle
-                               ///< straight ahead
+                               ///< straight ahead, of a luminaire where it is brightest
     float radius = 0;          ///< sphere: how big it is; else distances below it count as it (no infinite
                                ///< brightness). Of all kinds, what is nearer to the position does not occlude
     float cosInner = 1;        ///< spot: cosine of the half-angle of full brightness
     float cosOuter = 0;        ///< spot: cosine of the half-angle at which it ends; < cosInner
     std::uint32_t on = 1;      ///< 0 or 1
     std::uint32_t nameOffset = 0;
-    Vec3 right;       ///< rectangle: along its width; unit length, perpendicular to `direction`
+    Vec3 right;       ///< rectangle: along its width; luminaire: where its half-plane C = 0 points; unit
+                      ///< length, perpendicular to `direction`
     float width = 0;  ///< rectangle: scene units
     float height = 0; ///< rectangle: perpendicular to `right`
     /// directional: sine of half the angle under which its disc is seen, 0..1; 0: it has no size
     float discSine = 0;
-    std::uint32_t mirrored = 0; ///< sphere, rectangle: 1 where mirrors and bending glass show it, 0 or 1
+    std::uint32_t mirrored = 0;   ///< sphere, rectangle: 1 where mirrors and bending glass show it, 0 or 1
+    std::uint32_t photometry = 0; ///< luminaire: number of its distribution (photometry.h); 0 in files
 
     friend bool operator==(const Light&, const Light&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 88);
+static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 92);
 
-/// How the radiant intensity depends on the direction: not at all, in a spot's cone, or with the cosine.
-enum class Beam : std::uint8_t { Even, Cone, Cosine };
+/// How the radiant intensity depends on the direction: not at all, in a spot's cone, with the cosine, or as
+/// it was measured.
+enum class Beam : std::uint8_t { Even, Cone, Cosine, Measured };
 
 /// The properties in which kinds of lights differ, wherever they are not sampled (lights/light_sample-inl.h).
 /// The `radius` of a Light is that of a ball whatever they say.
@@ -62,15 +67,19 @@ struct LightTraits {
     bool radius; ///< it is as big as its radius, which it needs
     bool sides;  ///< it has a width and a height
     bool disc;   ///< it may be seen as a disc, endlessly far away
+
+    /// Whether it can be turned about its direction, and so has a `right`.
+    constexpr bool turns() const { return sides || beam == Beam::Measured; }
 };
 
 /// By LightKind.
-inline constexpr std::array<LightTraits, 5> kLightTraits{{
+inline constexpr std::array<LightTraits, 6> kLightTraits{{
     {"point", true, false, Beam::Even, false, false, false},
     {"directional", false, true, Beam::Even, false, false, true},
     {"spot", true, true, Beam::Cone, false, false, false},
     {"sphere", true, false, Beam::Even, true, false, false},
     {"rectangle", true, true, Beam::Cosine, false, true, false},
+    {"ies", true, true, Beam::Measured, false, false, false},
 }};
 inline constexpr std::size_t kLightKinds = kLightTraits.size();
 static_assert(static_cast<std::size_t>(LightKind::Last) + 1 == kLightKinds, "a row for each kind");

@@ -4,6 +4,7 @@
 #include "rtcore/math/colour.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/scene/light.h"
+#include "rtcore/scene/photometry.h"
 
 namespace rtcore {
 
@@ -16,6 +17,8 @@ F meanIntensity(const Light& light) {
         return F(0.25);
     case Beam::Cone:
         return F(0.5) - F(0.25) * (F(light.cosInner) + F(light.cosOuter));
+    case Beam::Measured:
+        return F(photometryOf(light).mean);
     case Beam::Even:
         break;
     }

@@ -5,6 +5,7 @@
 #include "rtcore/scene/light.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ struct LightNotes {
     int id = 0;            ///< 1..kMaxLightId, unique in the scene: it stays while others come and go
     float temperature = 0; ///< kelvin, that of the light's colour; 0: it has a colour of its own
     Colour untinted = {};  ///< with a temperature: Light::intensity before that, which is the product of both
+    std::filesystem::path file = {}; ///< of a luminaire: that of its distribution; "": none
     friend bool operator==(const LightNotes&, const LightNotes&) = default;
 };
 

@@ -27,6 +27,9 @@ std::vector<Light> lightsOfEachKind() {
         light.intensity = {2, 3, 5};
         lights.push_back(light);
     }
+    lights[static_cast<std::size_t>(LightKind::Ies)].photometry =
+        keepPhotometry({{0, 20, 40, 90, 120}, {0, 90, 270, 360}, {9, 5, 8, 1, 0, 9, 6, 2, 1, 0,
+                                                                  9, 5, 4, 0, 0, 9, 5, 8, 1, 0}});
     Light spot = lights[static_cast<std::size_t>(LightKind::Spot)];
     for (const auto& [inner, outer] :
          {std::pair(0.9F, 0.3F), std::pair(0.2F, -0.6F), std::pair(0.99F, 0.98F)}) {

@@ -32,6 +32,7 @@ Vec3 randomDirection(test::Random& random) {
 std::vector<Light> randomLights(std::size_t count, bool everyKind = true) {
     test::Random random(4);
     std::vector<Light> lights(count);
+    const std::uint32_t web = keepPhotometry({{0, 15, 60}, {0, 180, 360}, {9, 8, 0, 9, 2, 0, 9, 8, 0}});
     for (std::size_t i = 0; i < count; ++i) {
         Light& light = lights[i];
         if (everyKind) light.kind = static_cast<LightKind>(i % kLightKinds);
@@ -45,6 +46,7 @@ std::vector<Light> randomLights(std::size_t count, bool everyKind = true) {
         light.height = random.number(0.1F, 2);
         light.cosOuter = random.number(0.1F, 0.8F);
         light.cosInner = random.number(0.81F, 0.99F);
+        if (light.kind == LightKind::Ies) light.photometry = web;
     }
     return lights;
 }

@@ -1,4 +1,6 @@
 // Fog against numbers written down and against numerical integration in double precision.
+#include "rtcore/lights/photometry-inl.h"
+#include "rtcore/scene/photometry.h"
 #include "rtcore/shading/fog/fog.h"
 #include "rtcore/shading/fog/fog_light.h"
 #include "rtcore/shading/fog/fog_shafts.h"
@@ -243,10 +245,15 @@ double lightByIntegration(const Case& c) {
             spot = x * x * (3 - 2 * x);
         }
         if (flat) spot = std::max(along / r, 0.0);
+        if (c.light.kind == LightKind::Ies) {
+            const auto cosine = static_cast<float>(along / r);
+            const float sine = std::sqrt(std::max(1 - cosine * cosine, 0.0F));
+            spot = double{HWY_NAMESPACE::measuredFactor<float>(photometryOf(c.light), cosine, sine, 0.0F)};
+        }
         return spot * c.density(t) * std::exp(-c.fog.density * both) / square;
     };
     const auto [from, to] = c.seenStretch();
-    std::vector<double> edges = evenEdges(from, to, c.light.kind == LightKind::Spot ? 300 : 60);
+    std::vector<double> edges = evenEdges(from, to, flat || c.light.kind == LightKind::Point ? 60 : 300);
     const auto add = [&, from = from, to = to](double t) {
         if (t > from && t < to) edges.push_back(t);
     };
@@ -287,6 +294,8 @@ void expectLightOf(LightKind lightKind, int fogs, double tolerance) {
         Light light = test::pointLight(random.vector(30), 4 * static_cast<float>(test::kPi));
         light.kind = lightKind;
         light.direction = random.unitVector();
+        if (lightKind == LightKind::Ies)
+            light.photometry = keepPhotometry({{0, 20, 40, 75}, {0, 360}, {6, 9, 4, 0, 6, 9, 4, 0}});
         light.cosOuter = random.number(0, 0.9F);
         light.cosInner = light.cosOuter + random.number(0.3F, 1) * (1 - light.cosOuter);
         std::vector<Case> cases;
@@ -309,6 +318,7 @@ void expectLightOf(LightKind lightKind, int fogs, double tolerance) {
 TEST(FogLight, APointLightIsTheIntegral) { expectLightOf(LightKind::Point, 100, 1e-4); }
 TEST(FogLight, APanelsLightIsTheIntegral) { expectLightOf(LightKind::Rectangle, 20, 1e-4); }
 TEST(FogLight, ASpotsLightIsTheIntegral) { expectLightOf(LightKind::Spot, 10, 3e-3); }
+TEST(FogLight, ALuminairesLightIsTheIntegral) { expectLightOf(LightKind::Ies, 10, 1e-2); }
 
 TEST(FogLight, HasTheBrightnessOfTheClosedForm) {
     const auto seen = [](float density, float distance) {

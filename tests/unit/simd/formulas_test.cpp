@@ -119,6 +119,9 @@ inline Light lightOf(LightKind kind) {
     light.radius = 0.125F;
     light.cosInner = 0.9F;
     light.cosOuter = 0.3F;
+    if (kind == LightKind::Ies)
+        light.photometry =
+            keepPhotometry({{0, 15, 60, 90}, {0, 70, 360}, {9, 8, 5, 0, 9, 2, 4, 0, 9, 8, 5, 0}});
     return light;
 }
 

@@ -45,8 +45,12 @@ rtcore::LightDescription randomLight(Random& random) {
         light.radius = random.positive();
     }
     if (traits.direction) light.direction = rtcore::normalize(point(random));
+    if (traits.turns()) light.right = rtcore::basisAround(light.direction).tangent;
+    if (traits.beam == rtcore::Beam::Measured && random.flag()) {
+        result.file = "/l/" + awkwardName(random);
+        if (random.flag()) result.lumens = random.positive();
+    }
     if (traits.sides) {
-        light.right = rtcore::basisAround(light.direction).tangent;
         light.width = random.positive();
         light.height = random.positive();
     }

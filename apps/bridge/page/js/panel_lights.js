@@ -79,6 +79,10 @@ export function lightsPanel(app) {
             tipped(of("LightFields", "Aim at view centre"),
                 of("LightFields", "Let it shine to what is in the middle of the image"),
                 () => edit("light aim", "seen")));
+        const turn = of("LightFields", "Turn it by 15° about its direction");
+        buttons(has("turns"),
+            tipped(of("LightFields", "Turn left"), turn, () => edit("light turn", 15)),
+            tipped(of("LightFields", "Turn right"), turn, () => edit("light turn", -15)));
     }
 
     function addShape() {

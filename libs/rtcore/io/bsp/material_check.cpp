@@ -92,7 +92,7 @@ Finding problemOf(const Light& l, const Model& model) {
     if (traits.direction && !isUnit(l.direction)) return form("direction is not of unit length");
     if (!isPlace(l.right) || !within(l.width, 0, kLargestNumber) || !within(l.height, 0, kLargestNumber))
         return form("its sides are out of range");
-    if (traits.sides && !(isUnit(l.right) && std::fabs(dot(l.right, l.direction)) < 1e-3F))
+    if (traits.turns() && !(isUnit(l.right) && std::fabs(dot(l.right, l.direction)) < 1e-3F))
         return form("its width is not perpendicular to its direction");
     if (!within(l.intensity, 0, kLargestNumber)) return outOfRange("intensity");
     if (!within(l.radius, 0, kLargestNumber)) return outOfRange("radius");
@@ -101,6 +101,7 @@ Finding problemOf(const Light& l, const Model& model) {
         return form("the outer angle is not wider than the inner");
     if (!within(l.discSine, 0, 1)) return form("its disc is out of range");
     if (!isSwitch(l.on) || !isSwitch(l.mirrored)) return form("a switch is neither 0 nor 1");
+    if (l.photometry != 0) return form("it names a photometric file, which is not in it");
     if (l.nameOffset < model.strings.size()) return {};
     return form("its name lies outside of the strings");
 }

@@ -4,6 +4,7 @@
 #include "rtcore/io/loading/material_overrides.h"
 #include "rtcore/io/loading/model_reading.h"
 #include "rtcore/io/loading/sections.h"
+#include "rtcore/io/photometry/luminaire.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/set.h"
 #include "rtcore/look/shell_picture.h"
@@ -43,7 +44,7 @@ class SceneReading {
 
         Scene& scene = out_.scene;
         if (file.modelLights) takeModelLights(scene);
-        for (const LightDescription& light : file.lights) putLight(scene, scene.lights.size(), light);
+        readLights(file);
         static_cast<SceneLook&>(scene) = file;
         loading_.describedSky = std::exchange(scene.sky, std::nullopt);
         loading_.begin(LoadPhase::LoadingImages);
@@ -67,6 +68,17 @@ class SceneReading {
     }
 
   private:
+    void readLights(const SceneFile& file) {
+        Scene& scene = out_.scene;
+        const auto unit =
+            static_cast<float>(loading_.options.import.metresPerUnit.value_or(double{file.metresPerUnit}));
+        for (LightDescription light : file.lights) {
+            readLuminaire(light, unit, out_.warnings);
+            if (!light.file.empty()) out_.files.push_back(light.file);
+            putLight(scene, scene.lights.size(), light);
+        }
+    }
+
     void hideParts(const std::filesystem::path& path, const SceneFile& file) {
         if (file.parts.empty()) return;
         Scene& scene = out_.scene;

@@ -83,7 +83,7 @@ class SceneReader {
     void readLists() {
         std::set<int> ids;
         for (StrictTable& table : root_.tables("light")) {
-            const int id = scene_.lights.emplace_back(readLight(table)).id;
+            const int id = scene_.lights.emplace_back(readLight(table, folder_)).id;
             if (id > 0 && !ids.insert(id).second) table.fail("id", say("two lights have the id {0}", id));
         }
         for (StrictTable& table : root_.tables("material"))
@@ -161,7 +161,7 @@ class SceneWriter {
         writer_.add("version", kSceneFileVersion);
         writeRoot();
         writeCameraTable();
-        for (const LightDescription& light : scene_.lights) writeLight(writer_, light);
+        for (const LightDescription& light : scene_.lights) writeLight(writer_, light, folder_);
         for (const MaterialOverride& material : scene_.materials) writeMaterial(writer_, material, folder_);
         for (const PartDescription& part : scene_.parts) writePart(writer_, part);
         for (const EnvironmentFile& environment : scene_.environments)

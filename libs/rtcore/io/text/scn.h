@@ -29,7 +29,11 @@ struct LightDescription {
     Light light;      ///< direction of unit length, cosOuter < cosInner; nameOffset is 0. With a temperature,
                       ///< its intensity is that without it
     int id = 0;       ///< as in LightNotes; 0: the file says none
-    float temperature = 0; ///< kelvin; 0: none
+    float temperature = 0;           ///< kelvin; 0: none
+    std::filesystem::path file = {}; ///< of a luminaire (io/photometry/luminaire.h); "": none
+    /// With a file: all that the luminaire gives off, to which its intensity has yet to be scaled, which is
+    /// its colour until then; 0: what the file says. Nothing: the intensity is as it shall be.
+    std::optional<float> lumens = {};
     friend bool operator==(const LightDescription&, const LightDescription&) = default;
 };
 

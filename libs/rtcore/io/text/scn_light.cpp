@@ -1,5 +1,6 @@
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/io/text/text_file.h"
 #include "rtcore/platform/sentence.h"
 
 #include "rtcore/math/blackbody.h"
@@ -42,21 +43,35 @@ void setCone(const StrictTable& table, const Cone& cone, Light& light) {
     table.fail(key, say("innerAngle must be below outerAngle, by enough to tell them apart"));
 }
 
-struct Sides {
-    std::optional<Vec3> right;
-    std::optional<float> width, height;
-};
-
 /// A vector that is perpendicular but for rounding stays as it is, so that what was written reads back alike.
-void setSides(const StrictTable& table, const Sides& sides, Light& light) {
-    light.width = table.require("width", sides.width);
-    light.height = table.require("height", sides.height);
-    const Vec3 right = unitDirection(sides.right.value_or(basisAround(light.direction).tangent));
+void setRight(const StrictTable& table, const std::optional<Vec3>& given, Light& light) {
+    const Vec3 right = unitDirection(given.value_or(basisAround(light.direction).tangent));
     const float slant = dot(right, light.direction);
     light.right = std::fabs(slant) < 1e-6F ? right : normalize(right - light.direction * slant);
     if (right == Vec3{} || std::fabs(slant) > 0.999F)
-        table.fail("right",
-                   say("right is zero or along direction; give where the width of the light points to"));
+        table.fail("right", say("right is zero or along direction; give where the width of the light points "
+                                "to, or C = 0 of a luminaire"));
+}
+
+/// What belongs to a luminaire.
+struct Luminaire {
+    std::optional<std::filesystem::path> file;
+    std::optional<float> lumens;
+};
+
+/// Without an intensity it is as bright as its file says.
+void setLuminaire(const StrictTable& table, const Luminaire& luminaire, bool intensity,
+                  LightDescription& to) {
+    if (traitsOf(to.light).beam != Beam::Measured && (luminaire.file || luminaire.lumens))
+        table.fail(luminaire.file ? "file" : "lumens",
+                   say("only a light of the kind ies has a file and lumens"));
+    if (luminaire.file && luminaire.file->empty())
+        table.fail("file", say("file is empty; name an IES or EULUMDAT file"));
+    if (luminaire.lumens && !luminaire.file)
+        table.fail("lumens", say("lumens are those of a file; name it by file, or give an intensity"));
+    to.file = luminaire.file.value_or("");
+    to.lumens = luminaire.lumens;
+    if (luminaire.file && !intensity && !to.lumens) to.lumens = 0.0F;
 }
 
 } // namespace
@@ -69,7 +84,7 @@ Light tintedLight(const LightDescription& description) {
 
 LightDescription describeLight(const Scene& scene, std::size_t i) {
     const auto& [light, name, notes, ofSky] = scene.lights[i];
-    LightDescription result{name, light, notes.id, notes.temperature};
+    LightDescription result{name, light, notes.id, notes.temperature, notes.file};
     if (notes.temperature > 0) result.light.intensity = notes.untinted;
     result.light.nameOffset = 0;
     return result;
@@ -82,10 +97,10 @@ void putLight(Scene& scene, std::size_t i, const LightDescription& description) 
     to.light = tintedLight(description);
     to.name = description.name;
     to.notes = {description.id, description.temperature,
-                description.temperature > 0 ? description.light.intensity : Colour{}};
+                description.temperature > 0 ? description.light.intensity : Colour{}, description.file};
 }
 
-LightDescription readLight(StrictTable& table) {
+LightDescription readLight(StrictTable& table, const std::filesystem::path& folder) {
     const auto id = table.integer("id", 1, kMaxLightId);
     if (id) table.needVersion(2, "id");
     const auto temperature = table.number("temperature", kTemperature);
@@ -100,8 +115,10 @@ LightDescription readLight(StrictTable& table) {
     const Cone cone{table.preciseNumber("innerAngle", kHalfAngle),
                     table.preciseNumber("outerAngle", kHalfAngle)};
     const auto angle = table.preciseNumber("angle", kDiscAngle);
-    const Sides sides{table.vector("right"), table.number("width", kNotNegative),
-                      table.number("height", kNotNegative)};
+    const auto right = table.vector("right");
+    const auto width = table.number("width", kNotNegative), height = table.number("height", kNotNegative);
+    const Luminaire luminaire{table.path("file", folder), table.number("lumens", kNotNegative)};
+    if (luminaire.file) table.needVersion(2, "file");
     const auto mirrored = table.boolean("mirrored");
     const auto on = table.boolean("on");
     table.finish();
@@ -121,14 +138,20 @@ LightDescription readLight(StrictTable& table) {
     light.radius = radius.value_or(light.radius);
     if (traits.radius && !radius) table.require("radius", radius);
     if (traits.beam == Beam::Cone) setCone(table, cone, light);
-    if (traits.sides) setSides(table, sides, light);
+    if (traits.turns()) setRight(table, right, light);
+    if (traits.sides) {
+        light.width = table.require("width", width);
+        light.height = table.require("height", height);
+    }
+    setLuminaire(table, luminaire, intensity.has_value(), result);
     if (traits.disc) light.discSine = sineOfHalf(angle.value_or(0));
     if (isAreaLight(light.kind)) light.mirrored = mirrored.value_or(false) ? 1 : 0;
     light.on = on.value_or(true) ? 1 : 0;
     return result;
 }
 
-void writeLight(TomlWriter& writer, const LightDescription& description) {
+void writeLight(TomlWriter& writer, const LightDescription& description,
+                const std::filesystem::path& folder) {
     const Light& light = description.light;
     const LightTraits& traits = traitsOf(light);
     writer.section("[[light]]");
@@ -137,15 +160,17 @@ void writeLight(TomlWriter& writer, const LightDescription& description) {
     writer.add("kind", traits.name);
     if (traits.position) writer.add("position", light.position);
     if (traits.direction) writer.add("direction", light.direction);
+    if (!description.file.empty()) writer.add("file", pathToUtf8(pathSeenFrom(folder, description.file)));
     writer.add("intensity", light.intensity);
+    if (description.lumens) writer.add("lumens", *description.lumens);
     if (description.temperature > 0) writer.add("temperature", description.temperature);
     if (traits.position) writer.add("radius", light.radius);
     if (traits.beam == Beam::Cone) {
         writer.add("innerAngle", degreesOfCosine(light.cosInner));
         writer.add("outerAngle", degreesOfCosine(light.cosOuter));
     }
+    if (traits.turns()) writer.add("right", light.right);
     if (traits.sides) {
-        writer.add("right", light.right);
         writer.add("width", light.width);
         writer.add("height", light.height);
     }

@@ -19,7 +19,7 @@ struct NameOrNumber {
 NameOrNumber readNameOrNumber(StrictTable& table, std::string_view what);
 
 /// The readers call table.finish() and throw FileError BadData. `folder` is where relative paths start.
-LightDescription readLight(StrictTable& table);
+LightDescription readLight(StrictTable& table, const std::filesystem::path& folder);
 MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& folder);
 PartDescription readPart(StrictTable& table);
 EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path& folder);
@@ -29,7 +29,7 @@ Sky readSky(StrictTable& table, const Sky& usual = {});
 SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
 
 /// The writers check nothing.
-void writeLight(TomlWriter& writer, const LightDescription& description);
+void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder);
 void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder);
 void writePart(TomlWriter& writer, const PartDescription& part);
 void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,

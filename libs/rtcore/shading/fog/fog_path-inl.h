@@ -27,6 +27,7 @@ template <typename Use>
 HWY_INLINE void forBeam(Beam beam, Use&& use) {
     if (beam == Beam::Cone) return use.template operator()<Beam::Cone>();
     if (beam == Beam::Cosine) return use.template operator()<Beam::Cosine>();
+    if (beam == Beam::Measured) return use.template operator()<Beam::Measured>();
     use.template operator()<Beam::Even>();
 }
 
@@ -60,6 +61,14 @@ struct LightPath {
             perAxial = dot(direction, axis);
             offsetSquare = dot(offset, offset);
         }
+        if constexpr (beam == Beam::Measured) {
+            const Float3 right = broadcast(light.right);
+            const Float3 side = broadcast(cross(light.right, light.direction));
+            web = &photometryOf(light);
+            cosOuter = web->cosReach;
+            sideways = {-dot(offset, right), -dot(offset, side), 0.0F};
+            perSideways = {dot(direction, right), dot(direction, side), 0.0F};
+        }
     }
 
     /// Relative density at t, times transmittance over r to the light and back over t, times the light's
@@ -76,6 +85,10 @@ struct LightPath {
             result = fastExp(-(extinction * (counted ? t + r : t)));
         }
         if constexpr (beam == Beam::Even) return result;
+        if constexpr (beam == Beam::Measured) {
+            const Float3 at = sideways + perSideways * t;
+            return result * measuredFactor<Float>(*web, axial + perAxial * t, at.x, at.y);
+        }
         const Float cosine = (axial + perAxial * t) / r;
         if constexpr (beam == Beam::Cosine) return result * max(cosine, 0.0F);
         return result * smoothstep((cosine - cosOuter) * perCosine);
@@ -101,7 +114,7 @@ struct LightPath {
 
     /// Leaves of the stretch what lies in the beam, when that is convex.
     HWY_INLINE void clip(Float& from, Float& to) const {
-        if constexpr (beam == Beam::Cone) {
+        if constexpr (beam == Beam::Cone || beam == Beam::Measured) {
             if (cosOuter >= 0) clipToCone(from, to);
         } else if constexpr (beam == Beam::Cosine) {
             const Float plane = -axial / nonZero(perAxial);
@@ -117,6 +130,8 @@ struct LightPath {
     Float height, density, slope, lightHeight, lightDensity; ///< where the fog is exponential
     Float axial, perAxial, offsetSquare;                     ///< where the beam is not even
     float cosOuter, perCosine;
+    Float3 sideways, perSideways; ///< where the beam was measured: along C = 0 and C = 90 degrees
+    const Photometry* web;
 
   private:
     HWY_INLINE void clipToCone(Float& from, Float& to) const {

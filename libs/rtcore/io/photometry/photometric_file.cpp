@@ -1,0 +1,28 @@
+#include "rtcore/io/photometry/photometric_file.h"
+
+#include "rtcore/io/photometry/photometric_numbers.h"
+#include "rtcore/platform/files.h"
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
+
+bool isIes(std::string_view text) {
+    for (PhotometricLines lines(text, ""); const auto line = lines.next();)
+        if (line->starts_with("TILT=")) return true;
+    return false;
+}
+
+} // namespace
+
+PhotometricFile parsePhotometricFile(std::string_view text, const std::string& name) {
+    return isIes(text) ? parseIes(text, name) : parseEulumdat(text, name);
+}
+
+PhotometricFile readPhotometricFile(const std::filesystem::path& path) {
+    return parsePhotometricFile(readTextFile(path, kMaxBytes), path.string());
+}
+
+} // namespace rtcore

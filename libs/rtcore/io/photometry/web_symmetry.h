@@ -1,0 +1,13 @@
+/// The planes that a photometric file leaves out, since they mirror others.
+#pragma once
+
+#include "rtcore/scene/photometry.h"
+
+namespace rtcore {
+
+/// Fills up `web`, whose planes are those of a file: one alone (all are alike), over 90 degrees from 0 on
+/// (both main planes mirror), over 180 (the plane of both ends mirrors), or all around, with or without the
+/// last one. Returns whether they are one of these.
+bool completeWeb(PhotometricWeb& web);
+
+} // namespace rtcore
