@@ -18,6 +18,8 @@ constexpr int kBlock = 8;
 constexpr float kKey = 0.18F;     ///< of the usual exposure
 constexpr double kDarkest = 0.01; ///< what squares of darker pixels count as, of the mean's
 constexpr double kExactCodes = 0.25, kNoisyCodes = 0.5; ///< standard errors: not seen, and nearly seen
+/// Those of a pool, beyond which a pixel without noise has missed light that others around have found.
+constexpr double kEvenCodes = 5, kUnevenCodes = 10;
 
 /// A mean over the channels.
 double meanProduct(Colour a, Colour b) {
@@ -176,10 +178,15 @@ double noiseAround(const NetMixInput& input, int x, int y, PixelCoverage coverag
     return noiseOfMean(input.halves) * sum / pixels;
 }
 
-/// 1 where the standard error is not seen, 0 where it is.
-double exactness(double standardErrorInCodes) {
-    const double t = std::clamp((kNoisyCodes - standardErrorInCodes) / (kNoisyCodes - kExactCodes), 0.0, 1.0);
+/// From 1 at `low` to 0 at `high`.
+double fall(double low, double high, double x) {
+    const double t = std::clamp((high - x) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
+}
+/// 1 where the standard error is not seen, 0 where it is, or where the pool is so noisy that this says
+/// nothing.
+double exactness(double standardErrorInCodes, double ofPool) {
+    return fall(kExactCodes, kNoisyCodes, standardErrorInCodes) * fall(kEvenCodes, kUnevenCodes, ofPool);
 }
 
 /// Squared errors of a row of blocks.
@@ -274,7 +281,8 @@ MixedPixel mixedPixel(const NetMixInput& input, const BlockPools& pools, const U
     const ExpectedSquares smooth(pools.at(x, y, coverage)), block(pools.ofBlock(x, y, coverage));
     const bool mixes = input.halves.samples >= static_cast<std::uint32_t>(kMixedSamples);
     const double k =
-        mixes ? std::max(fractionOfSampled(smooth, around * weight), exactness(std::sqrt(around * codes)))
+        mixes ? std::max(fractionOfSampled(smooth, around * weight),
+                         exactness(std::sqrt(around * codes), std::sqrt(smooth.noise / weight * codes)))
               : 0;
     const double error = squared(1 - k) * block.net + 2 * k * (1 - k) * block.kept + squared(k) * block.noise;
     return {k == 1 ? sampled : net + (sampled - net) * static_cast<float>(k),

@@ -50,8 +50,9 @@ struct EstimatedError {
 
 /// Mixes into `shown`, which may be `net`. Pixels that all samples saw as background are those of
 /// `sampled` to the bit, and so are those whose sampled standard error is below a quarter of a code, by a
-/// smooth transition that ends at half a code. Of less than kMixedSamples the net's image is shown alone.
-/// Uses `threads` itself (0 = all cores), with the same bits for any number of them.
+/// smooth transition that ends at half a code; unless the pixels around them are so noisy, by more than 5
+/// codes, that these have missed what others found. Of less than kMixedSamples the net's image is shown
+/// alone. Uses `threads` itself (0 = all cores), with the same bits for any number of them.
 EstimatedError mixWithNet(const NetMixInput& input, HdrImage& shown, int threads);
 
 } // namespace rtcore

@@ -108,6 +108,19 @@ TEST(NetMix, NearsTheSampledImageAsItsNoiseFallsAndIsItInTheEnd) {
     EXPECT_EQ(shown.pixels, exact.sampled.pixels) << "to the bit";
 }
 
+// Where no sample of nine pixels has found the rare light that those around have found, they have no noise.
+TEST(NetMix, TakesNoPixelsForExactThatMissedRareLight) {
+    MadeImages made(0.3F, 0);
+    for (int y = 30; y < 33; ++y) {
+        for (int x = 40; x < 43; ++x)
+            made.sampled.at(x, y) = made.halves.first.at(x, y) = made.halves.second.at(x, y) =
+                made.truth.at(x, y) * 0.3F;
+    }
+    HdrImage shown;
+    made.mix(shown);
+    EXPECT_GT(shown.at(41, 31).g, 0.9F * made.truth.at(41, 31).g);
+}
+
 TEST(NetMix, EstimatesItsError) {
     struct Case {
         float noise, fault;
