@@ -272,6 +272,7 @@ const std::vector<Refusal> kRefusals = {
     {"load camera DIR/bad.cam", 65, "bad.cam"},
     {"load scene room.scn", 2, "not absolute"},
     {"load set DIR/none.set", 66, "none.set"},
+    {"light file 1 DIR/none.ies", 66, "none.ies"},
     {"load set DIR/bad.cam", 65, "bad.cam"},
     {"save", 73, "/rooms/room.scn"},
     {"save now", 2, "replace"},
