@@ -302,6 +302,7 @@ const std::vector<Refusal> kRefusals = {
     {"light move 1 at 1 2", 2, ""},
     {"light aim 1 ahead", 1, "shines to all sides"},
     {"light angles 1 10 20", 1, "no cone"},
+    {"light turn 1 15", 1, "turned about its direction"},
     {"light colour 1 0 0 0", 2, "black"},
     {"light temperature 1 500", 2, "1667"},
     {"light power 1 0", 2, "above 0"},
