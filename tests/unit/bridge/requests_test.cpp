@@ -70,6 +70,7 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "light copy",
                                                          "light kind",
                                                          "light mirrored",
+                                                         "light turn",
                                                          "light move",
                                                          "light power",
                                                          "light remove",
