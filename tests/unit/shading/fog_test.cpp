@@ -294,6 +294,7 @@ void expectLightOf(LightKind lightKind, int fogs, double tolerance) {
         Light light = test::pointLight(random.vector(30), 4 * static_cast<float>(test::kPi));
         light.kind = lightKind;
         light.direction = random.unitVector();
+        light.right = basisAround(light.direction).tangent;
         if (lightKind == LightKind::Ies)
             light.photometry = keepPhotometry({{0, 20, 40, 75}, {0, 360}, {6, 9, 4, 0, 6, 9, 4, 0}});
         light.cosOuter = random.number(0, 0.9F);
