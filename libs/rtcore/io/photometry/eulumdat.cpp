@@ -12,7 +12,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr NumberRange kFactor{1e-9, 1e9}, kIntensity{0, 1e9}, kPercent{0, 100};
+constexpr NumberRange kPercent{0, 100};
 constexpr double kMaxSourceSets = 20;
 
 /// What the planes of the file mirror, by its number of symmetry.
@@ -73,7 +73,7 @@ class EulumdatReader {
         for (int i = 0; i < 9; ++i) number(form("a length"));
         number(form("the downward flux fraction"), kPercent);
         number(form("the light output ratio"), {0, 1000});
-        factor_ = number(form("the conversion factor of intensities"), kFactor);
+        factor_ = number(form("the conversion factor of intensities"), kFactorRange);
         number(form("the tilt of the luminaire"));
     }
 
@@ -84,7 +84,7 @@ class EulumdatReader {
         for (double i = 0; i < sets; ++i) {
             number(form("the number of light sources")); // below 0: the luminaire was measured as a whole
             line(form("the kind of light sources"));
-            const double flux = number(form("the lumens of the light sources"), kFactor);
+            const double flux = number(form("the lumens of the light sources"), kFactorRange);
             if (i == 0) lumens = flux;
             for (int k = 0; k < 2; ++k) line(form("the colour of the light sources"));
             number(form("the watts"));
@@ -119,8 +119,8 @@ class EulumdatReader {
 
     void readIntensities(double scale) {
         for (std::size_t i = 0; i < web_.planes.size() * gammas_; ++i) {
-            const double candela = scale * number(form("an intensity"), kIntensity);
-            checkNumber(lines_, candela, form("an intensity"), kIntensity);
+            const double candela = scale * number(form("an intensity"), kIntensityRange);
+            checkNumber(lines_, candela, form("an intensity"), kIntensityRange);
             web_.candela.push_back(candela);
         }
         while (const auto more = lines_.next())

@@ -10,7 +10,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr NumberRange kCount{1, 2000, true}, kFactor{1e-9, 1e9}, kIntensity{0, 1e9};
+constexpr NumberRange kCount{1, 2000, true};
 
 class IesReader {
   public:
@@ -58,7 +58,7 @@ class IesReader {
     double readHead() {
         number(form("the number of light sources"));
         number(form("the lumens of a light source"));
-        double scale = number(form("the candela multiplier"), kFactor);
+        double scale = number(form("the candela multiplier"), kFactorRange);
         gammas_ = countOf(form("the number of vertical angles"));
         planes_ = countOf(form("the number of horizontal angles"));
         if (gammas_ < 2) lines_.fail(say("it has one vertical angle; two or more are needed"));
@@ -71,11 +71,11 @@ class IesReader {
                     std::string(type == 2 ? "B" : "A")));
         number(form("the unit of lengths"), {1, 2, true});
         for (int i = 0; i < 3; ++i) number(form("a side of the luminaire"));
-        scale *= number(form("the ballast factor"), kFactor);
+        scale *= number(form("the ballast factor"), kFactorRange);
         if (isNew_)
             number(form("a number for future use"));
         else
-            scale *= number(form("the second factor of the ballast"), kFactor);
+            scale *= number(form("the second factor of the ballast"), kFactorRange);
         number(form("the watts"));
         return scale;
     }
@@ -92,8 +92,8 @@ class IesReader {
 
     void readIntensities(double scale) {
         for (std::size_t i = 0; i < gammas_ * planes_; ++i) {
-            const double candela = scale * number(form("an intensity"), kIntensity);
-            checkNumber(lines_, candela, form("an intensity"), kIntensity);
+            const double candela = scale * number(form("an intensity"), kIntensityRange);
+            checkNumber(lines_, candela, form("an intensity"), kIntensityRange);
             web_.candela.push_back(candela);
         }
         if (const auto more = word()) failBehindLast(lines_, *more);

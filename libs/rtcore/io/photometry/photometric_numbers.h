@@ -35,6 +35,8 @@ struct NumberRange {
     double min = -1e9, max = 1e9;
     bool whole = false;
 };
+/// Of what intensities are multiplied by, and of them themselves.
+inline constexpr NumberRange kFactorRange{1e-9, 1e9}, kIntensityRange{0, 1e9};
 /// Refuses a number outside of it.
 void checkNumber(const PhotometricLines& lines, double number, const char* wanted, const NumberRange& range);
 
