@@ -8,6 +8,8 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/io/text/text_file.h"
+#include "rtcore/platform/paths.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/light_power.h"
 #include "rtcore/settings/plain_text.h"
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,8 +52,11 @@ Result describe(const Call& call) {
     LightDescription light =
         rtcore::describeLight(scene, lightOf(*call.document().scene(), integer(call[0])));
     if (rtcore::findInvalidUtf8(light.name) != std::string::npos) light.name = rtcore::printable(light.name);
+    const std::filesystem::path file = std::exchange(light.file, {});
     rtcore::TomlWriter writer;
     rtcore::writeLight(writer, light, {});
+    // Whole: who asks may be in another folder.
+    if (!file.empty()) writer.add("file", rtcore::printable(rtcore::pathToUtf8(rtcore::plainPath(file))));
     const bool placed = traitsOf(light.light).position;
     const double watts =
         rtcore::radiantWatts(light.light, double{powerOf(light)}, double{scene.metresPerUnit});

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -42,6 +43,23 @@ class LightCommands : public test::CommandRoom {
         EXPECT_NEAR(is.z, expected.z, error);
     }
 };
+
+TEST_F(LightCommands, ALuminaireIsThatOfItsFileAndIsTurned) {
+    std::ofstream(folder / "a \"{0}\" <b>.ies")
+        << "IESNA:LM-63-1995\nTILT=NONE\n1 100 1 2 1 1 2 0 0 0\n1 1 9\n0 90\n0\n8 4\n";
+    answer(R"(light file 1 "DIR/a \"{0}\" <b>.ies")");
+    EXPECT_EQ(light(1).light.kind, LightKind::Ies);
+    const rtcore::Vec3 before = light(1).light.right;
+    answer("light turn 1 90");
+    expectNear(light(1).light.right, cross(before, light(1).light.direction));
+    EXPECT_NE(answer("light get 1").find((folder / "a \\\"{0}\\\" <b>.ies").string()), std::string::npos)
+        << answer("light get 1") << "the whole path, whichever folder the server is in";
+    const Colour bright = light(1).light.intensity;
+    EXPECT_EQ(refusal("light file 1 DIR/bad.cam").code, 65);
+    EXPECT_EQ(light(1).light.intensity, bright);
+    answer("light kind 1 point");
+    EXPECT_EQ(answer("light get 1").find("file"), std::string::npos);
+}
 
 TEST_F(LightCommands, AddEachKind) {
     int id = 3;
