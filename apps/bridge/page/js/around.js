@@ -51,7 +51,6 @@ export class Around {
         const first = !this.seen;
         this.seen = true;
         if (first) {
-            byId("share").hidden = false;
             byId("view").classList.remove("unseen");
             this.showWaiting();
             this.showHint();
@@ -67,7 +66,6 @@ export class Around {
         this.seen = false;
         this.exact = false;
         byId("view").classList.add("unseen");
-        byId("share").hidden = true;
         byId("save").disabled = true;
         name(byId("save"), t("saveWait"));
         this.showHeader();
@@ -106,6 +104,7 @@ export class Around {
 
     showStatus() {
         const { mode, fps = 0, idle, paused, eye = [] } = this.app.status;
+        byId("share").hidden = !this.seen || eye.length === 0; // the view is known from the first status on
         if (!mode || !this.live) return void (byId("pill-text").textContent = "");
         const motion = paused ? t("paused") : this.exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
         const role = this.app.drives() ? "" : " · " + this.driverText();
