@@ -20,6 +20,7 @@ FRAME, STILL_PART = 1, 2
 EXACT, LAST_PART = 2, 4
 HEADER = struct.Struct("<BBHIQHHHHIIII")
 PATIENCE = 30  # seconds that anything may take
+LONG_PATIENCE = 3600  # but an image by paths
 
 
 class Walker:
@@ -64,7 +65,7 @@ class Walker:
             acknowledged = 1 if kind == FRAME else 4
             await self.socket.send(struct.pack("<BBHIQ", acknowledged, 0, 0, stream, number))
 
-    async def until(self, holds):
+    async def until(self, holds, patience=PATIENCE):
         """Waits for it. Raises asyncio.TimeoutError, and ConnectionError with the bridge's reason."""
         async def wait():
             while not holds():
@@ -72,7 +73,7 @@ class Walker:
                     raise ConnectionError(self.socket.close_reason or "the connection ended")
                 self.changed.clear()
                 await self.changed.wait()
-        await asyncio.wait_for(wait(), PATIENCE)
+        await asyncio.wait_for(wait(), patience)
 
     async def hold(self, keys):
         """These keys are down from now on, for half a second unless it is said again."""
@@ -101,6 +102,15 @@ class Walker:
             await asyncio.sleep(0.5)
             if still is self.still:
                 return still
+
+    async def finished(self):
+        """The exact image that nothing better follows: by paths, where the bridge has those made."""
+        def holds():
+            image = self.events.get("image", {"paths": False})
+            return self.still is not None and image["paths"] and image["part"] == 1
+        if self.events["welcome"]["rest"] == "paths":
+            await self.until(holds, LONG_PATIENCE)
+        return await self.at_rest()
 
     def eye(self):
         return self.events["status"]["eye"]
@@ -144,7 +154,7 @@ async def run(options):
             sys.exit("bridge_client: another page drives, or the link is a viewer's")
         await fly(walker, options.seconds)
         with open(options.output, "wb") as file:
-            file.write(await walker.at_rest())
+            file.write(await walker.finished())
         listening.cancel()
 
 

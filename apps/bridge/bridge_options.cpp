@@ -142,6 +142,14 @@ app::OptionGroup runningOptions() {
               [](std::span<const std::string>) {
                   return std::vector<std::string>{"auto", "60", "75", "85", "95"};
               }},
+         {.name = "rest",
+          .value = ValueKind::Choice,
+          .argument = "R",
+          .help = "the image at rest: paths, with all light that surfaces send to each other and its noise "
+                  "taken away; or live, the server's own frame [paths]",
+          .more = "By paths a Renderer on this machine makes it, which keeps the model in memory for ten "
+                  "minutes after the last image",
+          .choices = {"paths", "live"}},
          {.name = "watch",
           .help =
               "print a line a second for each server on standard error: pages, driver, frames and bits that "
@@ -256,6 +264,7 @@ const app::ProgramSpec& bridgeSpec() {
                      {"RTBridge --listen=unix", "on a node of a cluster; prints how to get there by ssh"},
                      {"RTBridge --lock=edits -i hall", "pages may walk, but change nothing"}},
         .environment = {app::instanceEnvironmentNote(),
+                        {"RT_RENDERER", "the program that makes images at rest [Renderer, beside RTBridge]"},
                         {"RT_SERVER", "the program that --start runs [RTServer, beside RTBridge]"},
                         {"XDG_STATE_HOME", "the folder for the certificate of --tls-own [~/.local/state]"},
                         {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
@@ -288,6 +297,7 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.clients = static_cast<std::size_t>(arguments.integer("clients").value_or(64));
     options.stream.maxBits = 1e6 * arguments.number("max-mbit").value_or(0);
     options.stream.quality = qualityOf(arguments.text("quality"));
+    options.byPaths = arguments.text("rest").value_or("paths") == "paths";
     options.watch = arguments.has("watch");
     options.stream.pingSeconds = arguments.number("ping").value_or(kPingSeconds);
     if (const auto file = arguments.text("token-file")) options.tokenFile = *file;

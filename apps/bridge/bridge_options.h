@@ -29,7 +29,8 @@ struct BridgeOptions {
     bool viewOnly = false;
     std::size_t clients = 64;
     StreamOptions stream;
-    bool watch = false; ///< print a line a second
+    bool byPaths = true; ///< images at rest
+    bool watch = false;  ///< print a line a second
     std::optional<std::filesystem::path> tokenFile, start;
     std::optional<std::int64_t> parent; ///< ends with this process
 };

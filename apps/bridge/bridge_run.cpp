@@ -118,7 +118,7 @@ class Serving {
         hub_ = std::make_unique<Hub>(
             options_, tokens_,
             realServices([this](std::function<void()> work) { server_->post(std::move(work)); },
-                         [this](const std::string& line) { journal_.note(line); }),
+                         [this](const std::string& line) { journal_.note(line); }, options_.byPaths),
             [this](const std::string& driver) { untold_ += driverLine(options_, driver, server_->port()); });
     }
     ~Serving() {

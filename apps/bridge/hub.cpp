@@ -116,6 +116,7 @@ json Hub::welcome(const Room& room, const Entrance& entrance, Right right) const
                  {"instance", room.instance()},
                  {"instances", options_.instances},
                  {"mayDrive", right == Right::Drive},
+                 {"rest", options_.byPaths ? "paths" : "live"},
                  {"limits",
                   {{"maxPixels", options_.limits.maxPixels},
                    {"lights", kMaxLights},

@@ -36,9 +36,12 @@ void BridgedServer::startServer(const std::string& size, const std::vector<std::
 void BridgedServer::startBridge(const std::vector<std::string>& options) {
     std::vector<std::string> words{"--instance=" + instance_.name()};
     words.insert(words.end(), options.begin(), options.end());
-    if (std::none_of(words.begin(), words.end(),
-                     [](const auto& word) { return word.starts_with("--listen="); }))
-        words.emplace_back("--listen=127.0.0.1:0");
+    // Tests of the page look at the server's own frames, unless they ask for others.
+    for (const std::string option : {"--listen=127.0.0.1:0", "--rest=live"}) {
+        const std::string name = option.substr(0, option.find('=') + 1);
+        if (std::ranges::none_of(words, [&](const auto& word) { return word.starts_with(name); }))
+            words.push_back(option);
+    }
     links_ = folder() / ("links" + std::to_string(++bridges_) + ".txt");
     bridge_ = std::make_unique<RunningProgram>(
         programPath("RTBridge"), words, ProgramSettings{.folder = folder().path(), .outputFile = links_});
@@ -64,9 +67,9 @@ std::string BridgedServer::driverLink() {
     return driverLink_ = newest;
 }
 
-WebPage BridgedServer::drive() {
+WebPage BridgedServer::drive(const std::vector<std::string>& bridgeOptions) {
     startServer();
-    startBridge();
+    startBridge(bridgeOptions);
     startBrowser();
     WebPage page(browser(), driverLink());
     EXPECT_TRUE(showsFrame(page));

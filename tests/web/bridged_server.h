@@ -36,7 +36,7 @@ class BridgedServer : public testing::Test {
     }
     void startBrowser(const std::vector<std::string>& options = {}) { browser_ = &sharedChromium(options); }
     /// All three, and a page of the driver that shows the first frame.
-    WebPage drive();
+    WebPage drive(const std::vector<std::string>& bridgeOptions = {});
 
     /// The page has shown a frame.
     static bool showsFrame(const WebPage& page) {

@@ -44,4 +44,26 @@ TEST_F(RestingPage, SavesTheServersPixels) {
     EXPECT_TRUE(test::eventually([&] { return pngPixels(file) == drawn; }, std::chrono::seconds(20)));
 }
 
+// By paths there is more light than in the server's frame; the page says how the image was made.
+TEST_F(RestingPage, ShowsTheViewByPaths) {
+    const WebPage page = drive({"--rest=paths"});
+    ask("set path.samples 16");
+    ask("camera turn 25 5");
+    ask("wait-idle");
+    const std::string drawn = screenshotPixels();
+    page.keyDown("F3");
+    page.keyUp("F3");
+    EXPECT_TRUE(page.becomes("document.getElementById('statistics').textContent.includes('samples: 16')"));
+    EXPECT_TRUE(isExact(page));
+    EXPECT_TRUE(page.becomes("document.getElementById('pill-text').textContent.includes('full quality')"));
+    const std::string shown = page.pixels();
+    ASSERT_EQ(shown.size(), drawn.size());
+    EXPECT_NE(shown, drawn);
+    ask("fly");
+    capture(page);
+    page.keyDown("KeyW");
+    EXPECT_TRUE(page.becomes("!document.getElementById('statistics').textContent.includes('samples')"));
+    page.keyUp("KeyW");
+}
+
 } // namespace

@@ -36,6 +36,7 @@ Room::Room(std::string instance, const Limits& limits, const StreamOptions& stre
       post_(whileAlive(services.post, alive_)), input_(limits, clock_),
       stream_(stream, clock_, [this](const FrameDemand& demand) { frames_->setDemand(demand); }),
       requests_(limits, server_, clock_, requestLinks()),
+      resting_(services.renderer ? services.renderer() : nullptr, clock_, restingLinks()),
       frames_(services.frames(instance_, stream.rungs(), frameEvents())),
       commands_(services.commands(instance_, input_.lockedKeys().restraint(), serverEvents())) {}
 
@@ -58,6 +59,19 @@ RequestLinks Room::requestLinks() {
             .moves = [this] { input_.moves(); }};
 }
 
+RestingView::Links Room::restingLinks() {
+    return {.ask =
+                [this](const std::string& line, std::function<void(bool, const std::string&)> done) {
+                    commands_->request(line, [post = post_, done = std::move(done)](ipc::Reply reply) {
+                        post([done, reply = std::move(reply)] {
+                            done(reply.status == ipc::ReplyStatus::Done, reply.text);
+                        });
+                    });
+                },
+            .show = [this](const std::optional<PreviewRun>& run) { frames_->setPreview(run); },
+            .note = [this](const std::string& line) { note_(instance_ + ": " + line); }};
+}
+
 FrameEvents Room::frameEvents() {
     return {.deliver =
                 [this, post = post_](FrameSet set) {
@@ -68,6 +82,10 @@ FrameEvents Room::frameEvents() {
             .failed =
                 [this, post = post_](std::string why) {
                     post([this, why = std::move(why)] { note_(instance_ + ": no frames: " + why); });
+                },
+            .preview =
+                [this, post = post_](const PreviewProgress& progress) {
+                    post([this, progress] { resting_.progressed(progress); });
                 }};
 }
 
@@ -115,6 +133,7 @@ void Room::join(Arrival arrival) {
     if (server_.link) sendServer(id);
     if (server_.facts.known()) sendState(id, server_.facts.all());
     if (server_.hasStatus) send(id, statusJson(server_.status));
+    if (resting_.shown()) send(id, imageEvent());
     commands_->setAnyone(true);
     commands_->refresh();
     stream_.serve(id);
@@ -167,6 +186,26 @@ void Room::sendStatus() {
     const std::string status = statusJson(server_.status).dump();
     for (auto& [id, session] : sessions_)
         if (std::exchange(session.lastStatus, status) != status) session.outlet->sendText(status);
+}
+
+/// How the image was made that is shown.
+json Room::imageEvent() const {
+    const std::optional<PreviewProgress>& shown = resting_.shown();
+    json event{{"event", "image"}, {"paths", shown.has_value()}};
+    if (!shown) return event;
+    event["samples"] = shown->samples;
+    event["part"] = shown->part;
+    if (shown->error >= 0) event["error"] = shown->error;
+    if (shown->error >= 0) event["largestError"] = shown->largestError;
+    return event;
+}
+
+void Room::tellImage() {
+    const json event = imageEvent();
+    std::string text = textOfEvent(event);
+    if (text == imageSent_ || (imageSent_.empty() && !resting_.shown())) return;
+    imageSent_ = std::move(text);
+    sendAll(event);
 }
 
 // --- Messages of pages ---
@@ -237,7 +276,10 @@ void Room::applyInput(SessionId id, const InputMessage& sent) {
     noteOwnMovement(); // by keys that are released now
     const DriverInput::Given given = input_.give(id, sent, *commands_);
     if (given == DriverInput::Given::Nothing) return;
-    if (given == DriverInput::Given::Action) roles_.touch(id, now());
+    if (given == DriverInput::Given::Action) {
+        roles_.touch(id, now());
+        resting_.touched();
+    }
     stream_.gaveInput(id, sent.sequence);
 }
 
@@ -283,6 +325,7 @@ void Room::serverChanged(ServerLink link, const rtcore::Sentence& why) {
         server_.hasStatus = false;
         requests_.serverGone();
         input_.serverGone();
+        resting_.serverGone();
     }
     for (const auto& [id, session] : sessions_) sendServer(id);
 }
@@ -293,6 +336,7 @@ void Room::statusChanged(const ipc::Status& status) {
         notice(*driver(), "elsewhere", say("another client moves the camera"));
     if (status.frameSeconds != server_.status.frameSeconds) server_.lastFrame = now(); // pages may take none
     server_.status = status;
+    resting_.statusChanged(status);
     server_.statusAt = now();
     server_.hasStatus = true;
 }
@@ -324,6 +368,9 @@ void Room::tick() {
     if (statusDue) sendStatus();
     if (statusDue) lastStatusSent_ = now();
     stream_.tellLinks();
+    resting_.setWatched(stream_.watched());
+    resting_.tick();
+    tellImage();
 }
 
 RoomFigures Room::figures() const {

@@ -4,6 +4,7 @@
 #include "bridge/control/roles.h"
 #include "bridge/net/doorkeeper.h"
 #include "bridge/net/outlet.h"
+#include "bridge/paths/resting_view.h"
 #include "bridge/room/driver_input.h"
 #include "bridge/room/known_server.h"
 #include "bridge/room/room_figures.h"
@@ -83,6 +84,8 @@ class Room {
     void sendAsked(SessionId driver, SessionId by);
     void notice(SessionId id, const char* code, const rtcore::Sentence& said);
     void sendStatus();
+    nlohmann::json imageEvent() const;
+    void tellImage();
 
     // Who drives.
     void rolesChanged(std::optional<SessionId> before);
@@ -97,6 +100,7 @@ class Room {
     RequestLinks requestLinks();
     ServerEvents serverEvents();
     FrameEvents frameEvents();
+    RestingView::Links restingLinks();
     void serverChanged(ServerLink link, const rtcore::Sentence& why);
     void statusChanged(const ipc::Status& status);
     void stateChanged(const std::string& report);
@@ -114,6 +118,8 @@ class Room {
     double lastStatusSent_ = 0;
     RoomStream stream_;
     RoomRequests requests_;
+    RestingView resting_;
+    std::string imageSent_; ///< the last event of what is shown
     std::unique_ptr<ServerFrames> frames_;
     std::unique_ptr<ServerCommands> commands_; ///< last: their threads post to this
 };

@@ -153,6 +153,11 @@ void RoomStream::updateDemand() {
     demand_(demand);
 }
 
+bool RoomStream::watched() const {
+    return std::ranges::any_of(viewers_,
+                               [](const auto& each) { return each.second.delivery.view().visible; });
+}
+
 // --- The limit of all pages together ---
 
 double RoomStream::sentBits(double now) const {

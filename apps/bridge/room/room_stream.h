@@ -46,6 +46,8 @@ class RoomStream {
     void shareLimit();
     /// Sends what waited for its turn below the limit.
     void serveWaiting();
+    /// Whether a page is seen.
+    bool watched() const;
     /// Figures of each link to its page, each second, and pings.
     void tellLinks();
 

@@ -4,6 +4,7 @@
 
 #include "bridge/clock.h"
 #include "bridge/control/server_commands.h"
+#include "bridge/paths/path_renderer.h"
 #include "bridge/stream/server_frames.h"
 
 #include "common/commands/key_restraint.h"
@@ -23,12 +24,14 @@ struct RoomServices {
         commands;
     std::function<std::unique_ptr<ServerFrames>(const std::string& instance, const RungTable&, FrameEvents)>
         frames;
+    /// For images by paths at rest; null, as a function or as what it makes: none.
+    std::function<std::unique_ptr<PathRenderer>()> renderer;
     Post post;
     std::function<void(const std::string& line)> note; ///< for the journal; on the thread of the sockets
     const Clock& clock = steadyClock();                ///< outlives all of it
 };
 
-/// By CommandLink and FrameSource.
-RoomServices realServices(Post post, std::function<void(const std::string& line)> note);
+/// By CommandLink, FrameSource and, where images at rest are `byPaths`, RendererProcess.
+RoomServices realServices(Post post, std::function<void(const std::string& line)> note, bool byPaths);
 
 } // namespace bridge

@@ -15,7 +15,7 @@ enum class Codec : std::uint8_t { Jpeg = 0, Png = 1 };
 /// Which frame of a server it is, and how large.
 struct FrameFacts {
     std::uint32_t stream = 0;                      ///< another number after another server or size
-    std::uint64_t number = 0;                      ///< of the server's frame
+    std::uint64_t number = 0;                      ///< of the server's frame, or above it (docs/bridge.md)
     std::uint16_t width = 0, height = 0;           ///< coded
     std::uint16_t shownWidth = 0, shownHeight = 0; ///< stretched to these
     std::int64_t publishedNs = 0;                  ///< by the steady clock

@@ -29,7 +29,16 @@ namespace {
 
 using namespace std::chrono_literals;
 using FrameClock = std::chrono::steady_clock;
-using HeldFrame = std::shared_ptr<const ipc::Frame>;
+
+/// A frame that other threads may read, too.
+struct HeldFrame {
+    std::shared_ptr<const ipc::Frame> frame;
+    bool isPreview = false; ///< of a Renderer; else it is the server's
+
+    explicit operator bool() const { return frame != nullptr; }
+    const ipc::Frame* operator->() const { return frame.get(); }
+    const ipc::Frame& operator*() const { return *frame; }
+};
 
 constexpr auto kBetweenFrames = 1000000us / 60;
 constexpr auto kSlice = 10ms;     ///< longest wait for a frame: demands change meanwhile
@@ -80,9 +89,15 @@ struct FrameSource::State {
     void lookAtServer();
     bool findServer();
     std::shared_ptr<ipc::Frame> freeMemory();
-    void lookForFrame();
-    void showFrame(HeldFrame frame, const ipc::Status& status);
-    FrameFacts factsOf(const ipc::Frame& frame, const ipc::Status& status);
+    void lookForFrame(const std::optional<PreviewRun>& preview);
+    void lookAtServersFrame(const std::optional<PreviewRun>& preview);
+    void lookAtPreview(const PreviewRun& run);
+    void showWaiting();
+    void take(HeldFrame frame, const FrameStep& step);
+    bool isFinal(const HeldFrame& frame);
+    void tellProgress(const ipc::FrameInfo& newest);
+    void showFrame(HeldFrame frame);
+    FrameFacts factsOf(const HeldFrame& held, const ipc::Status& status);
     void encodeWanted(const FrameDemand& wanted);
     void considerRest(const FrameDemand& wanted);
     void runStills();
@@ -98,6 +113,7 @@ struct FrameSource::State {
     std::condition_variable wake, wakeStills;
     bool stopping = false;
     FrameDemand demand;
+    std::optional<PreviewRun> wantedPreview;
     FrameFigures counted;
     FrameSet set; ///< of the newest frame
     struct StillTask {
@@ -111,7 +127,11 @@ struct FrameSource::State {
     std::optional<ipc::Client> client;
     FrameClock::time_point lastSearch, lastEncoded;
     std::vector<std::shared_ptr<ipc::Frame>> memory; ///< used again once no other thread holds it
+    std::shared_ptr<const ipc::Frame> live;          ///< the newest of the server
     HeldFrame current, waiting; ///< the one that is shown; a newer one that only improves it
+    PreviewFrames previews;
+    std::uint64_t endedRun = 0; ///< of a preview that is out of date
+    bool previewFails = false;  ///< it was told
     FrameFacts facts;
     std::uint64_t epoch = 0;
     std::uint32_t streams;
@@ -169,10 +189,15 @@ bool FrameSource::State::findServer() {
 void FrameSource::State::lookAtServer() {
     if (!findServer()) return;
     FrameDemand wanted;
+    std::optional<PreviewRun> preview;
     {
         const std::lock_guard lock(mutex);
         wanted = demand;
+        preview = wantedPreview;
     }
+    if (preview && preview->run == endedRun) preview.reset();
+    if (!preview) previews.leave();
+    if (!preview && waiting.isPreview) waiting = {};
     const auto waits = FrameClock::now() - lastEncoded;
     const bool pending = wanted.above != FrameDemand().above;
     if (pending && waits < kBetweenFrames) std::this_thread::sleep_for(kBetweenFrames - waits);
@@ -182,7 +207,7 @@ void FrameSource::State::lookAtServer() {
         client->update();
         return;
     }
-    lookForFrame();
+    lookForFrame(preview);
     if (!current) return;
     encodeWanted(wanted);
     considerRest(wanted);
@@ -202,29 +227,64 @@ std::shared_ptr<ipc::Frame> FrameSource::State::freeMemory() {
     return spare ? spare : memory.emplace_back(std::make_shared<ipc::Frame>());
 }
 
-void FrameSource::State::lookForFrame() {
+void FrameSource::State::lookForFrame(const std::optional<PreviewRun>& preview) {
+    lookAtServersFrame(preview);
+    if (preview && preview->run != endedRun && live) lookAtPreview(*preview);
+    showWaiting();
+}
+
+void FrameSource::State::lookAtServersFrame(const std::optional<PreviewRun>& preview) {
     const std::shared_ptr<ipc::Frame> next = freeMemory();
-    if (const ipc::Frame* const newest = waiting ? waiting.get() : current.get()) {
-        next->info = newest->info;
-        next->epoch = newest->epoch;
+    if (live) {
+        next->info = live->info;
+        next->epoch = live->epoch;
     }
     // Steps of a resting picture are not waited for: none of them is urgent.
-    const bool came = client->waitForFrame(*next, waiting ? 0ns : kSlice) && isUsable(*next);
-    const ipc::Status status = client->status();
-    const double now = nowSeconds();
-    if (came) {
-        waiting.reset();
-        if (rest.comes(now, stepOf(*next, status))) return showFrame(next, status);
-        waiting = next;
+    if (!client->waitForFrame(*next, waiting ? 0ns : kSlice) || !isUsable(*next)) return;
+    live = next;
+    if (preview && next->info.nanoseconds > preview->since)
+        endedRun = preview->run;
+    else if (preview && current.isPreview)
+        return; // which is better than what the server had before it
+    take({next, false}, stepOf(*next, client->status()));
+}
+
+void FrameSource::State::lookAtPreview(const PreviewRun& run) {
+    const std::shared_ptr<ipc::Frame> next = freeMemory();
+    try {
+        if (!previews.read(run, *live, *next) || !isUsable(*next)) return;
+    } catch (const ipc::Error& error) {
+        return tellFailure(previewFails, error);
     }
+    previewFails = false;
+    take({next, true}, stepOf(*next, {}));
+    tellProgress(next->info);
+}
+
+void FrameSource::State::take(HeldFrame frame, const FrameStep& step) {
+    waiting = std::move(frame);
+    if (rest.comes(nowSeconds(), step)) showFrame(std::exchange(waiting, {}));
+}
+
+/// What only improves the image that is shown comes when it is due.
+void FrameSource::State::showWaiting() {
     if (!waiting) return;
-    if (rest.due(now, status.idle != 0)) return showFrame(std::exchange(waiting, nullptr), status);
+    if (rest.due(nowSeconds(), isFinal(waiting))) {
+        showFrame(std::exchange(waiting, {}));
+        if (current.isPreview) tellProgress(current->info);
+        return;
+    }
     std::unique_lock lock(mutex);
     wake.wait_for(lock, kRestSlice, [&] { return stopping; });
 }
 
-void FrameSource::State::showFrame(HeldFrame frame, const ipc::Status& status) {
-    facts = factsOf(*frame, status);
+/// Whether nothing better follows.
+bool FrameSource::State::isFinal(const HeldFrame& frame) {
+    return frame.isPreview ? frame->info.tag == ipc::kPreviewDone : client->status().idle != 0;
+}
+
+void FrameSource::State::showFrame(HeldFrame frame) {
+    facts = factsOf(frame, client->status());
     current = std::move(frame);
     rest.shown(nowSeconds());
     const std::lock_guard lock(mutex);
@@ -233,10 +293,18 @@ void FrameSource::State::showFrame(HeldFrame frame, const ipc::Status& status) {
     still.reset();
 }
 
+/// What is shown, and how far the newest image is, which may have to wait.
+void FrameSource::State::tellProgress(const ipc::FrameInfo& newest) {
+    PreviewProgress progress = progressOf(current.isPreview ? current->info : newest);
+    progress.part = progressOf(newest).part;
+    progress.done = progressOf(newest).done;
+    events.preview(progress);
+}
+
 /// A coarse frame is shown as large as whole ones.
-FrameFacts FrameSource::State::factsOf(const ipc::Frame& frame, const ipc::Status& status) {
+FrameFacts FrameSource::State::factsOf(const HeldFrame& held, const ipc::Status& status) {
+    const ipc::Frame& frame = *held;
     FrameFacts next = facts;
-    next.number = frame.info.number;
     next.publishedNs = frame.info.nanoseconds;
     next.width = static_cast<std::uint16_t>(frame.info.width);
     next.height = static_cast<std::uint16_t>(frame.info.height);
@@ -245,9 +313,12 @@ FrameFacts FrameSource::State::factsOf(const ipc::Frame& frame, const ipc::Statu
                         status.height <= ipc::kMaxFrameSide;
     next.shownWidth = coarse ? static_cast<std::uint16_t>(status.width) : next.width;
     next.shownHeight = coarse ? static_cast<std::uint16_t>(status.height) : next.height;
-    if (frame.epoch != epoch || next.shownWidth != facts.shownWidth || next.shownHeight != facts.shownHeight)
+    const bool another = !held.isPreview && frame.epoch != epoch;
+    if (another || next.shownWidth != facts.shownWidth || next.shownHeight != facts.shownHeight)
         next.stream = ++streams;
-    epoch = frame.epoch;
+    const std::uint64_t above = next.stream == facts.stream ? facts.number + 1 : 1;
+    next.number = held.isPreview ? above : std::max(above, frame.info.number); // a preview counts its own
+    if (!held.isPreview) epoch = frame.epoch;
     return next;
 }
 
@@ -287,7 +358,7 @@ void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
 
 void FrameSource::State::considerRest(const FrameDemand& wanted) {
     if (!wanted.still || facts.shownWidth != facts.width || facts.shownHeight != facts.height) return;
-    if (!rest.takeStill(nowSeconds(), client->status().idle != 0)) return;
+    if (!rest.takeStill(nowSeconds(), isFinal(current))) return;
     const std::lock_guard lock(mutex);
     still = StillTask{current, facts, wanted.fine};
     wakeStills.notify_one();
@@ -355,6 +426,11 @@ void FrameSource::setDemand(const FrameDemand& demand) {
         state_->demand = demand;
     }
     state_->wake.notify_all();
+}
+
+void FrameSource::setPreview(const std::optional<PreviewRun>& run) {
+    const std::lock_guard lock(state_->mutex);
+    state_->wantedPreview = run;
 }
 
 FrameFigures FrameSource::figures() const {

@@ -19,6 +19,7 @@ class FrameSource : public ServerFrames {
     FrameSource& operator=(const FrameSource&) = delete;
 
     void setDemand(const FrameDemand& demand) override;
+    void setPreview(const std::optional<PreviewRun>& run) override;
     FrameFigures figures() const override;
 
   private:

@@ -3,11 +3,13 @@
 
 #include "bridge/stream/encoded_frame.h"
 #include "bridge/stream/histogram.h"
+#include "bridge/stream/preview_frames.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace bridge {
@@ -31,6 +33,7 @@ struct FrameEvents {
     /// A server is there, and its frames cannot be taken or encoded: no slot or no memory is left. Told once,
     /// and again after a frame that could be.
     std::function<void(std::string why)> failed;
+    std::function<void(const PreviewProgress&)> preview; ///< an image of setPreview() got better
 };
 
 /// Figures of all frames so far.
@@ -46,6 +49,9 @@ class ServerFrames {
   public:
     virtual ~ServerFrames() = default;
     virtual void setDemand(const FrameDemand& demand) = 0;
+    /// The images of that run are taken as well, as soon as there are any, until the server publishes a frame
+    /// after PreviewRun::since. Nothing: the server's frames only; what is shown stays until its next one.
+    virtual void setPreview(const std::optional<PreviewRun>& run) = 0;
     virtual FrameFigures figures() const = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "common/process/exit_codes.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace app {
@@ -23,5 +24,7 @@ void startSession() noexcept;
 /// This process leaves the processor to others, unless RT_KEEP_PRIORITY is set: tests that wait for such work
 /// would else wait for all that runs beside them. Async-signal-safe as well.
 void lowerPriority() noexcept;
+/// The same for another process, which has started no threads yet.
+void lowerPriorityOf(std::int64_t process) noexcept;
 
 } // namespace app

@@ -10,6 +10,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -78,11 +79,24 @@ void detach() {
 
 void startSession() noexcept { ::setsid(); }
 
+namespace {
+
+constexpr int kStep = 10;
+
+bool keepsPriority() noexcept {
+    const char* const keep = std::getenv("RT_KEEP_PRIORITY"); // NOLINT(concurrency-mt-unsafe)
+    return keep != nullptr && *keep != '\0';
+}
+
+} // namespace
+
 void lowerPriority() noexcept {
-    const char* const keep = std::getenv("RT_KEEP_PRIORITY");
-    if (keep != nullptr && *keep != '\0') return;
-    constexpr int kStep = 10;
-    static_cast<void>(!::nice(kStep));
+    if (!keepsPriority()) static_cast<void>(!::nice(kStep));
+}
+
+void lowerPriorityOf(std::int64_t process) noexcept {
+    const auto id = static_cast<id_t>(process);
+    if (!keepsPriority()) ::setpriority(PRIO_PROCESS, id, ::getpriority(PRIO_PROCESS, id) + kStep);
 }
 
 } // namespace app

@@ -1,6 +1,8 @@
 /// The preferences of the window: each key of QSettings with its default, once.
 #pragma once
 
+#include "common/process/resting_image.h"
+
 #include <QObject>
 #include <QSettings>
 #include <QSize>
@@ -29,7 +31,7 @@ inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<bool> globalIllumination{"render/globalIllumination", true}; ///< at rest
 inline const Preference<int> stillPathSamples{"render/stillPathSamples", 0};     ///< 0 = as the live frame
 inline const Preference<QString> stillDenoise{"render/stillDenoise", QString()}; ///< StillDenoise
-inline const Preference<int> stillFilter{"render/stillFilter", 4}; ///< passes over paths where no net is
+inline const Preference<int> stillFilter{"render/stillFilter", app::kRestingFilter}; ///< where no net is
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live frame
 inline const Preference<QString> stillOcclusion{"render/stillOcclusion", QStringLiteral("live")}; ///< on, off

@@ -2,6 +2,8 @@
 
 #include "gui/models/preferences.h"
 
+#include "common/process/resting_image.h"
+
 namespace gui {
 
 StillDenoise stillDenoise(const Preferences& preferences) {
@@ -42,15 +44,11 @@ QStringList rendererOptions(const StillQuality& quality) {
     QStringList options;
     if (quality.bloom >= 0) options.append(QStringLiteral("--bloom=%1").arg(quality.bloom));
     if (quality.byPaths) {
-        options.append(QStringLiteral("--integrator=path"));
         if (quality.paths > 0) options.append(QStringLiteral("--samples=%1").arg(quality.paths));
-        // There is more light than in the live frame, whose exposure comes with the camera. Noise is filtered
-        // from the first sample to the last, so that the image never gets worse.
         const bool off = quality.denoise == StillDenoise::Off, byNet = quality.denoise == StillDenoise::Net;
-        return options << QStringLiteral("--setting=exposure.recorded=automatic")
-                       << QStringLiteral("--setting=path.filter=%1").arg(off ? 0 : quality.filter)
-                       << QStringLiteral("--setting=denoise.net=%1")
-                              .arg(byNet ? QLatin1String("automatic") : QLatin1String("off"));
+        for (const std::string& each : app::restingPathOptions(off ? 0 : quality.filter, byNet))
+            options.append(QString::fromStdString(each));
+        return options;
     }
     options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));

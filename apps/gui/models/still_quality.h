@@ -1,6 +1,8 @@
 /// How well an image at rest is rendered: progressive rendering and quick render.
 #pragma once
 
+#include "common/process/resting_image.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -23,7 +25,7 @@ struct StillQuality {
     bool byPaths = false; ///< with all light that surfaces send to each other
     int paths = 0;        ///< per pixel; 0 = as the scene's settings have it, which its quality sets
     StillDenoise denoise = StillDenoise::Net; ///< of these; without weights by the filter
-    int filter = 4;                           ///< its passes
+    int filter = app::kRestingFilter;         ///< its passes
     int antialiasing = 1;                     ///< n x n samples per pixel; not of paths, nor is occlusion
     int bloom = -1;                           ///< pixels; -1 = as the live frame
     StillOcclusion occlusion = StillOcclusion::AsLive;

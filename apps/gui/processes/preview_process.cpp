@@ -8,6 +8,7 @@
 #include "gui/session/server_list.h"
 
 #include "common/process/exit_codes.h"
+#include "common/process/resting_image.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -100,9 +101,10 @@ void PreviewProcess::exportScene() {
 }
 
 QStringList PreviewProcess::options() const {
-    QStringList words{QStringLiteral("--preview=") + instance_, QStringLiteral("--stand-by"),
-                      QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
-                      QStringLiteral("--progress=none")};
+    QStringList words;
+    for (const std::string& each :
+         app::standByOptions(instance_.toStdString(), QCoreApplication::applicationPid()))
+        words.append(QString::fromStdString(each));
     return words + rendererOptions(quality_);
 }
 
@@ -118,7 +120,7 @@ void PreviewProcess::ask() {
     const QString scene = file(QStringLiteral("scn"), run_), camera = file(QStringLiteral("cam"), run_);
     const QString model = models_.find(scene);
     if (serves(wanted, model)) {
-        process_->write(QStringLiteral("%1\t%2\t%3\n").arg(run_).arg(scene, camera).toUtf8());
+        process_->write(app::standByRequest(run_, scene.toStdString(), camera.toStdString()).c_str());
     } else {
         end();
         launch(wanted, model);
@@ -188,7 +190,7 @@ void PreviewProcess::fail(const QString& text) {
 
 void PreviewProcess::cancel() {
     if (!active_) return;
-    if (process_ != nullptr) process_->write("\n");
+    if (process_ != nullptr) process_->write(app::kNoRequest);
     release();
 }
 

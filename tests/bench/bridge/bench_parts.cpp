@@ -44,10 +44,10 @@ Bridge::Bridge(const IpcInstance& instance) {
     std::ofstream(tokens) << kToken << "\nbench-viewer-bench-viewer-bench\n";
     std::filesystem::permissions(tokens, std::filesystem::perms(0600));
     std::filesystem::remove(links);
-    process_ =
-        ChildProcess(RT_PROGRAM_FOLDER "/RTBridge",
-                     {"--instance=" + instance.name(), "--listen=127.0.0.1:0", "--token-file=" + tokens},
-                     {.outputFile = links});
+    process_ = ChildProcess(
+        RT_PROGRAM_FOLDER "/RTBridge",
+        {"--instance=" + instance.name(), "--listen=127.0.0.1:0", "--rest=live", "--token-file=" + tokens},
+        {.outputFile = links});
     std::string text;
     eventually(
         [&] {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <mutex>
@@ -257,6 +258,8 @@ class BridgeTest : public testing::Test {
         std::vector<std::string> words{"--instance=" + instance.name(), "--listen=" + listen,
                                        "--token-file=" + tokens};
         words.insert(words.end(), options.begin(), options.end());
+        const auto isRest = [](const std::string& word) { return word.starts_with("--rest="); };
+        if (std::ranges::none_of(words, isRest)) words.emplace_back("--rest=live"); // there is no scene
         bridge = ChildProcess(std::string(RT_PROGRAM_FOLDER) + "/RTBridge", words, {.outputFile = output});
         eventually([&] { return links().find("Viewer: ") != std::string::npos; }, 10s);
         const std::string text = links(), before = "http://127.0.0.1:";

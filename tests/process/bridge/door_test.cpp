@@ -171,9 +171,9 @@ class OnceDoor : public BridgeTest {
     void SetUp() override {
         startServer();
         const std::string output = (instance.folder() / "links").string();
-        bridge =
-            ChildProcess(std::string(RT_PROGRAM_FOLDER) + "/RTBridge",
-                         {"--instance=" + instance.name(), "--listen=127.0.0.1:0"}, {.outputFile = output});
+        bridge = ChildProcess(std::string(RT_PROGRAM_FOLDER) + "/RTBridge",
+                              {"--instance=" + instance.name(), "--listen=127.0.0.1:0", "--rest=live"},
+                              {.outputFile = output});
         ASSERT_TRUE(eventually([&] { return links().find("Viewer: ") != std::string::npos; }, 10s));
         port = std::atoi(links().c_str() + links().find("127.0.0.1:") + 10);
     }

@@ -23,6 +23,8 @@ class PythonClient : public LiveServer {
         std::vector<std::string> words{"--instance=" + instance.name(), "--listen=127.0.0.1:0"};
         words.insert(words.end(), options.begin(), options.end());
         const std::string output = (folder() / "links").string();
+        const auto isRest = [](const std::string& word) { return word.starts_with("--rest="); };
+        if (std::ranges::none_of(words, isRest)) words.emplace_back("--rest=live");
         bridge_ = ChildProcess(programPath("RTBridge").string(), words, {.outputFile = output});
         EXPECT_TRUE(eventually([&] { return bytes("links").find("Viewer: ") != std::string::npos; }, 20s));
     }
@@ -77,7 +79,8 @@ TEST_F(PythonClient, FliesOverTls) {
     if (files.key.empty()) GTEST_SKIP() << "there is no openssl";
     if (runProgram(programPath("RTBridge"), {"--version"}).output.find("OpenSSL: yes") == std::string::npos)
         GTEST_SKIP() << "built without OpenSSL";
-    startBridge({"--tls-cert=" + files.certificate, "--tls-key=" + files.key});
+    ask({"set", "path.samples", "4"}); // what it saves is the finished image by paths
+    startBridge({"--tls-cert=" + files.certificate, "--tls-key=" + files.key, "--rest=paths"});
     ASSERT_TRUE(link("Driver: ").starts_with("https://"));
     expectFlight(runClient(link("Driver: "), {"--trust=" + files.certificate}));
 }

@@ -1,7 +1,11 @@
 // A page and a shell at one RTServer.
+#include "ipc/endpoint/instances.h"
+#include "process/bridge/png_pixels.h"
 #include "process/bridge/web_client.h"
 #include "process/server/live_server.h"
 #include "support/child_process.h"
+
+#include <functional>
 
 namespace {
 
@@ -10,9 +14,11 @@ using nlohmann::json;
 
 class SharedModel : public LiveServer {
   protected:
-    std::unique_ptr<WebClient> page(const std::vector<std::string>& options = {}) {
+    std::unique_ptr<WebClient> page(const std::vector<std::string>& options = {},
+                                    const std::string& rest = "live") {
         start();
-        std::vector<std::string> words{"--instance=" + instance.name(), "--listen=127.0.0.1:0"};
+        std::vector<std::string> words{"--instance=" + instance.name(), "--listen=127.0.0.1:0",
+                                       "--rest=" + rest};
         words.insert(words.end(), options.begin(), options.end());
         bridge_ = ChildProcess(programPath("RTBridge").string(), words,
                                {.outputFile = (folder() / "links").string()});
@@ -29,6 +35,12 @@ class SharedModel : public LiveServer {
         json told = client.event("state");
         while (!told.is_null() && told[key] != value) told = client.event("state");
         return !told.is_null();
+    }
+
+    std::int64_t bridgeProcess() const { return bridge_.process(); }
+    void killBridge() {
+        bridge_.send(SIGKILL);
+        bridge_.wait(20s);
     }
 
   private:
@@ -80,6 +92,87 @@ TEST_F(SharedModel, LockedEditsHoldForKeysThatAreBoundMeanwhile) {
     EXPECT_EQ(ask({"messages"}).find("bloom"), std::string::npos);
     ask({"key", "tap", "k"});
     EXPECT_TRUE(eventually([&] { return ask({"get", "bloom.radius"}) != "0\n"; })) << "a shell's key does";
+}
+
+/// The newest of what a page is sent.
+class Watcher {
+  public:
+    explicit Watcher(WebClient& client) : client_(client) {}
+    /// Reads on until it holds.
+    bool until(const std::function<bool()>& holds) {
+        for (const auto end = Clock::now() + 60s; Clock::now() < end;) {
+            if (holds()) return true;
+            if (const auto message = client_.next(100ms)) take(*message);
+        }
+        return false;
+    }
+    const json& image() const { return image_; }                      ///< event
+    const std::vector<std::uint8_t>& exact() const { return shown_; } ///< empty: none is shown
+    std::size_t frames() const { return frames_; }
+
+  private:
+    void take(const WebFrame& message) {
+        if (message.opcode == 1) {
+            const json event = json::parse(message.payload);
+            if (event["event"] == "image") image_ = event;
+            return;
+        }
+        if (message.opcode != 2) return;
+        client_.acknowledge(message);
+        const FrameHeader header = headerOf(message.payload);
+        if (header.type != 2) {
+            ++frames_;
+            return shown_.clear();
+        }
+        if (header.offset == 0) still_.clear();
+        still_ += message.payload.substr(40);
+        if (still_.size() == header.total) shown_ = rgbOf(still_);
+    }
+
+    WebClient& client_;
+    json image_ = json::object();
+    std::string still_;
+    std::vector<std::uint8_t> shown_;
+    std::size_t frames_ = 0;
+};
+
+// As any Renderer makes it of what the server shows, to the bit; and the server's frames once it moves.
+TEST_F(SharedModel, ShowsTheViewByPathsAtRest) {
+    const auto client = page({}, "paths");
+    Watcher watcher(*client);
+    ask({"set", "path.samples", "16"});
+    ask({"wait-idle"});
+    ask({"export", "scene", "rest.scn"});
+    ask({"export", "camera", "rest.cam"});
+    const ProgramResult rendered = runProgram(programPath("Renderer"),
+                                              {"rest.scn", "--camera=rest.cam", "--integrator=path", "-o",
+                                               "rest.png", "--setting=exposure.recorded=automatic",
+                                               "--setting=path.filter=4", "--setting=denoise.net=automatic"},
+                                              {.folder = folder().path(), .timeoutSeconds = 120});
+    ASSERT_EQ(rendered.exitCode, 0) << rendered.error;
+    const std::vector<std::uint8_t> pixels = rgbOf(bytes("rest.png"));
+    EXPECT_TRUE(watcher.until([&] { return watcher.image()["part"] == 1 && watcher.exact() == pixels; }))
+        << watcher.image();
+    EXPECT_EQ(watcher.image()["samples"], 16);
+    const std::size_t frames = watcher.frames();
+    ask({"camera", "turn", "20", "0"});
+    EXPECT_TRUE(watcher.until([&] { return watcher.image()["paths"] == false; }));
+    EXPECT_TRUE(watcher.until([&] { return watcher.frames() > frames; }));
+}
+
+// Its Renderer ends with it, however it ends, and leaves nothing.
+TEST_F(SharedModel, EndsItsRendererWithItself) {
+    const auto client = page({}, "paths");
+    const json told = client->event("image", 60s);
+    ASSERT_FALSE(told.is_null());
+    const std::string name = "preview-" + std::to_string(bridgeProcess()) + "-1";
+    const auto runs = [&] {
+        const auto all = ipc::listInstances();
+        return std::ranges::any_of(all, [&](const auto& each) { return each.name == name && each.running; });
+    };
+    EXPECT_TRUE(runs());
+    killBridge();
+    EXPECT_TRUE(eventually([&] { return !runs(); }, 20s));
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 // Frames of a real server in the same process, encoded as they are wanted.
 #include "bridge/stream/frame_source.h"
 
+#include "bridge/clock.h"
 #include "ipc/endpoint/client.h"
 #include "ipc/layout/limits.h"
+#include "process/bridge/png_pixels.h"
 #include "unit/bridge/served_instance.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +18,10 @@ using bridge::Codec;
 using bridge::FrameDemand;
 using bridge::FrameSet;
 using bridge::SharedFrame;
+
+std::vector<std::uint8_t> rgbOf(const SharedFrame& still) {
+    return test::rgbOf(std::string(still->bytes.begin(), still->bytes.end()));
+}
 
 class SourceOfFrames : public testing::Test {
   protected:
@@ -32,6 +38,10 @@ class SourceOfFrames : public testing::Test {
     std::vector<std::string> failures() {
         const std::lock_guard lock(mutex_);
         return failures_;
+    }
+    std::vector<bridge::PreviewProgress> progress() {
+        const std::lock_guard lock(mutex_);
+        return progress_;
     }
     /// All frames above this number, of the stream that came last.
     FrameDemand above(std::uint64_t number, int rung = bridge::kFirstRung) {
@@ -52,6 +62,7 @@ class SourceOfFrames : public testing::Test {
     FrameSet newest_;
     int deliveries_ = 0;
     std::vector<std::string> failures_;
+    std::vector<bridge::PreviewProgress> progress_;
 
   protected:
     bridge::FrameSource source{instance.name(),
@@ -66,6 +77,11 @@ class SourceOfFrames : public testing::Test {
                                     [this](std::string why) {
                                         const std::lock_guard lock(mutex_);
                                         failures_.push_back(std::move(why));
+                                    },
+                                .preview =
+                                    [this](const bridge::PreviewProgress& progress) {
+                                        const std::lock_guard lock(mutex_);
+                                        progress_.push_back(progress);
                                     }}}; // last: its threads tell this
 };
 
@@ -184,6 +200,98 @@ TEST_F(SourceOfFrames, SaysNothingOfAServerThatIsGone) {
     instance.publish();
     EXPECT_TRUE(instance.until([&] { return newest().number > 0; }));
     EXPECT_TRUE(failures().empty());
+}
+
+/// A Renderer that shows an image of a run, in one colour.
+class PreviewOfARenderer : public SourceOfFrames {
+  protected:
+    void SetUp() override {
+        SourceOfFrames::SetUp();
+        first = instance.publish(64, 48, true);
+        source.setDemand(all());
+        ASSERT_TRUE(instance.until([&] { return newest().still != nullptr; }));
+        source.setPreview(bridge::PreviewRun{renderer.name(), 7, bridge::steadyClock().nanoseconds()});
+        server = std::make_unique<ipc::Server>(
+            ipc::ServerOptions{.instance = renderer.name(), .width = 64, .height = 48});
+    }
+    FrameDemand all() {
+        FrameDemand demand = above(newest().number);
+        demand.still = true;
+        return demand;
+    }
+    void shows(std::uint8_t grey, std::uint8_t alpha, std::uint64_t tag, std::uint32_t samples,
+               std::uint64_t run = 7) {
+        std::vector<std::byte> pixels(std::size_t{4} * 64 * 48, std::byte{grey});
+        for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] = std::byte{alpha};
+        ipc::FrameInfo info;
+        info.width = 64;
+        info.height = 48;
+        info.run = run;
+        info.tag = tag;
+        info.samples = samples;
+        server->publishFrame(info, pixels);
+    }
+    /// The exact image that comes next, once it is in that colour everywhere.
+    bool becomes(std::uint8_t grey) {
+        return instance.until([&] {
+            source.setDemand(all());
+            const FrameSet set = newest();
+            if (!set.still) return false;
+            const std::vector<std::uint8_t> rgb = rgbOf(set.still);
+            return std::ranges::all_of(rgb, [&](std::uint8_t each) { return each == grey; });
+        });
+    }
+
+    test::IpcInstance renderer;
+    std::unique_ptr<ipc::Server> server;
+    std::uint64_t first = 0;
+};
+
+TEST_F(PreviewOfARenderer, IsShownInPlaceOfTheFrameThatRests) {
+    const std::uint32_t stream = newest().stream;
+    shows(90, 255, 400, 1);
+    EXPECT_TRUE(becomes(90));
+    shows(91, 255, ipc::kPreviewDone, 16);
+    EXPECT_TRUE(becomes(91));
+    EXPECT_EQ(newest().stream, stream) << "pages go on with the same image";
+    EXPECT_GT(newest().number, first);
+    ASSERT_EQ(progress().size(), 2U);
+    EXPECT_EQ(progress().back().samples, 16U);
+    EXPECT_TRUE(progress().back().done);
+    EXPECT_LT(progress().back().error, 0) << "not known";
+}
+
+TEST_F(PreviewOfARenderer, GivesWayToTheServersNextFrame) {
+    shows(90, 255, 400, 1);
+    ASSERT_TRUE(becomes(90));
+    const std::uint64_t before = newest().number;
+    instance.publish(64, 48, true);
+    source.setDemand(all());
+    ASSERT_TRUE(comes(before + 1));
+    const std::uint64_t moved = newest().number;
+    shows(92, 255, 500, 2);
+    // Another of the server's frames: had the Renderer's come, its number would lie between.
+    instance.publish(64, 48, true);
+    source.setDemand(all());
+    ASSERT_TRUE(comes(moved + 1));
+    EXPECT_EQ(progress().size(), 1U);
+    EXPECT_FALSE(newest().still && rgbOf(newest().still).front() == 92);
+}
+
+TEST_F(PreviewOfARenderer, OfAnotherRunIsPassedOver) {
+    shows(90, 255, ipc::kPreviewDone, 16, 6);
+    shows(91, 255, 400, 1);
+    EXPECT_TRUE(becomes(91));
+}
+
+TEST_F(PreviewOfARenderer, ShowsTheServersPixelsWhereItHasNone) {
+    const FrameSet before = newest();
+    shows(90, 0, 10, 0);
+    ASSERT_TRUE(instance.until([&] {
+        source.setDemand(all());
+        return newest().number > before.number && newest().still;
+    }));
+    EXPECT_EQ(rgbOf(newest().still), rgbOf(before.still));
 }
 
 } // namespace

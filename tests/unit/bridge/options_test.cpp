@@ -68,6 +68,8 @@ TEST(QualityOption, IsThatOfThePreferredRung) {
 }
 
 TEST(WatchOption, IsOffUnlessAskedFor) {
+    EXPECT_TRUE(optionsOf({}).byPaths);
+    EXPECT_FALSE(optionsOf({"--rest=live"}).byPaths);
     EXPECT_FALSE(optionsOf({}).watch);
     EXPECT_TRUE(optionsOf({"--watch"}).watch);
 }

@@ -7,6 +7,7 @@
 
 #include "common/commands/state_report.h"
 #include "ipc/endpoint/client.h"
+#include "rtcore/platform/error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -117,6 +118,7 @@ struct PlayedServer {
     bridge::ServerEvents events;
     bridge::FrameEvents frames;
     bridge::FrameDemand demand;
+    std::optional<bridge::PreviewRun> preview;
 };
 
 class PlayedCommands : public bridge::ServerCommands {
@@ -146,10 +148,36 @@ class PlayedFrames : public bridge::ServerFrames {
   public:
     explicit PlayedFrames(PlayedServer& server) : server_(server) {}
     void setDemand(const bridge::FrameDemand& demand) override { server_.demand = demand; }
+    void setPreview(const std::optional<bridge::PreviewRun>& run) override { server_.preview = run; }
     bridge::FrameFigures figures() const override { return {}; }
 
   private:
     PlayedServer& server_;
+};
+
+/// A Renderer that only notes what it is asked for.
+struct PlayedRenderer {
+    std::vector<std::string> requests; ///< "run scene camera", or "give up"
+    int code = 0;                      ///< of its end, told once
+    std::string trouble;               ///< with the next request
+};
+
+class PlayedPaths : public bridge::PathRenderer {
+  public:
+    explicit PlayedPaths(PlayedRenderer& renderer) : renderer_(renderer) {}
+    const std::string& instance() const override { return instance_; }
+    std::string file(const std::string& name) override { return "/files/" + name; }
+    void render(std::uint64_t run, const std::string& scene, const std::string& camera) override {
+        if (!renderer_.trouble.empty())
+            throw rtcore::FileError(rtcore::FailureKind::NoInput, "Renderer", renderer_.trouble);
+        renderer_.requests.push_back(std::to_string(run) + " " + scene + " " + camera);
+    }
+    void giveUp() override { renderer_.requests.emplace_back("give up"); }
+    int tick() override { return std::exchange(renderer_.code, 0); }
+
+  private:
+    PlayedRenderer& renderer_;
+    const std::string instance_ = "preview-of-a-test";
 };
 
 struct RoomWorld {
@@ -167,6 +195,10 @@ struct RoomWorld {
                     servers[instance].frames = std::move(events);
                     return std::make_unique<PlayedFrames>(servers[instance]);
                 },
+            .renderer = [this]() -> std::unique_ptr<bridge::PathRenderer> {
+                if (!byPaths) return nullptr;
+                return std::make_unique<PlayedPaths>(renderer);
+            },
             .post =
                 [this](std::function<void()> work) {
                     if (!keepsPosted) return work();
@@ -178,7 +210,9 @@ struct RoomWorld {
 
     HandClock clock;
     std::map<std::string, PlayedServer> servers; ///< by instance
-    bool keepsPosted = false;                    ///< else what is posted is done at once
+    bool byPaths = false;                        ///< images at rest
+    PlayedRenderer renderer;
+    bool keepsPosted = false; ///< else what is posted is done at once
     std::vector<std::function<void()>> posted;
     std::vector<std::string> notes;
 };

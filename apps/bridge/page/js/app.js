@@ -24,6 +24,7 @@ export class App {
     forgetServer() {
         this.state = {};
         this.follow({});
+        this.image = this.statistics.image = { paths: false };
         this.speed = 1; // factor of flying, as long as this page knows the server
     }
 

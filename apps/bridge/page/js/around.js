@@ -106,7 +106,9 @@ export class Around {
         const { mode, fps = 0, idle, paused, eye = [] } = this.app.status;
         byId("share").hidden = !this.seen || eye.length === 0; // the view is known from the first status on
         if (!mode || !this.live) return void (byId("pill-text").textContent = "");
-        const motion = paused ? t("paused") : this.exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
+        const { paths, part } = this.app.image;
+        const motion = paused ? t("paused") : paths && part < 1 ? t("rendering", number(100 * part))
+            : this.exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
         const role = this.app.drives() ? "" : " · " + this.driverText();
         byId("pill-text").textContent = t(mode) + " · " + motion + role;
         // Screen readers hear what changed, not each rate, and the place once it is reached.

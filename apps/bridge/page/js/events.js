@@ -79,6 +79,12 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         statistics.link = facts;
     });
 
+    on("image", ({ event: _, ...image }) => {
+        app.image = app.statistics.image = image;
+        around.showStatus();
+        app.statistics.show();
+    });
+
     let busyTimer = 0;
     function showBusy(on) {
         clearTimeout(busyTimer);

@@ -11,6 +11,7 @@ export class Statistics {
         this.delays = [];
         this.decodes = [];
         this.link = null;
+        this.image = { paths: false };
         this.onChange = () => {};
     }
 
@@ -50,6 +51,13 @@ export class Statistics {
         return list.length ? t("ms2", number(this.quantile(list, 0.5), 1), number(this.quantile(list, 0.95), 1)) : "–";
     }
 
+    imageText() {
+        const { samples, error } = this.image;
+        const parts = [t("byPaths", number(samples))];
+        if (error !== undefined) parts.push(t("imageError", number(error, error < 1 ? 2 : 1)));
+        return parts.join(" · ");
+    }
+
     rows() {
         const { status = {}, link, header } = this;
         const now = performance.now(), recent = this.times.filter((time) => time > now - 2000).length / 2;
@@ -57,6 +65,7 @@ export class Statistics {
             [t("statShown"), t("perSecond", number(recent, 1))],
             [t("statFrame"), t("ms", number(status.frameMs ?? 0, 1))], [t("statDelay"), this.pair(this.delays)],
                 [t("statDecode"), this.pair(this.decodes)]];
+        if (this.image.paths) rows.push([t("statImage"), this.imageText()]);
         if (header) rows.push([t("statSize"),
             `${header.width} × ${header.height} / ${header.shownWidth} × ${header.shownHeight}`]);
         if (link) {

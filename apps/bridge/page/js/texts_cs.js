@@ -96,6 +96,7 @@ export default {
     fly: "Let",
     floor: "Chůze bez podlahy",
     idle: "v klidu",
+    rendering: "vykresluje se, {0} %",
     idleAt: "v klidu, místo {0}",
     moving: "v pohybu",
     paused: "pozastaveno",
@@ -192,6 +193,9 @@ export default {
     version: "RTBridge {0}",
 
     statServer: "Server",
+    statImage: "Obraz v klidu",
+    byPaths: "z cest, vzorků: {0}",
+    imageError: "±{0} z 255",
     statShown: "Zobrazeno",
     statFrame: "Čas snímku",
     statDelay: "Od vstupu k obrazu",

@@ -96,6 +96,7 @@ export default {
     fly: "Fly",
     floor: "Walk, no floor",
     idle: "idle",
+    rendering: "rendering {0} %",
     idleAt: "idle at {0}",
     moving: "moving",
     paused: "paused",
@@ -191,6 +192,9 @@ export default {
     version: "RTBridge {0}",
 
     statServer: "Server",
+    statImage: "Image at rest",
+    byPaths: "by paths, samples: {0}",
+    imageError: "±{0} of 255",
     statShown: "Shown",
     statFrame: "Frame time",
     statDelay: "Input to image",
