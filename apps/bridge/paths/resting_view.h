@@ -30,7 +30,7 @@ class RestingView {
     /// Without a renderer it does nothing. `clock` must outlive it.
     RestingView(std::unique_ptr<PathRenderer> renderer, const Clock& clock, Links links);
 
-    /// Whether anyone looks; nothing is begun for nobody.
+    /// Whether a page is open and visible; without one nothing is begun.
     void setWatched(bool watched) { watched_ = watched; }
     void statusChanged(const ipc::Status& status);
     void serverGone();
