@@ -117,7 +117,7 @@ build() {
     # shellcheck disable=SC2086
     inside cmake --preset arm64 -DRT_WERROR=ON >"$work/build.log" 2>&1 &&
         inside cmake --build --preset arm64 --target $targets -- -j "$jobs" >>"$work/build.log" 2>&1 || {
-        grep -A 10 'error' "$work/build.log" | head -n 50
+        grep -A 10 'error' "$work/build.log" | head -n 50 | grep . || tail -n 20 "$work/build.log"
         fail "it cannot be built"
     }
     say "built in $(($(date +%s) - begun)) s"
