@@ -48,7 +48,7 @@ trap 'exit 130' INT TERM HUP
 # The libraries of packages.txt, and GoogleTest; not those of the window, of rare images, and of CImg, whose one header
 # depends on half of a desktop.
 wanted() {
-    echo "build-essential crossbuild-essential-arm64 cmake ninja-build pkg-config qemu-user-static"
+    echo "build-essential crossbuild-essential-arm64 cmake ninja-build pkg-config python3-minimal qemu-user-static"
     sed '1,/^# libraries/d; /^#/,$d; s/ .*//' scripts/packages.txt | grep -vE '^(qt6|cimg|libmagick)' |
         sed 's/$/:arm64/; s/^nlohmann-json3-dev.*/nlohmann-json3-dev/'
     echo "libgtest-dev:arm64"

@@ -2,8 +2,9 @@
 """Makes the walks of bench_walk: make_walks.py FOLDER [NAME]...
 
 Each is 300 cameras at 30 a second in FOLDER/NAME.lst, along points that are passed at even speed, with a head
-that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, and of
-the models Sibenik, Crytek Sponza and Lamborghini. Where RT_TEST_SCENES names the folder of these, each has a
+that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, of a street
+and a hall at night, whose scenes are made beside their walks, and of the models Sibenik, Crytek Sponza and
+Lamborghini. Where RT_TEST_SCENES names the folder of these, each has a
 scene beside its walk: FOLDER/NAME.scn.
 """
 import math
@@ -12,6 +13,7 @@ import pathlib
 import sys
 
 FRAMES, RATE = 300, 30
+NIGHTS = (10, 100, 1000)
 
 # Points (x, y, z) that are passed, with what is looked at (yaw, pitch; degrees; yaw 0 looks along -z and grows
 # to the right) and up; `sway` degrees to each side in `period` seconds.
@@ -29,6 +31,11 @@ WALKS = {
     # Once around an object, as by a drag.
     "orbit": dict(fov=60, sway=0, period=1, around=True, points=[
         (5.8 * math.sin(math.tau * i / 16), 1.6, 5.8 * math.cos(math.tau * i / 16), 0, 0) for i in range(17)]),
+    # At night, by scripts/lights/night_scenes.py: 100 or 1,000 lights.
+    **{f"street-{count}": dict(fov=70, sway=25, period=5, points=[
+        (-27, 1.8, 3, 80, -3), (-12, 1.8, 1, 95, 0), (4, 1.8, -2, 85, 2), (20, 1.8, 0, 90, 0)]) for count in NIGHTS},
+    **{f"hall-{count}": dict(fov=75, sway=25, period=5, points=[
+        (-18, 1.7, 7, 70, 0), (-6, 1.7, 6, 60, 2), (3, 1.7, 2, 80, 0), (14, 1.7, 2, 110, -2)]) for count in NIGHTS},
 }
 
 LIGHT = "\n[[light]]\nkind = \"{}\"\n{}\nintensity = {}\n"
@@ -87,6 +94,18 @@ def dress_sponza(model, folder):
         (folder / name).symlink_to(model / target)
 
 
+def write_night(folder, name):
+    """The scene of that name, such as street-100; False: it is none of these."""
+    scene, dash, count = name.partition("-")
+    if not dash:
+        return False
+    sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[3] / "scripts/lights"))
+    import night_scenes
+    path = pathlib.Path(night_scenes.write(folder, scene, "points", int(count)) + ".scn")
+    path.rename(folder / f"{name}.scn")
+    return True
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -99,6 +118,8 @@ def main():
             (cameras / f"{i:05}.cam").write_text(camera(WALKS[name], i))
             lines.append(f"{name}.cams/{i:05}.cam\n")
         (folder / f"{name}.lst").write_text("".join(lines))
+        if write_night(folder, name):
+            continue
         models = os.environ.get("RT_TEST_SCENES")
         if models and name in SCENES:
             if not pathlib.Path(models).is_dir():
