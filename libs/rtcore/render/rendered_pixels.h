@@ -14,7 +14,8 @@ namespace rtcore {
 struct RenderedPixels {
     std::span<Colour> radiance;
     /// Known visibility of the lights at the surface that each pixel sees, taken for true; shadow rays add
-    /// what they find. With one sample per pixel only. Empty: all is traced.
+    /// what they find. Of more than 32 lights some are traced (docs/live.md), and nothing is kept. With one
+    /// sample per pixel only. Empty: all is traced.
     std::span<LightVisibility> visibility = {};
     /// Gets what the pixels see, with one sample per pixel only. Empty: it is not asked for.
     std::span<SeenPoint> seen = {};

@@ -22,12 +22,13 @@ enum class SampleDimension : std::uint32_t {
     Occlusion,
     AreaLight,
     Shaft,
-    Hole,      ///< whether a surface that is there in part is met
-    Glass,     ///< whether light is reflected or passes
-    Lobe,      ///< which lobe of a surface scatters
-    Direction, ///< where it scatters to
-    Light,     ///< which light is sampled
-    Emitter    ///< which emissive triangle of a cluster
+    Hole,       ///< whether a surface that is there in part is met
+    Glass,      ///< whether light is reflected or passes
+    Lobe,       ///< which lobe of a surface scatters
+    Direction,  ///< where it scatters to
+    Light,      ///< which light is sampled
+    Emitter,    ///< which emissive triangle of a cluster
+    LightChoice ///< which lights are traced where there is no time for all
 };
 
 #define RT_FORMULA constexpr

@@ -23,7 +23,8 @@ struct FrameContext {
     const MaterialTable* materials = nullptr;
     bool discs = false;                     ///< a light that is on is seen as one (isDisc())
     const ShadowMaps* shadowMaps = nullptr; ///< shadows are looked up there; null: they are traced
-    /// Known visibility at the points of primary rays, by sample; results are added. Empty: all is traced.
+    /// Known visibility at the points of primary rays, by sample; results are added, unless some of many
+    /// lights are chosen (light/light_choice.h), which such frames do. Empty: all is traced.
     std::span<LightVisibility> visibility;
     const std::atomic<bool>* stop = nullptr; ///< true: return soon, the result is not wanted; may be null
     RayStatistics* statistics = nullptr;     ///< counts all rays of the frame

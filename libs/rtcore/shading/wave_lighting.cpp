@@ -2,6 +2,8 @@
 
 #include "rtcore/shading/fog/fog_light.h"
 
+#include "rtcore/sampling/even_shift.h"
+
 #include <algorithm>
 
 namespace rtcore {
@@ -9,6 +11,9 @@ namespace rtcore {
 void WaveLighting::begin(const FrameContext& frame, const FogWave& fog) {
     fog_ = &fog;
     const FogMedium* const medium = fog.on() ? &fog.medium() : nullptr;
+    on_.clear();
+    for (std::size_t light = 0; light < frame.scene->lights.size(); ++light)
+        if (frame.scene->lights[light].light.on != 0) on_.push_back(light);
     shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->clear(), medium);
     occlusion_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials);
     sky_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials, medium);
@@ -68,10 +73,11 @@ void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::s
 void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSums& to) {
     if (occlusion_.on()) addSurroundings(frame, occlusion_, wave, to);
     if (sky_.on()) addSurroundings(frame, sky_, wave, to);
+    if (chooses(frame, to)) return addChosen(frame, wave, to);
     recall(frame, wave);
     const std::vector<SceneLight>& lights = frame.scene->lights;
-    for (std::size_t light = 0; light < lights.size(); ++light) {
-        if (lights[light].light.on == 0 || frame.stopped()) continue;
+    for (const std::size_t light : on_) {
+        if (frame.stopped()) break;
         if (isAreaLight(lights[light].light) && frame.settings->areaLights.samples > 0) {
             addAreaLight(frame, wave, light, to);
         } else {
@@ -139,7 +145,7 @@ void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_
     frame.clock->lap(Stage::Light);
     if (frame.settings->shadows) {
         if (shadowRays_.rays.empty() && !remembers_) return;
-        takeShadows(frame, wave, number);
+        takeShadows(frame, wave.surfaces, number);
         frame.clock->lap(Stage::Shadows);
     }
     if (to.primaryHits != nullptr) {
@@ -150,8 +156,7 @@ void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_
 }
 
 /// Takes from surfaces.contribution what does not arrive.
-void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_t number) {
-    const SurfaceWave& surfaces = wave.surfaces;
+void WaveLighting::takeShadows(const FrameContext& frame, SurfaceWave& surfaces, std::size_t number) {
     const std::uint32_t* const point = shadowRays_.point.data();
     const RayWave& rays = shadowRays_.rays;
     const auto tint = [&](std::size_t ray, Colour arriving) {
@@ -173,6 +178,70 @@ void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_
             note(number, point[i], occluded[i] != 0 ? Colour{} : kWhite);
             if (occluded[i] != 0) surfaces.contribution.set(point[i], Colour{});
         }
+    }
+}
+
+// --- Some of many lights ---
+
+/// Frames that remember light are those of a moving camera.
+bool WaveLighting::chooses(const FrameContext& frame, const LightSums& to) const {
+    return !frame.visibility.empty() && on_.size() > LightChoice::kAll && frame.settings->shadows &&
+           to.primaryHits == nullptr;
+}
+
+void WaveLighting::addChosen(const FrameContext& frame, Wave& wave, const LightSums& to) {
+    remembers_ = false;
+    choice_.begin(wave.size(), on_.size(), [&](std::size_t i) {
+        const std::uint32_t salt = mixBits(wave.paths.bounces(i)) >> 8;
+        return evenShift(wave.sampleId(i), SampleDimension::LightChoice, salt).v;
+    });
+    for (const std::size_t light : on_) {
+        rtcore::addLight(frame.scene->lights[light].light, *frame.materials, wave.surfaces, nullptr);
+        choice_.weigh(wave.surfaces.contribution);
+    }
+    choice_.end();
+    frame.clock->lap(Stage::Light);
+    chosenMemory_.resize(3, wave.size());
+    chosen_ = chosenMemory_.arraysOf3(0);
+    for (float* const array : {chosen_.x, chosen_.y, chosen_.z}) std::fill_n(array, wave.size(), 0.0F);
+    for (const std::size_t light : on_) {
+        if (frame.stopped()) return;
+        const LightChoice::Taken taken = choice_.next();
+        if (!taken.points.empty()) addChosen(frame, wave, light, taken);
+    }
+    for (std::size_t i = 0; i < wave.size(); ++i) wave.surfaces.contribution.set(i, chosen_.colourAt(i));
+    to.sums.add(wave);
+    frame.clock->lap(Stage::Light);
+}
+
+void WaveLighting::addChosen(const FrameContext& frame, const Wave& wave, std::size_t number,
+                             LightChoice::Taken taken) {
+    const Light& light = frame.scene->lights[number].light;
+    const RenderSettings& settings = *frame.settings;
+    some_.gather(wave.surfaces, taken.points, *frame.materials);
+    if (!isAreaLight(light) || settings.areaLights.samples == 0) {
+        rtcore::addLight(light, *frame.materials, some_, &shadowRays_);
+        return addTaken(frame, number, taken);
+    }
+    areaLightSampler_.begin(
+        taken.points.size(), settings.areaLights.samples, settings.antialiasing * settings.antialiasing,
+        static_cast<std::uint32_t>(number), [&](std::size_t i) { return wave.sampleId(taken.points[i]); },
+        [&](std::size_t i) { return wave.paths.bounces(taken.points[i]); });
+    for (int k = 0; k < settings.areaLights.samples && !frame.stopped(); ++k) {
+        rtcore::addLight(light, areaLightSampler_.strata(k), *frame.materials, some_, &shadowRays_);
+        addTaken(frame, number, taken);
+    }
+}
+
+void WaveLighting::addTaken(const FrameContext& frame, std::size_t number, LightChoice::Taken taken) {
+    const Light& light = frame.scene->lights[number].light;
+    if (fog_->on() && !tracesTinted(frame)) fog_->dimLight(light, some_);
+    frame.clock->lap(Stage::Light);
+    takeShadows(frame, some_, number);
+    frame.clock->lap(Stage::Shadows);
+    for (std::size_t i = 0; i < taken.points.size(); ++i) {
+        const std::uint32_t point = taken.points[i];
+        chosen_.set(point, chosen_.colourAt(point) + some_.contribution.colourAt(i) * taken.weights[i]);
     }
 }
 

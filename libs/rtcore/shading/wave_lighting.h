@@ -6,6 +6,7 @@
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
 #include "rtcore/shading/light/area_light_sampler.h"
+#include "rtcore/shading/light/light_choice.h"
 #include "rtcore/shading/light/light_wave.h"
 #include "rtcore/shading/light/occlusion_wave.h"
 #include "rtcore/shading/light/shadows.h"
@@ -42,7 +43,11 @@ class WaveLighting {
     void addPointLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addArriving(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
-    void takeShadows(const FrameContext& frame, Wave& wave, std::size_t light);
+    void addChosen(const FrameContext& frame, Wave& wave, const LightSums& to);
+    void addChosen(const FrameContext& frame, const Wave& wave, std::size_t light, LightChoice::Taken taken);
+    void addTaken(const FrameContext& frame, std::size_t light, LightChoice::Taken taken);
+    bool chooses(const FrameContext& frame, const LightSums& to) const;
+    void takeShadows(const FrameContext& frame, SurfaceWave& surfaces, std::size_t light);
     void recall(const FrameContext& frame, const Wave& wave);
     void note(std::size_t light, std::size_t point, Colour arriving);
     void confirm(std::size_t light);
@@ -63,6 +68,11 @@ class WaveLighting {
     AreaLightSampler areaLightSampler_;
     ShadowTracer shadows_;
     ShadowRays shadowRays_;
+    std::vector<std::size_t> on_; ///< the lights that are on
+    LightChoice choice_;
+    SurfaceWave some_; ///< points that take a light that is chosen
+    WaveMemory chosenMemory_;
+    ArraysOf3 chosen_;       ///< light of these, by point of the wave
     bool remembers_ = false; ///< the next four hold for the wave
     /// LightVisibility of its points, for whole blocks: what is known, and what rays find. Of lights of which
     /// both is found, a part arrives.

@@ -42,7 +42,8 @@ bool WhittedIntegrator::needsSampleIds(const Scene& scene, const RenderSettings&
     const bool areaLights =
         settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft, &SceneLight::light);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
-    return settings.ambientOcclusion.on || settings.skyLight.on || areaLights || shafts;
+    return settings.ambientOcclusion.on || settings.skyLight.on || areaLights || shafts ||
+           scene.lights.size() > LightChoice::kAll;
 }
 
 void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> samples) {

@@ -35,7 +35,7 @@ WALKS = {
     **{f"street-{count}": dict(fov=70, sway=25, period=5, points=[
         (-27, 1.8, 3, 80, -3), (-12, 1.8, 1, 95, 0), (4, 1.8, -2, 85, 2), (20, 1.8, 0, 90, 0)]) for count in NIGHTS},
     **{f"hall-{count}": dict(fov=75, sway=25, period=5, points=[
-        (-18, 1.7, 7, 70, 0), (-6, 1.7, 6, 60, 2), (3, 1.7, 2, 80, 0), (14, 1.7, 2, 110, -2)]) for count in NIGHTS},
+        (-18, 1.7, 2.6, 90, 0), (-6, 1.7, 2.4, 80, 2), (3, 1.7, 2.6, 95, 0), (14, 1.7, 2.4, 90, -2)]) for count in NIGHTS},
 }
 
 LIGHT = "\n[[light]]\nkind = \"{}\"\n{}\nintensity = {}\n"

@@ -186,6 +186,35 @@ void SurfaceWave::resize(std::size_t count, const MaterialTable& materials) {
     if (notPlain_.size() < count + kWaveBlock) notPlain_.resize(count + kWaveBlock);
 }
 
+void SurfaceWave::gather(const SurfaceWave& from, std::span<const std::uint32_t> points,
+                         const MaterialTable& materials) {
+    resize(points.size(), materials);
+    notPlainCount_ = 0;
+    const auto take = [&](auto* to, const auto* values) {
+        for (std::size_t i = 0; i < points.size(); ++i) to[i] = values[points[i]];
+    };
+    const auto take3 = [&](ArraysOf3 SurfaceWave::*member) {
+        const ArraysOf3 &to = this->*member, &values = from.*member;
+        if (to.x == nullptr) return;
+        take(to.x, values.x);
+        take(to.y, values.y);
+        take(to.z, values.z);
+    };
+    for (ArraysOf3 SurfaceWave::*member :
+         {&SurfaceWave::position, &SurfaceWave::geometricNormal, &SurfaceWave::shadingNormal,
+          &SurfaceWave::toViewer, &SurfaceWave::diffuseBrdf, &SurfaceWave::weight, &SurfaceWave::straight,
+          &SurfaceWave::grazing, &SurfaceWave::gloss, &SurfaceWave::further, &SurfaceWave::furtherShape,
+          &SurfaceWave::tint})
+        take3(member);
+    take(clearance, from.clearance);
+    if (alpha != nullptr) take(alpha, from.alpha);
+    take(traits, from.traits);
+    take(material, from.material);
+    // Whole blocks are worked on: nothing is hit behind the last.
+    std::fill_n(traits + points.size(), kWaveBlock, 0U);
+    std::fill_n(material + points.size(), kWaveBlock, 0U);
+}
+
 void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays,
                        const HitWave& hits) {
     resize(rays.size(), materials);

@@ -24,6 +24,11 @@ class SurfaceWave {
     /// without textures; `notPlain()` lists them in ascending order.
     void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
 
+    /// The points of another wave at these indices, without the list of those that are not plain, and without
+    /// `specular` and `contribution`.
+    void gather(const SurfaceWave& from, std::span<const std::uint32_t> points,
+                const MaterialTable& materials);
+
     std::size_t size() const { return size_; }
     std::span<const std::uint32_t> notPlain() const { return {notPlain_.data(), notPlainCount_}; }
 
