@@ -156,7 +156,13 @@ HWY_INLINE Mask meetsBox(const LightNode& node, Float3 origin, Float3 inverse) {
     return !(near > far); // also where a direction along a side makes no number
 }
 
-/// meet(k) with each light that rays may meet and some ray of `rays` passes nearby.
+/// Where rays from `origin` are to meet a light that reaches so far (reachOf()).
+HWY_INLINE Mask isWithin(Float3 origin, Vec3 centre, float reach) {
+    const Float3 offset = broadcast(centre) - origin;
+    return dot(offset, offset) < reach * reach;
+}
+
+/// meet(k) with each light that rays may meet and some ray of `rays` passes nearby, from within its reach.
 template <typename Meet>
 HWY_INLINE void forLightsNear(const LightTreeRows& tree, Float3 origin, Float3 direction, Mask rays,
                               Meet&& meet) {
@@ -168,8 +174,10 @@ HWY_INLINE void forLightsNear(const LightTreeRows& tree, Float3 origin, Float3 d
         while (count > 0) {
             const std::uint32_t number = open[--count];
             const LightNode& node = tree.nodes[number];
-            if ((node.kind & light_node::kToHit) == 0 || none(rays & meetsBox(node, origin, inverse)))
-                continue;
+            if ((node.kind & light_node::kToHit) == 0) continue;
+            const Mask near =
+                rays & isWithin(origin, node.centre, 1.001F * (node.radius + tree.reach[number]));
+            if (none(near) || none(near & meetsBox(node, origin, inverse))) continue;
             if ((node.kind & light_node::kLeaf) != 0) {
                 meet(node.next);
             } else {

@@ -242,11 +242,29 @@ class Builder {
 
 } // namespace
 
+float reachOf(const Light& light) {
+    constexpr float kReach = 50; // of its size
+    if (!isAreaLight(light.kind)) return 0;
+    const float size = isFlatLight(light.kind) ? 0.5F * std::hypot(light.width, light.height) : light.radius;
+    return kReach * size;
+}
+
 void LightTree::prepare(std::span<const Light> lights, const Box3& bounds) {
     std::vector<LightCluster> clusters;
     clusters.reserve(lights.size());
     for (const Light& light : lights) clusters.push_back(clusterOf(light, bounds));
     prepare(clusters);
+    findReach(lights);
+}
+
+/// Children follow their parents.
+void LightTree::findReach(std::span<const Light> lights) {
+    reach_.resize(nodes_.size());
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        const LightNode& node = nodes_[i];
+        reach_[i] = (node.kind & light_node::kLeaf) != 0 ? reachOf(lights[node.next])
+                                                         : std::max(reach_[i + 1], reach_[node.next]);
+    }
 }
 
 void LightTree::prepare(std::span<const LightCluster> clusters) {
@@ -313,8 +331,8 @@ void LightTree::markTrails() {
 }
 
 LightTreeRows LightTree::rows() const {
-    return {nodes_.data(), cut_.data(),   static_cast<std::uint32_t>(cut_.size()),
-            directed_,     cutOf_.data(), trail_.data()};
+    return {nodes_.data(), cut_.data(),  static_cast<std::uint32_t>(cut_.size()), directed_, cutOf_.data(),
+            trail_.data(), reach_.data()};
 }
 
 } // namespace rtcore

@@ -57,8 +57,14 @@ struct LightTreeRows {
     bool directed = false;                ///< some of the lights shine more to one side than to others
     const std::uint32_t* cutOf = nullptr; ///< by light: which of the cut it is in
     const std::uint32_t* trail =
-        nullptr; ///< by light: the way from there, 1 for the second child, lowest bit first
+        nullptr;                  ///< by light: the way from there, 1 for the second child, lowest bit first
+    const float* reach = nullptr; ///< by node: the largest reachOf() of its lights
 };
+
+/// How far from a light with a size and a place scattered rays are to meet it, where there are many; 0 of all
+/// others. Further away it is seen within 2 degrees or so: next event samples it as well as a lobe is smooth,
+/// and hardly a ray would meet it.
+float reachOf(const Light& light);
 
 /// Immutable once prepared; safe from many threads. About 140 bytes for each light.
 class LightTree {
@@ -80,9 +86,11 @@ class LightTree {
   private:
     void chooseCut(std::vector<std::uint32_t> roots, float farScale);
     void markTrails();
+    void findReach(std::span<const Light> lights);
 
     std::vector<LightNode> nodes_;
     std::vector<std::uint32_t> cut_, cutOf_, trail_;
+    std::vector<float> reach_;
     std::size_t lights_ = 0;
     bool directed_ = false;
     std::size_t near_ = 0; ///< nodes of lights that have a place; the others follow

@@ -41,8 +41,8 @@ HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std
             const Float distance = hitLight<kind, Float>(light, point, direction);
             const Float density = load(s.density + i);
             // As far as shadow rays go: surfaces within the light do not occlude it.
-            const Mask met =
-                (density > 0.0F) & (distance >= from) & (distance * 0.9999F <= to) & isFinite(distance);
+            const Mask met = raysMeet(rows, light, point) & (density > 0.0F) & (distance >= from) &
+                             (distance * 0.9999F <= to) & isFinite(distance);
             if (none(met)) return Float3{};
             const Float sampled =
                 lightDirectionDensity<kind, Float>(light, point, direction, select(met, distance, Float(1)));

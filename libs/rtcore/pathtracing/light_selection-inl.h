@@ -36,6 +36,12 @@ HWY_INLINE F expectedOfEmitters(const LightRows& rows, Vec3Of<F> point) {
     return selectOrZero(isFinite(arriving), arriving);
 }
 
+/// Where scattered rays from `point` are to meet the light, and next event shares it with them.
+HWY_INLINE Mask raysMeet(const LightRows& rows, const Light& light, Float3 point) {
+    if (!rows.byTree() || !isAreaLight(light.kind)) return Uint(0U) == Uint(0U);
+    return isWithin(point, light.position, reachOf(light));
+}
+
 /// The same of a node in the cut of a tree.
 template <typename F>
 HWY_INLINE F expectedOfCut(const LightTreeRows& tree, std::uint32_t c, Vec3Of<F> point, Vec3Of<F> normal) {

@@ -122,8 +122,10 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
             const Mask these = rest & (chosen.group == group);
             if (group < rows.lights.lights) {
                 const Light& light = rows.lights.light[group];
-                take(sample, these,
-                     sampleOfLight(light, isAreaLight(light) ? start : position, numbers.u, numbers.v));
+                GroupSample one =
+                    sampleOfLight(light, isAreaLight(light) ? start : position, numbers.u, numbers.v);
+                one.density = selectOrZero(raysMeet(rows.lights, light, start), one.density);
+                take(sample, these, one);
             } else if (group == rows.lights.emitterGroup()) {
                 // A tree has used those bits.
                 const Uint bits = rows.emitters.byTree()

@@ -101,6 +101,32 @@ TEST(DirectLight, OfManyLightsIsTheirSumInTheMean) {
     }
 }
 
+// Scattered rays meet those that are near, next event samples all: whatever finds them, nothing counts twice.
+TEST(DirectLight, OfManyBallsNearAndFarIsTheSameByEachStrategy) {
+    Scene lit = lobedScene();
+    for (int i = 0; i < 40; ++i) {
+        const auto at = static_cast<float>(i);
+        Light ball = test::pointLight({0.2F * at - 4, 1 + 0.08F * at, 2 - 0.1F * at}, 0.5F);
+        ball.kind = LightKind::Sphere;
+        ball.radius = i % 2 == 0 ? 0.04F : 0.15F; // within their reach are some of the smaller ones
+        lit.lights.push_back(ball);
+    }
+    const test::PathScene scene(std::move(lit));
+    for (const Vec3 to : {Vec3{0, 0, 2}, Vec3{-1, 1, 0}, Vec3{1, 1, 0.5F}}) {
+        const Vec3 eye{0.3F, 2.5F, 6};
+        test::PathLimits limits = test::bouncesAlone(0);
+        limits.strategy = SamplingStrategy::NextEvent;
+        const auto expected = scene.see(eye, to - eye, 40000, limits);
+        EXPECT_GT(expected.mean[0], 0);
+        for (const SamplingStrategy strategy : {SamplingStrategy::Both, SamplingStrategy::ScatteredRays}) {
+            limits.strategy = strategy;
+            const auto seen = scene.see(eye, to - eye, 40000, limits);
+            EXPECT_NEAR(seen.mean[0], expected.mean[0], 5 * std::hypot(seen.error[0], expected.error[0]))
+                << static_cast<int>(strategy);
+        }
+    }
+}
+
 TEST(DirectLight, OfManyLightsSurvivesIntensitiesThatAreNoNumbers) {
     Scene lit = lobedScene();
     for (int i = 0; i < 40; ++i) lit.lights.push_back(test::pointLight({0, 3, 2}, 30));

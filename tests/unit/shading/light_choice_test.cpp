@@ -63,17 +63,17 @@ TEST(LightChoice, TakesFewAndTheMeanIsTheLightOfAll) {
     for (std::size_t light = 0; light < kLights; ++light) {
         const double mean = std::accumulate(weights[light].begin(), weights[light].end(), 0.0) / kShifts;
         sum += mean * one[light][0];
-        const double chance = LightChoice::kShares * one[light][0] / all;
+        const double chance = LightChoice::kSteps * one[light][0] / all;
         if (chance == 0) continue;
         EXPECT_NEAR(mean, 1, 1.5 / (kShifts * chance)) << light << ": one shift more or less";
     }
     EXPECT_NEAR(sum, all, 1e-3 * all);
     for (std::size_t i = 0; i < kShifts; ++i) {
         const auto taken = std::ranges::count_if(weights, [&](const auto& light) { return light[i] > 0; });
-        EXPECT_LE(static_cast<float>(taken), LightChoice::kShares + 1);
+        EXPECT_LE(static_cast<float>(taken), LightChoice::kSteps + 1);
         double value = 0;
         for (std::size_t light = 0; light < kLights; ++light) value += weights[light][i] * one[light][0];
-        EXPECT_NEAR(value, all, 1.01 * all / LightChoice::kShares) << "one step more or less";
+        EXPECT_NEAR(value, all, 1.01 * all / LightChoice::kSteps) << "one step more or less";
     }
 }
 

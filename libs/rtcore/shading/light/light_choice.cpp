@@ -32,10 +32,10 @@ void weighLight(const ArraysOf3& contribution, std::size_t count, float* added, 
     }
 }
 
-void findSteps(float shares, std::size_t count, float* sum) {
+void findSteps(float steps, std::size_t count, float* sum) {
     for (std::size_t i = 0; i < count; i += lanes()) {
         const Float all = load(sum + i);
-        store(selectOrZero(all > 0.0F, shares / all), sum + i);
+        store(selectOrZero(all > 0.0F, steps / all), sum + i);
     }
 }
 
@@ -85,7 +85,7 @@ void LightChoice::weigh(const ArraysOf3& contribution) {
     HWY_DYNAMIC_DISPATCH(weighLight)(contribution, count_, row(weighed_++), sum_.data());
 }
 
-void LightChoice::end() { HWY_DYNAMIC_DISPATCH(findSteps)(kShares, count_, sum_.data()); }
+void LightChoice::end() { HWY_DYNAMIC_DISPATCH(findSteps)(kSteps, count_, sum_.data()); }
 
 LightChoice::Taken LightChoice::next() {
     const ChoiceArrays of{row(taken_++), sum_.data(), passed_.data()};

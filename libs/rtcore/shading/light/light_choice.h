@@ -11,16 +11,16 @@
 
 namespace rtcore {
 
-/// By what each light adds unshadowed: those that add at least a kShares-th of it all are taken, and of the
-/// others some by chance, in proportion to what they add, at equal steps along the sum (systematic sampling:
-/// Madow and Madow 1944). Weighed by the reciprocal of their chance, the mean over all chances is the light
-/// of all; without shadows the light itself is. One for each thread; keeps its memory.
+/// By what each light adds unshadowed: those that add at least a step of it, one kSteps-th, are taken, and of
+/// the others some by chance, in proportion to what they add, at equal steps along the sum (systematic
+/// sampling: Madow and Madow 1944). Weighed by the reciprocal of their chance, the mean over all chances is
+/// the light of all; without shadows the light itself is. One for each thread; keeps its memory.
 class LightChoice {
   public:
     /// So many lights are never chosen from: all of them are taken.
     static constexpr std::size_t kAll = 32;
-    /// The most that are taken at a point, and one more by chance.
-    static constexpr float kShares = 16;
+    /// The sum is walked in so many: no more lights are taken at a point, but for one.
+    static constexpr float kSteps = 16;
 
     /// Begins a wave; `shift(i)` is the random number of point i, 0 <= . < 1.
     template <typename Shift>
