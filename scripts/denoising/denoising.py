@@ -42,6 +42,8 @@ def options():
     parser.add_argument("--cycles-reference", type=int, default=128, help="the same of those by Cycles [%(default)s]")
     parser.add_argument("--size", type=_size, default=(320, 180), help="[320x180]")
     parser.add_argument("--models", default=os.environ.get("RT_TEST_SCENES", ""), help="folder of models [$RT_TEST_SCENES]")
+    parser.add_argument("--cameras", default="", help=".cam files of a walk through the scenes, with commas between, in "
+                        "place of their own views; not for time")
     parser.add_argument("--renderer", default=os.path.join(paths.PROJECT, "build", "release", "bin", "Renderer"))
     parser.add_argument("--blender", default="blender")
     return parser.parse_intermixed_args()
@@ -65,6 +67,7 @@ class Setting:
         self.size, self.models = words.size, words.models
         self.folder, self.blender = words.output, shutil.which(words.blender)
         self.renderer = Renderer(words.renderer, words.output, words.size)
+        self.cameras = [file for file in words.cameras.split(",") if file]
 
 
 def found(names, setting):
@@ -73,8 +76,12 @@ def found(names, setting):
         view = views.find(name)
         if view is None:
             print("%-14s skipped: its model is not there" % name)
-        else:
+        elif not setting.cameras:
             yield name, view
+        for file in setting.cameras if view else ():
+            stem = os.path.splitext(os.path.basename(file))[0]
+            yield "%s-%s" % (name, stem), [word for word in view if not word.startswith("--camera=")] + [
+                "--camera=" + file]
 
 
 def main():

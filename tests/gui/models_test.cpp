@@ -156,8 +156,8 @@ TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     preferences.set(pref::globalIllumination, true);
     preferences.set(pref::stillPathSamples, 2);
     const QStringList byPaths = rendererOptions(stillQuality(preferences));
-    EXPECT_EQ(byPaths, (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
-                                    QStringLiteral("--samples=2"),
+    EXPECT_EQ(byPaths, (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--samples=2"),
+                                    QStringLiteral("--integrator=path"),
                                     QStringLiteral("--setting=exposure.recorded=automatic"),
                                     QStringLiteral("--setting=path.filter=4"),
                                     QStringLiteral("--setting=denoise.net=automatic")}));

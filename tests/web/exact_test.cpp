@@ -1,6 +1,8 @@
 // At rest, what stands in the page is what the server drew, byte by byte, at every quality of moving frames.
 #include "web/bridged_server.h"
 
+#include <csignal>
+
 namespace {
 
 using test::WebPage;
@@ -64,6 +66,8 @@ TEST_F(RestingPage, ShowsTheViewByPaths) {
     page.keyDown("KeyW");
     EXPECT_TRUE(page.becomes("!document.getElementById('statistics').textContent.includes('samples')"));
     page.keyUp("KeyW");
+    bridge().send(SIGTERM); // it ends its Renderer
+    EXPECT_EQ(bridge().wait().exitCode, 143);
 }
 
 } // namespace

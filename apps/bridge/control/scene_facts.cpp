@@ -129,6 +129,7 @@ json lightKindsJson() {
     json kinds = json::array();
     for (const rtcore::LightTraits& kind : rtcore::kLightTraits)
         kinds.push_back({{"name", kind.name},
+                         {"label", rtcore::settingLabel(kind.name)},
                          {"position", kind.position},
                          {"direction", kind.direction},
                          {"cone", kind.beam == rtcore::Beam::Cone},

@@ -35,7 +35,10 @@ void RestingView::statusChanged(const ipc::Status& status) {
     if (!renderer_) return;
     const Moment moment = momentOf(status);
     const bool rests = status.idle != 0 && status.paused == 0 && status.progress >= 1;
-    if (!rests || !(moment == moment_)) interrupt();
+    if (!rests || !(moment == moment_)) {
+        interrupt();
+        again_ = false;
+    }
     moment_ = moment;
     rests_ = rests;
 }
@@ -57,8 +60,13 @@ void RestingView::interrupt() {
 void RestingView::tick() {
     if (!renderer_) return;
     try {
-        if (const int code = renderer_->tick(); code != 0 && working_)
-            fail(fmt::format("the Renderer ended with exit code {}", code));
+        if (const int code = renderer_->tick(); code != 0 && working_) {
+            if (std::exchange(again_, true)) {
+                fail(fmt::format("the Renderer ended with exit code {}", code));
+            } else {
+                interrupt();
+            }
+        }
     } catch (const rtcore::FileError& error) {
         fail(error.what());
     }
@@ -96,6 +104,8 @@ void RestingView::exported(std::uint64_t run, const std::string& scene, const st
 /// The server's frame stays; the next moment tries again.
 void RestingView::fail(const std::string& why) {
     working_ = false;
+    shown_.reset();
+    links_.show(std::nullopt);
     if (why != std::exchange(told_, why)) links_.note("no images by paths: " + why);
 }
 

@@ -66,6 +66,7 @@ class RestingView {
     std::uint64_t run_;    ///< of the image under way, or of the next
     bool begun_ = false;   ///< this moment has its image, or cannot have one
     bool working_ = false; ///< it is being rendered
+    bool again_ = false;   ///< a Renderer of this moment was lost, and another one is tried
     std::optional<PreviewProgress> shown_;
     std::string told_; ///< why there is no image
 };

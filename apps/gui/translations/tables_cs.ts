@@ -750,7 +750,7 @@
         <translation>Obdélník</translation>
     </message>
     <message>
-        <source>Ies</source>
+        <source>Luminaire</source>
         <translation>Svítidlo IES</translation>
     </message>
 </context>

@@ -201,8 +201,11 @@ void setTurn(LightDescription& light, double degrees) {
                                           kindOf(light.light)));
     const float radians = static_cast<float>(degrees) * (kPi / 180);
     const Vec3 across = cross(light.light.right, light.light.direction);
-    light.light.right =
+    const Vec3 turned =
         normalize(light.light.right * rtcore::portableCos(radians) + across * rtcore::portableSin(radians));
+    constexpr float kRounding = 2e-7F; // what a quarter of a turn leaves of a component
+    const auto clean = [](float each) { return std::fabs(each) < kRounding ? 0 : each; };
+    light.light.right = {clean(turned.x), clean(turned.y), clean(turned.z)};
 }
 
 void setPosition(LightDescription& light, Vec3 position) {

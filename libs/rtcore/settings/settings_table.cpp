@@ -30,8 +30,8 @@ constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
 constexpr std::array<std::string_view, 5> kDenoiseNets{"off", "small", "base", "large", "automatic"};
 
 /// Groups and choices whose names say too little.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLabels{
-    {{"path", "Path tracing"}, {"whitted", "Whitted ray tracing"}, {"agx", "AgX"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kLabels{
+    {{"path", "Path tracing"}, {"whitted", "Whitted ray tracing"}, {"agx", "AgX"}, {"ies", "Luminaire"}}};
 
 constexpr std::array<FormerName, 5> kFormerNames{{{"lampSamples", "areaLights.samples"},
                                                   {"denoise", "denoise.passes"},

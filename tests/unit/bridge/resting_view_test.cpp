@@ -171,6 +171,13 @@ TEST_F(RestingViews, TellWhyThereIsNone) {
     begin(4);
     world.renderer.code = 65;
     pass(0.1);
+    EXPECT_EQ(world.notes.size(), 2U) << "another one is tried, once";
+    pass(0.3);
+    exportAll();
+    EXPECT_TRUE(server().preview);
+    world.renderer.code = 65;
+    pass(0.1);
+    EXPECT_FALSE(server().preview);
     EXPECT_EQ(world.notes.back(), "hall: no images by paths: the Renderer ended with exit code 65");
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -52,6 +53,9 @@ TEST_F(LightCommands, ALuminaireIsThatOfItsFileAndIsTurned) {
     const rtcore::Vec3 before = light(1).light.right;
     answer("light turn 1 90");
     expectNear(light(1).light.right, cross(before, light(1).light.direction));
+    const rtcore::Vec3 turned = light(1).light.right;
+    for (const float each : {turned.x, turned.y, turned.z})
+        EXPECT_TRUE(each == 0 || std::fabs(each) > 1e-6F) << each << ": no rounding is saved";
     EXPECT_NE(answer("light get 1").find((folder / "a \\\"{0}\\\" <b>.ies").string()), std::string::npos)
         << answer("light get 1") << "the whole path, whichever folder the server is in";
     const Colour bright = light(1).light.intensity;

@@ -3,7 +3,7 @@ import { button, make, refill } from "./dom.js";
 import { choice, colour, measured, numeric, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
 
-const kindText = (kind) => of("LightKinds", kind.charAt(0).toUpperCase() + kind.slice(1));
+const kindText = (app, kind) => of("LightKinds", app.lightKind(kind).label ?? kind);
 
 const LUMENS_PER_WATT = 683;
 
@@ -14,7 +14,7 @@ export function lightsPanel(app) {
 
     const light = () => app.state.lights?.find(({ id }) => id === chosen);
     const edit = (what, args, goesOn) => app.edit(what + " " + chosen, what, [chosen, ...[args].flat()], goesOn);
-    const kinds = () => (app.welcome?.lightKinds ?? []).map(({ name }) => [name, kindText(name)]);
+    const kinds = () => (app.welcome?.lightKinds ?? []).map(({ name }) => [name, kindText(app, name)]);
     /** Whether lights of a kind have it: a place, a direction, a radius, sides, a cone, a disc, an area. */
     const has = (trait) => ({ kind }) => app.lightKind(kind)[trait];
     const not = (when) => (one) => !when(one);
@@ -124,7 +124,7 @@ export function lightsPanel(app) {
                 panel.show();
                 list.querySelector("[aria-current=true]")?.focus();
             } }, name);
-        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kindText(one.kind))]
+        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kindText(app, one.kind))]
             : []));
     };
 
