@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <numbers>
 #include <string>
