@@ -191,7 +191,8 @@ TEST_F(LightsTest, FieldsFitIntoTheirPanel) {
 TEST_F(LightsTest, WithoutAServerNothingIsToBeChanged) {
     action(ActionId::LightsPanel)->trigger();
     EXPECT_TRUE(panel().isEnabled());
-    ASSERT_TRUE(ask(window->session(), QStringLiteral("exit")).done);
+    const Answer answer = ask(window->session(), QStringLiteral("exit"));
+    ASSERT_TRUE(answer.done) << answer.text.toStdString();
     EXPECT_TRUE(comes([&] { return !window->session().live(); }));
     EXPECT_FALSE(panel().isEnabled());
 }
