@@ -21,9 +21,9 @@ class PathRenderer {
     virtual void render(std::uint64_t run, const std::string& scene, const std::string& camera) = 0;
     /// The image under way is not wanted any more.
     virtual void giveUp() = 0;
-    /// To be called now and then. The exit code of a Renderer that has failed by itself, once; else 0. Throws
-    /// rtcore::FileError where the next one cannot be started.
-    virtual int tick() = 0;
+    /// To be called now and then; `wanted`: an image is under way. The exit code of a Renderer that has
+    /// failed by itself, once; else 0. Throws rtcore::FileError where the next one cannot be started.
+    virtual int tick(bool wanted) = 0;
 };
 
 } // namespace bridge

@@ -80,7 +80,8 @@ void RendererProcess::end() {
     if (!std::exchange(ending_, true)) process_->askToStop();
 }
 
-int RendererProcess::tick() {
+int RendererProcess::tick(bool wanted) {
+    if (wanted) used_ = clock_.seconds();
     if (!process_) return 0;
     const std::optional<int> code = process_->ended();
     if (!code) {

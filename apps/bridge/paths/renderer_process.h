@@ -28,7 +28,7 @@ class RendererProcess : public PathRenderer {
     std::string file(const std::string& name) override;
     void render(std::uint64_t run, const std::string& scene, const std::string& camera) override;
     void giveUp() override;
-    int tick() override;
+    int tick(bool wanted) override;
 
   private:
     struct Order {
@@ -45,7 +45,7 @@ class RendererProcess : public PathRenderer {
     std::unique_ptr<app::StartedProcess> process_;
     bool ending_ = false;        ///< it was asked to
     std::optional<Order> order_; ///< for the next one, once it has ended
-    double used_ = 0;            ///< when something was asked of it
+    double used_ = 0;            ///< when an image was last under way
 };
 
 } // namespace bridge

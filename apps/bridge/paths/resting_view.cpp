@@ -60,7 +60,7 @@ void RestingView::interrupt() {
 void RestingView::tick() {
     if (!renderer_) return;
     try {
-        if (const int code = renderer_->tick(); code != 0 && working_) {
+        if (const int code = renderer_->tick(working_); code != 0 && working_) {
             if (std::exchange(again_, true)) {
                 fail(fmt::format("the Renderer ended with exit code {}", code));
             } else {

@@ -119,9 +119,12 @@ TEST_F(RestingViews, AreOutOfDateAsSoonAsTheDriverPressesAKey) {
 
 TEST_F(RestingViews, AreNotGivenUpOnceTheyAreDone) {
     begin();
+    pass(2000);
+    EXPECT_TRUE(world.renderer.wanted) << "however long it takes, its Renderer is not let go";
     progressed(1, 256);
     room->leave(1);
     pass(1);
+    EXPECT_FALSE(world.renderer.wanted);
     EXPECT_EQ(asked().size(), 1U);
     EXPECT_TRUE(server().preview);
 }

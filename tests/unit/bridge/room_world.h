@@ -160,6 +160,7 @@ struct PlayedRenderer {
     std::vector<std::string> requests; ///< "run scene camera", or "give up"
     int code = 0;                      ///< of its end, told once
     std::string trouble;               ///< with the next request
+    bool wanted = false;               ///< at the last tick
 };
 
 class PlayedPaths : public bridge::PathRenderer {
@@ -173,7 +174,10 @@ class PlayedPaths : public bridge::PathRenderer {
         renderer_.requests.push_back(std::to_string(run) + " " + scene + " " + camera);
     }
     void giveUp() override { renderer_.requests.emplace_back("give up"); }
-    int tick() override { return std::exchange(renderer_.code, 0); }
+    int tick(bool wanted) override {
+        renderer_.wanted = wanted;
+        return std::exchange(renderer_.code, 0);
+    }
 
   private:
     PlayedRenderer& renderer_;
