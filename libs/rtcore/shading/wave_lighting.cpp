@@ -5,6 +5,7 @@
 #include "rtcore/sampling/even_shift.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace rtcore {
 
@@ -190,28 +191,48 @@ bool WaveLighting::chooses(const FrameContext& frame, const LightSums& to) const
 }
 
 void WaveLighting::addChosen(const FrameContext& frame, Wave& wave, const LightSums& to) {
+    // What is kept of each light and point has a bound, whatever their numbers.
+    constexpr std::size_t kMaxKept = std::size_t{1} << 22;
+    const std::size_t atOnce = std::max<std::size_t>(kMaxKept / on_.size() / kWaveBlock, 1) * kWaveBlock;
     remembers_ = false;
-    choice_.begin(wave.size(), on_.size(), [&](std::size_t i) {
-        const std::uint32_t salt = mixBits(wave.paths.bounces(i)) >> 8;
-        return evenShift(wave.sampleId(i), SampleDimension::LightChoice, salt).v;
-    });
-    for (const std::size_t light : on_) {
-        rtcore::addLight(frame.scene->lights[light].light, *frame.materials, wave.surfaces, nullptr);
-        choice_.weigh(wave.surfaces.contribution);
-    }
-    choice_.end();
-    frame.clock->lap(Stage::Light);
     chosenMemory_.resize(3, wave.size());
     chosen_ = chosenMemory_.arraysOf3(0);
     for (float* const array : {chosen_.x, chosen_.y, chosen_.z}) std::fill_n(array, wave.size(), 0.0F);
-    for (const std::size_t light : on_) {
-        if (frame.stopped()) return;
-        const LightChoice::Taken taken = choice_.next();
-        if (!taken.points.empty()) addChosen(frame, wave, light, taken);
+    for (std::size_t first = 0; first < wave.size() && !frame.stopped(); first += atOnce) {
+        points_.resize(std::min(atOnce, wave.size() - first));
+        std::iota(points_.begin(), points_.end(), static_cast<std::uint32_t>(first));
+        addChosen(frame, wave);
     }
+    if (frame.stopped()) return;
     for (std::size_t i = 0; i < wave.size(); ++i) wave.surfaces.contribution.set(i, chosen_.colourAt(i));
     to.sums.add(wave);
     frame.clock->lap(Stage::Light);
+}
+
+/// At points_.
+void WaveLighting::addChosen(const FrameContext& frame, Wave& wave) {
+    const std::uint32_t first = points_.front();
+    const bool whole = points_.size() == wave.size();
+    if (!whole) part_.gather(wave.surfaces, points_, *frame.materials);
+    SurfaceWave& surfaces = whole ? wave.surfaces : part_;
+    choice_.begin(points_.size(), on_.size(), [&](std::size_t i) {
+        const std::uint32_t salt = mixBits(wave.paths.bounces(first + i)) >> 8;
+        return evenShift(wave.sampleId(first + i), SampleDimension::LightChoice, salt).v;
+    });
+    for (const std::size_t light : on_) {
+        rtcore::addLight(frame.scene->lights[light].light, *frame.materials, surfaces, nullptr);
+        choice_.weigh(surfaces.contribution);
+    }
+    choice_.end();
+    frame.clock->lap(Stage::Light);
+    for (const std::size_t light : on_) {
+        if (frame.stopped()) return;
+        const LightChoice::Taken taken = choice_.next();
+        if (taken.points.empty()) continue;
+        points_.resize(taken.points.size());
+        std::ranges::transform(taken.points, points_.begin(), [&](std::uint32_t i) { return first + i; });
+        addChosen(frame, wave, light, {points_, taken.weights});
+    }
 }
 
 void WaveLighting::addChosen(const FrameContext& frame, const Wave& wave, std::size_t number,

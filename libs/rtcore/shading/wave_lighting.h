@@ -44,6 +44,7 @@ class WaveLighting {
     void addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addArriving(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addChosen(const FrameContext& frame, Wave& wave, const LightSums& to);
+    void addChosen(const FrameContext& frame, Wave& wave);
     void addChosen(const FrameContext& frame, const Wave& wave, std::size_t light, LightChoice::Taken taken);
     void addTaken(const FrameContext& frame, std::size_t light, LightChoice::Taken taken);
     bool chooses(const FrameContext& frame, const LightSums& to) const;
@@ -70,7 +71,9 @@ class WaveLighting {
     ShadowRays shadowRays_;
     std::vector<std::size_t> on_; ///< the lights that are on
     LightChoice choice_;
-    SurfaceWave some_; ///< points that take a light that is chosen
+    std::vector<std::uint32_t> points_; ///< of the wave, among which are chosen
+    SurfaceWave part_;                  ///< these, where they are not all
+    SurfaceWave some_;                  ///< points that take a light that is chosen
     WaveMemory chosenMemory_;
     ArraysOf3 chosen_;       ///< light of these, by point of the wave
     bool remembers_ = false; ///< the next four hold for the wave

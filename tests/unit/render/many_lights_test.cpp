@@ -7,7 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -106,6 +109,46 @@ TEST_F(ManyLights, WithoutShadowsAreExact) {
     for (std::size_t i = 0; i < light.size(); ++i)
         ASSERT_NEAR(luminance(light[i]), luminance(whole.radiance.pixels[i]),
                     1e-4F * luminance(whole.radiance.pixels[i]) + 1e-6F);
+}
+
+// Of very many lights points are lit in turns, since what is kept of each light and point has a bound.
+TEST(VeryManyLights, LightAPointAsIfItWereAlone) {
+    constexpr std::size_t kTimes = 150; // each of the 60
+    Scene scene = underManyLights();
+    const std::vector<SceneLight> once = scene.lights;
+    for (std::size_t i = 1; i < kTimes; ++i)
+        scene.lights.insert(scene.lights.end(), once.begin(), once.end());
+    const test::TracedScene few(underManyLights()), many(std::move(scene));
+    RenderSettings settings = test::sampleSettings(96, 64);
+    settings.reflections = settings.refractions = false;
+    settings.areaLights.samples = 1;
+    std::vector<SampleId> pixels;
+    for (std::uint16_t i = 0; i < 512; ++i)
+        pixels.push_back(
+            {static_cast<std::uint16_t>(16 + i % 64), static_cast<std::uint16_t>(56 + i / 64), 0});
+    const auto lit = [&](const test::TracedScene& traced, std::size_t first, std::size_t count, bool moves) {
+        std::vector<Colour> light(count);
+        std::vector<LightVisibility> visibility(moves ? count : 0);
+        RenderControl control{.threads = 1};
+        RayStatistics statistics;
+        FrameRenderer().renderPixels({traced.scene, traced.tracer, test::sampleCamera(), settings},
+                                     std::span(pixels).subspan(first, count), control, {light, visibility},
+                                     statistics);
+        return light;
+    };
+    const auto sum = [](const std::vector<Colour>& light) {
+        double all = 0;
+        for (const Colour& each : light) all += luminance(each);
+        return all;
+    };
+    const std::vector<Colour> together = lit(many, 0, 512, true);
+    for (const std::size_t first : {0U, 128U, 256U, 384U}) {
+        const std::vector<Colour> apart = lit(many, first, 128, true);
+        for (std::size_t i = 0; i < apart.size(); ++i) ASSERT_EQ(apart[i], together[first + i]) << first + i;
+    }
+    const double all = kTimes * sum(lit(few, 0, 512, false));
+    EXPECT_GT(all, 0);
+    EXPECT_NEAR(sum(together), all, 0.02 * all);
 }
 
 } // namespace
