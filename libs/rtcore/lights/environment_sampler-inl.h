@@ -73,27 +73,56 @@ HWY_INLINE F sampleLinearDensity(F number, F from, F to) {
     return min(number * (from + to) / (from + sqrt(square)), F(1));
 }
 
-/// The density by solid angle with which sampleEnvironment() finds a direction, above 0 for all of them: of
-/// one it gave the same number to the bit. `direction`: of unit length. There is light.
+/// The fraction of such a density that lies below `t`, 0..1.
 template <typename F>
-HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction) {
+HWY_INLINE F cumulativeLinearDensity(F t, F from, F to) {
+    return t * (from + from + t * (to - from)) / (from + to);
+}
+
+/// The number that chooses an interval, and the position `inside` it, 0..1.
+template <typename F>
+HWY_INLINE IntOf<F> numberInInterval(const std::uint32_t* starts, IntOf<F> index, F inside) {
+    const F length = intervalLength<F>(starts, index);
+    const IntOf<F> first = toInt(gather(starts, index));
+    // Zero first: so it is NaN that is dropped.
+    return first + truncate(min(max(F(0), inside * length), length - 1.0F));
+}
+
+/// Where sampleEnvironment() finds a direction.
+template <typename F>
+struct EnvironmentPoint {
+    F density;             ///< by solid angle, above 0: of a direction it gave, the same number to the bit
+    IntOf<F> across, down; ///< the numbers that it makes the direction of, but for rounding: of kBits bits
+};
+/// `direction`: of unit length. There is light.
+template <typename F>
+HWY_INLINE EnvironmentPoint<F> environmentPoint(const EnvironmentRows& rows, Vec3Of<F> direction) {
     const CellPoint<F> point = pointOfDirection<F>(rows, direction);
-    const IntOf<F> row = truncate(point.row), column = truncate(point.column);
+    const IntOf<F> row = truncate(point.row);
+    const IntOf<F> column = row * IntOf<F>(rows.columns + 1) + truncate(point.column);
     const F ofRow = intervalLength<F>(rows.rowStarts, row);
-    const F ofCell = intervalLength<F>(rows.columnStarts, row * IntOf<F>(rows.columns + 1) + column);
-    const CellCorners<F> corners = cornersOf<F>(rows, point.row, column);
+    const F ofCell = intervalLength<F>(rows.columnStarts, column);
+    const CellCorners<F> corners = cornersOf<F>(rows, point.row, truncate(point.column));
     const F left = corners.left(point.down), right = corners.right(point.down);
     const F here = left + point.right * (right - left);
     constexpr float kUnit = 1.0F / (1U << EnvironmentRows::kBits);
-    return ofRow * kUnit * (ofCell * kUnit) * point.perSolidAngle * (here / corners.mean());
+    const F density = ofRow * kUnit * (ofCell * kUnit) * point.perSolidAngle * (here / corners.mean());
+    const F x = cumulativeLinearDensity<F>(point.right, left, right);
+    const F y = cumulativeLinearDensity<F>(point.down, corners.upperLeft + corners.upperRight,
+                                           corners.lowerLeft + corners.lowerRight);
+    return {density, numberInInterval<F>(rows.columnStarts, column, x),
+            numberInInterval<F>(rows.rowStarts, row, y)};
+}
+template <typename F>
+HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction) {
+    return environmentPoint<F>(rows, direction).density;
 }
 
-/// A direction by the light that comes from there. There is some. `across`, `down`: 32 random bits each, a
-/// point of the square: directions are as evenly spread as such points are. What shines from there is
-/// BackgroundLight::radiance() of it.
+/// A direction by the light that comes from there, a unit vector. There is some. `across`, `down`: 32 random
+/// bits each, a point of the square: directions are as evenly spread as such points are. What shines from
+/// there is BackgroundLight::radiance() of it.
 template <typename F>
-HWY_INLINE EnvironmentSample<F> sampleEnvironment(const EnvironmentRows& rows, UintOf<F> across,
-                                                  UintOf<F> down) {
+HWY_INLINE Vec3Of<F> environmentDirection(const EnvironmentRows& rows, UintOf<F> across, UintOf<F> down) {
     constexpr int kUnused = 32 - EnvironmentRows::kBits;
     const auto row = sampleInterval<F>(rows.rowStarts, IntOf<F>(0), rows.allRows, down >> kUnused);
     const auto column = sampleInterval<F>(rows.columnStarts, row.index * IntOf<F>(rows.columns + 1),
@@ -103,7 +132,12 @@ HWY_INLINE EnvironmentSample<F> sampleEnvironment(const EnvironmentRows& rows, U
     const F y = sampleLinearDensity<F>(row.inside, corners.upperLeft + corners.upperRight,
                                        corners.lowerLeft + corners.lowerRight);
     const F x = sampleLinearDensity<F>(column.inside, corners.left(y), corners.right(y));
-    const Vec3Of<F> direction = directionOfPoint<F>(rows, ofRow, toFloat(column.index), x, y);
+    return directionOfPoint<F>(rows, ofRow, toFloat(column.index), x, y);
+}
+template <typename F>
+HWY_INLINE EnvironmentSample<F> sampleEnvironment(const EnvironmentRows& rows, UintOf<F> across,
+                                                  UintOf<F> down) {
+    const Vec3Of<F> direction = environmentDirection<F>(rows, across, down);
     return {direction, environmentDensity<F>(rows, direction)};
 }
 

@@ -1,13 +1,13 @@
 #include "rtcore/lights/environment_sampler.h"
 
 #include "rtcore/lights/environment_sampler-inl.h"
+#include "rtcore/lights/interval_starts.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <span>
 
 namespace rtcore {
 
@@ -67,21 +67,6 @@ std::vector<float> depthsOf(int height) {
         depths.push_back(static_cast<float>(2 * sine * sine));
     }
     return depths;
-}
-
-/// Appends where intervals begin that share out 2^kBits: one unit for each, the rest by weight.
-void addStarts(std::span<const double> weights, std::vector<std::uint32_t>& starts) {
-    double all = 0;
-    for (const double weight : weights) all += weight;
-    const double rest =
-        static_cast<double>(1U << EnvironmentRows::kBits) - static_cast<double>(weights.size());
-    double before = 0;
-    std::uint32_t units = 0;
-    for (const double weight : weights) {
-        starts.push_back(static_cast<std::uint32_t>(std::min(before / all, 1.0) * rest) + units++);
-        before += weight;
-    }
-    starts.push_back(1U << EnvironmentRows::kBits);
 }
 
 float lengthOf(int cell, int cells) { return plain::cellSpan<float>(static_cast<float>(cell), cells).length; }

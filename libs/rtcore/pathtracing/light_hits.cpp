@@ -29,6 +29,12 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
+/// Behind the rays of a batch lie cells of whatever was there before.
+HWY_INLINE Uint cellAt(const VisibilityRows& visible, const ScatterState& s, std::size_t i) {
+    const Int cell = toInt(load(s.cell + i));
+    return toUint(selectOrZero(cell < Int(visible.cells), cell));
+}
+
 /// Weighted radiance of one light where rays meet it. `from`, `to`: the unoccluded part of the rays' lines.
 HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std::uint32_t k,
                            const ScatterState& s, std::size_t i, Float3 direction, Float from, Float to) {
@@ -46,8 +52,8 @@ HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std
             if (none(met)) return Float3{};
             const Float sampled =
                 lightDirectionDensity<kind, Float>(light, point, direction, select(met, distance, Float(1)));
-            const Float probability =
-                probabilityOfLight<Float>(rows, k, point, loadAt(s.normal, i), load(s.total + i));
+            const Float probability = probabilityOfLight<Float>(
+                rows, k, point, loadAt(s.normal, i), cellAt(rows.visible, s, i), load(s.total + i));
             const Float weight = misWeightOfScatteredRay<Float>(strategy, select(met, density, Float(1)),
                                                                 select(met, sampled * probability, Float(0)));
             return selectOrZero(met, broadcast(radianceOf<kind>(light)) * weight);
@@ -92,14 +98,14 @@ void meetLights(const LightRows& rows, SamplingStrategy strategy, const ScatterS
     }
 }
 
-void densitiesOf(const EnvironmentRows& surroundings, const RayWave& rays, const std::uint32_t* traits,
-                 float* densities) {
+void densitiesOf(const EnvironmentRows& surroundings, const VisibilityRows& visible, const ScatterState& s,
+                 const RayWave& rays, const std::uint32_t* traits, float* densities) {
     const std::size_t count = rays.size();
     for (std::size_t i = 0; i < count; i += lanes()) {
         if (none(load(traits + i) == Uint(0U))) continue;
         const Float3 direction{loadRest(rays.dx.data(), i, count), loadRest(rays.dy.data(), i, count),
                                loadRest(rays.dz.data(), i, count)};
-        store(environmentDensity<Float>(surroundings, direction), densities + i);
+        store(visibleDensity<Float>(surroundings, visible, cellAt(visible, s, i), direction), densities + i);
     }
 }
 
@@ -121,8 +127,10 @@ void addLightHits(const LightRows& lights, SamplingStrategy strategy, PathBatch&
     HWY_DYNAMIC_DISPATCH(meetLights)(lights, strategy, batch.scattered(), hits, wave.surfaces.contribution);
 }
 
-void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities) {
-    HWY_DYNAMIC_DISPATCH(densitiesOf)(surroundings, *wave.rays, wave.surfaces.traits, densities);
+void densitiesOfEscaped(const EnvironmentRows& surroundings, const VisibilityRows& visible,
+                        const PathBatch& batch, const Wave& wave, float* densities) {
+    HWY_DYNAMIC_DISPATCH(densitiesOf)
+    (surroundings, visible, batch.scattered(), *wave.rays, wave.surfaces.traits, densities);
 }
 
 Colour discSeen(const Light& light, Vec3 direction) {
@@ -135,7 +143,8 @@ float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t
     const Vec3 point = s.point.at(i), direction = batch.queue.rays.ray(i).direction;
     const float sampled =
         plain::lightDirectionDensity<LightKind::Directional, float>(lights.light[k], point, direction, 0);
-    return sampled * plain::probabilityOfLight<float>(lights, k, point, s.normal.at(i), s.total[i]);
+    return sampled *
+           plain::probabilityOfLight<float>(lights, k, point, s.normal.at(i), s.cell[i], s.total[i]);
 }
 
 float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i,
@@ -147,7 +156,8 @@ float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std
 
 float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i) {
     if (!lights.surroundings) return 0;
-    return plain::probabilityOfSurroundings<float>(lights, batch.scattered().total[i]);
+    const ScatterState& s = batch.scattered();
+    return plain::probabilityOfSurroundings<float>(lights, s.cell[i], s.total[i]);
 }
 
 } // namespace rtcore

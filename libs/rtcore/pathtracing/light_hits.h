@@ -14,9 +14,10 @@ namespace rtcore {
 /// before its surface, weighted by the power heuristic against next event. The wave is that of the batch.
 void addLightHits(const LightRows& lights, SamplingStrategy strategy, PathBatch& batch, Wave& wave);
 
-/// environmentDensity() of the directions of those rays of the wave that meet no surface, into
-/// `densities`: room for a block more. The others become undefined.
-void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities);
+/// The density with which next event samples the direction of each ray of the wave that meets no surface,
+/// where it samples the surroundings, into `densities`: room for a block more. The others become undefined.
+void densitiesOfEscaped(const EnvironmentRows& surroundings, const VisibilityRows& visible,
+                        const PathBatch& batch, const Wave& wave, float* densities);
 
 /// The radiance of the disc of a light, where a ray that leaves the scene meets it; else black.
 Colour discSeen(const Light& light, Vec3 direction);

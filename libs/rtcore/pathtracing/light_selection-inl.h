@@ -3,6 +3,7 @@
 #include "rtcore/lights/light_sample-inl.h"
 #include "rtcore/lights/light_tree-inl.h"
 #include "rtcore/pathtracing/light_set.h"
+#include "rtcore/pathtracing/visibility_cache-inl.h"
 
 #if defined(RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_PATHTRACING_LIGHT_SELECTION_INL_H_
@@ -17,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 /// Fraction of all samples that is spread uniformly over the lights. Guards against bright lights that are
 /// occluded.
-inline constexpr float kUniformFraction = 0.25F;
+inline constexpr float kUniformFraction = 0.05F;
 
 /// Unoccluded irradiance from the middle of a light at a surface, as luminance; 0 from below the surface.
 template <typename F>
@@ -27,6 +28,19 @@ HWY_INLINE F expectedOf(const Light& light, Vec3Of<F> point, Vec3Of<F> normal) {
         const F arriving = luminance<F>(sample.irradiance) * max(dot(normal, sample.toLight), F(0));
         return selectOrZero(isFinite(arriving), arriving);
     });
+}
+
+/// The same of the k-th light, where it is weighed by itself: as far as it is known to arrive in that cell.
+template <typename F>
+HWY_INLINE F expectedOf(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
+                        UintOf<F> cell) {
+    const F unhindered = expectedOf<F>(rows.light[k], point, normal);
+    return rows.visible.known() ? unhindered * visiblePart<F>(rows.visible, k, cell) : unhindered;
+}
+template <typename F>
+HWY_INLINE F expectedOfSurroundings(const LightRows& rows, UintOf<F> cell) {
+    if (!rows.visible.known()) return F(rows.surroundingLight);
+    return gather(rows.visible.surroundings, toInt(cell));
 }
 
 template <typename F>
@@ -66,13 +80,13 @@ HWY_INLINE F selectionProbability(const LightRows& rows, F expected, F total) {
                   F(each));
 }
 
-/// The probabilities that a point samples a light, the emitters or the surroundings, where the expected light
-/// of all of them is `total`.
+/// The probabilities that a point of that cell samples a light, the emitters or the surroundings, where the
+/// expected light of all of them is `total`.
 template <typename F>
 HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
-                                F total) {
+                                UintOf<F> cell, F total) {
     if (!rows.byTree())
-        return selectionProbability<F>(rows, expectedOf<F>(rows.light[k], point, normal), total);
+        return selectionProbability<F>(rows, expectedOf<F>(rows, k, point, normal, cell), total);
     const F ofCut =
         selectionProbability<F>(rows, expectedOfCut<F>(rows, rows.tree.cutOf[k], point, normal), total);
     return ofCut * probabilityOfLeaf<F>(rows.tree, k, point, normal);
@@ -89,13 +103,14 @@ HWY_INLINE F probabilityOfEmitters(const LightRows& rows, std::uint32_t cluster,
     return ofCut * probabilityOfLeaf<F>(tree, cluster, point, normal);
 }
 template <typename F>
-HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, F total) {
-    return selectionProbability<F>(rows, F(rows.surroundingLight), total);
+HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, UintOf<F> cell, F total) {
+    return selectionProbability<F>(rows, expectedOfSurroundings<F>(rows, cell), total);
 }
 
 struct ChosenLight {
     Uint group;
     Uint cluster; ///< of emitters
+    Uint cell;    ///< of the point, where visibility is known
     Float probability;
     Float total; ///< what all are expected to throw
 };
@@ -106,6 +121,7 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
     std::uint32_t groups[LightSet::kMaxCandidates]; // of a tree: nodes of its cut
     std::uint32_t count = 0;
     Float total = 0.0F;
+    const Uint cell = rows.visible.known() ? cellOf<Float>(rows.visible, point, normal) : Uint(0U);
     const auto weigh = [&](std::uint32_t group, Float e) HWY_ATTR {
         store(e, expected + count * kLanes);
         groups[count++] = group;
@@ -116,7 +132,7 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
             weigh(rows.tree.cut[c], expectedOfCut<Float>(rows, c, point, normal));
     } else {
         for (std::uint32_t k = 0; k < rows.lights; ++k)
-            weigh(k, expectedOf<Float>(rows.light[k], point, normal));
+            weigh(k, expectedOf<Float>(rows, k, point, normal, cell));
     }
     const std::uint32_t ofLights = count;
     if (rows.emittersByTree()) {
@@ -126,10 +142,10 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
         weigh(rows.emitterGroup(), expectedOfEmitters<Float>(rows, point));
     }
     const std::uint32_t ofEmitters = count;
-    if (rows.surroundings) weigh(rows.surroundingGroup(), rows.surroundingLight);
+    if (rows.surroundings) weigh(rows.surroundingGroup(), expectedOfSurroundings<Float>(rows, cell));
     const Float u = toFloat(toInt(bits >> 8)) * 0x1p-24F;
     Float before = 0.0F;
-    ChosenLight chosen{groups[count - 1], Uint(0U), 0.0F, total};
+    ChosenLight chosen{groups[count - 1], Uint(0U), cell, 0.0F, total};
     Mask open = allLanes(), light = noLanes(), emitter = noLanes();
     for (std::uint32_t k = 0; k < count; ++k) {
         const Float p = selectionProbability<Float>(rows, load(expected + k * kLanes), total);

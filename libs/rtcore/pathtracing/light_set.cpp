@@ -70,6 +70,7 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     surroundings_.prepare(background_);
     tree_ = {};
     if (lights_.size() > kMaxWeighed) tree_.prepare(lights_, bounds);
+    visibility_ = {};
 }
 
 LightRows LightSet::rows() const {
@@ -79,6 +80,7 @@ LightRows LightSet::rows() const {
     rows.emitters = !emitters_.empty();
     rows.surroundings = !surroundings_.empty();
     if (!tree_.empty()) rows.tree = tree_.rows();
+    rows.visible = visibility_.rows();
     if (rows.emitters) {
         rows.emitterTree = emitters_.rows().tree;
         const Vec3 size = emitters_.bounds().size();

@@ -6,6 +6,7 @@
 #include "rtcore/lights/emitters.h"
 #include "rtcore/lights/environment_sampler.h"
 #include "rtcore/lights/light_tree.h"
+#include "rtcore/pathtracing/visibility_cache.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -30,6 +32,7 @@ struct LightRows {
     float emittersIntensity = 0,
           emittersSquare = 0;   ///< its luminance, W/sr; distances^2 below this count as it
     float surroundingLight = 0; ///< luminance of what surroundings throw on a surface
+    VisibilityRows visible;     ///< may be empty: nothing is known
 
     std::uint32_t emitterGroup() const { return lights; }
     std::uint32_t surroundingGroup() const { return lights + 1; }
@@ -53,6 +56,12 @@ class LightSet {
     /// not 0 where it is; may be empty.
     void prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
                  std::span<const std::uint8_t> hidden = {});
+
+    /// What is known of the lights' visibility until they are prepared anew. Of lights in a tree it is
+    /// nothing.
+    void setVisibility(VisibilityCache&& cache) { visibility_ = std::move(cache); }
+    /// Lights whose visibility may be known one by one.
+    std::size_t lightsByOne() const { return tree_.empty() ? lights_.size() : 0; }
 
     /// Scattered rays may meet some of the lights.
     bool anyToHit() const {
@@ -80,6 +89,7 @@ class LightSet {
     BackgroundLight background_;
     std::vector<std::uint8_t> emitsNoLight_;
     LightTree tree_;
+    VisibilityCache visibility_;
     bool anyArea_ = false;
 };
 

@@ -80,8 +80,10 @@ HWY_INLINE GroupSample sampleOfEmitters(const EmitterRows& rows, Float3 position
     return {toLight, Float3{}, distance * 0.9999F, selectOrZero(apart & isFinite(density), density)};
 }
 
-HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const PathNumbers& numbers) {
-    const EnvironmentSample<Float> sample = sampleEnvironment<Float>(rows, numbers.bitsOfU, numbers.bitsOfV);
+HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const VisibilityRows& visible,
+                                            Uint cell, const PathNumbers& numbers) {
+    const EnvironmentSample<Float> sample =
+        sampleVisible(rows, visible, cell, numbers.bitsOfU, numbers.bitsOfV);
     return {sample.direction, Float3{}, std::numeric_limits<float>::max(), sample.density};
 }
 
@@ -104,6 +106,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
         }
         if (none(used)) {
             store(Uint(LightSamples::kNone), to.group + i);
+            store(Uint(0U), to.cell + i);
             continue;
         }
         const Float3 position = loadAt(s.position, i);
@@ -134,7 +137,8 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
                 take(sample, these,
                      sampleOfEmitters(rows.emitters, start, numbers, bits, chosen.cluster, hits, i, these));
             } else {
-                take(sample, these, sampleOfSurroundings(rows.surroundings, numbers));
+                take(sample, these,
+                     sampleOfSurroundings(rows.surroundings, rows.lights.visible, chosen.cell, numbers));
             }
             rest = without(rest, these);
         }
@@ -145,6 +149,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
         store(sample.free, to.free + i);
         store(sample.density * chosen.probability, to.density + i);
         store(chosen.total, to.total + i);
+        store(chosen.cell, to.cell + i);
     }
 }
 
@@ -202,11 +207,12 @@ void NextEvents::resize(std::size_t count) {
     if (group_.size() < room) {
         group_.resize(room);
         triangle_.resize(room);
+        cell_.resize(room);
         u_.resize(room);
         v_.resize(room);
     }
     samples_ = {group_.data(),    memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6),
-                memory_.array(7), memory_.array(8),     memory_.array(9)};
+                memory_.array(7), memory_.array(8),     cell_.data(),         memory_.array(9)};
 }
 
 void NextEvents::sample(const NextEventTask& task, const Wave& wave) {

@@ -22,6 +22,7 @@ struct LightSamples {
     float* free = nullptr;          ///< length of the shadow ray
     float* density = nullptr;       ///< of the direction among all samples, 1/sr; 0: no ray meets this light
     float* total = nullptr;         ///< ChosenLight::total
+    std::uint32_t* cell = nullptr;  ///< ChosenLight::cell
     float* weight = nullptr;        ///< NextEvents::add(): by the power heuristic
 
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -58,7 +59,7 @@ class NextEvents {
     Colour radianceOf(const NextEventTask& task, std::size_t i) const;
 
     WaveMemory memory_;
-    std::vector<std::uint32_t> group_, triangle_;
+    std::vector<std::uint32_t> group_, triangle_, cell_;
     std::vector<float> u_, v_;
     LightSamples samples_;
 };

@@ -22,18 +22,26 @@ inline constexpr std::uint32_t kMatte = 1U << 18;   ///< the last scattering sam
 /// Where each ray of a batch was scattered, for the weights of what it finds: one element for each ray, and
 /// room for a block more.
 struct ScatterState {
-    ArraysOf3 point, normal;  ///< the ray's line begins there; the shading normal, unit
-    float* total = nullptr;   ///< ChosenLight::total there
+    ArraysOf3 point, normal;       ///< the ray's line begins there; the shading normal, unit
+    float* total = nullptr;        ///< ChosenLight::total there
+    std::uint32_t* cell = nullptr; ///< ChosenLight::cell there
     float* density = nullptr; ///< of the ray's direction by all lobes that scatter, 1/sr; 0: it comes from
                               ///< the camera, or was mirrored or refracted since
     std::uint32_t* state = nullptr; ///< path_state
 
-    void set(std::size_t i, Vec3 at, Vec3 facing, float all, float sampled, std::uint32_t what) const {
-        point.set(i, at);
-        normal.set(i, facing);
-        total[i] = all;
-        density[i] = sampled;
-        state[i] = what;
+    void clear(std::size_t i) const {
+        point.set(i, Vec3());
+        normal.set(i, Vec3());
+        total[i] = density[i] = 0;
+        cell[i] = state[i] = 0;
+    }
+    void copy(std::size_t i, const ScatterState& from, std::size_t k) const {
+        point.set(i, from.point.at(k));
+        normal.set(i, from.normal.at(k));
+        total[i] = from.total[k];
+        density[i] = from.density[k];
+        cell[i] = from.cell[k];
+        state[i] = from.state[k];
     }
 };
 
@@ -49,9 +57,13 @@ class PathBatch {
         queue.grow(count + kWaveBlock);
         queue.truncate(0);
         memory_.resize(8, count + kWaveBlock);
-        if (states_.size() < count + 2 * kWaveBlock) states_.resize(count + 2 * kWaveBlock);
-        scattered_ = {memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6), memory_.array(7),
-                      states_.data()};
+        const std::size_t room = count + 2 * kWaveBlock;
+        if (states_.size() < room) {
+            states_.resize(room);
+            cells_.resize(room);
+        }
+        scattered_ = {memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6),
+                      cells_.data(),        memory_.array(7),     states_.data()};
     }
 
     /// Adds a ray that continues ray `i` of `from` (null: a ray of the camera) in a straight line.
@@ -59,16 +71,15 @@ class PathBatch {
         const std::size_t to = queue.size();
         queue.push(ray, path);
         if (from == nullptr) {
-            scattered_.set(to, {}, {}, 0, 0, 0);
+            scattered_.clear(to);
             return;
         }
-        const ScatterState& old = from->scattered_;
-        scattered_.set(to, old.point.at(i), old.normal.at(i), old.total[i], old.density[i], old.state[i]);
+        scattered_.copy(to, from->scattered_, i);
     }
 
   private:
     WaveMemory memory_;
-    std::vector<std::uint32_t> states_;
+    std::vector<std::uint32_t> states_, cells_;
     ScatterState scattered_;
 };
 

@@ -91,7 +91,7 @@ void PathIntegrator::step() {
                            limits_,
                            static_cast<std::uint32_t>(frame_.settings->maxDepth),
                            {pixelNames_.data(), subs_.data()},
-                           rows_.candidates() > 0 ? events_.samples().total : nullptr};
+                           rows_.candidates() > 0 ? &events_.samples() : nullptr};
     scatterPaths(task, wave_, paths_, next_);
     clock_.lap(Stage::Secondary);
 }
@@ -158,7 +158,7 @@ void PathIntegrator::addSurroundings() {
     const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
     if (paths_ != nullptr) {
         densities_.resize(wave_.size() + kWaveBlock);
-        densitiesOfEscaped(lights_->surroundings().rows(), wave_, densities_.data());
+        densitiesOfEscaped(lights_->surroundings().rows(), rows_.visible, *paths_, wave_, densities_.data());
     }
     for (std::size_t i = 0; i < wave_.size(); ++i) {
         if (wave_.surfaces.traits[i] != 0) continue;

@@ -15,7 +15,7 @@ namespace rtcore {
 /// Arrays of a PathBatch, from some ray on.
 struct BatchArrays {
     ArraysOf3 origin, direction, weight, extinction;
-    std::uint32_t *sample, *bounces, *state;
+    std::uint32_t *sample, *bounces, *state, *cell;
     float *length, *total, *density;
     ArraysOf3 point, normal;
 };
@@ -23,7 +23,7 @@ struct BatchArrays {
 struct ScatterRows {
     const MaterialRow* materials;
     PathNames names;
-    const float* totals;
+    const LightSamples* samples;
     const float* distance; ///< of the hits
     PathSettings limits;
     std::uint32_t maxDepth;
@@ -130,7 +130,10 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         some.store(select(mirrored, afterMirror, afterLobe), next.state + count);
         storeAt(origin, some, next.point, count);
         storeAt(normals.shading, some, next.normal, count);
-        some.store(rows.totals != nullptr ? load(rows.totals + i) : Float(0), next.total + count);
+        if (rows.samples != nullptr) {
+            some.store(load(rows.samples->total + i), next.total + count);
+            some.store(load(rows.samples->cell + i), next.cell + count);
+        }
         some.store(selectOrZero(kept, light.density), next.density + count);
         count += some.count();
     }
@@ -158,6 +161,7 @@ BatchArrays arraysOf(PathBatch& batch, std::size_t first) {
             queue.sample.data() + first,
             queue.bounces.data() + first,
             state.state + first,
+            state.cell + first,
             queue.length.data() + first,
             state.total + first,
             state.density + first,
@@ -170,7 +174,7 @@ BatchArrays arraysOf(PathBatch& batch, std::size_t first) {
 void scatterPaths(const ScatterTask& task, const Wave& wave, PathBatch* paths, PathBatch& next) {
     PathQueue& queue = next.queue;
     const std::size_t before = queue.grow(wave.size() + kWaveBlock);
-    const ScatterRows rows{task.materials.rows(), task.names,    task.totals,           wave.hits.t.data(),
+    const ScatterRows rows{task.materials.rows(), task.names,    task.samples,          wave.hits.t.data(),
                            task.limits,           task.maxDepth, task.lights.anyToHit()};
     BatchArrays old{};
     if (paths != nullptr) old = arraysOf(*paths, 0);

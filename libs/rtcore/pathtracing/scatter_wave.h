@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/pathtracing/light_set.h"
+#include "rtcore/pathtracing/next_event.h"
 #include "rtcore/pathtracing/path_batch.h"
 #include "rtcore/pathtracing/path_names.h"
 #include "rtcore/pathtracing/sampling_strategy.h"
@@ -16,7 +17,7 @@ struct ScatterTask {
     PathSettings limits;
     std::uint32_t maxDepth; ///< RenderSettings::maxDepth
     PathNames names;
-    const float* totals; ///< LightSamples::total of the points that sampled a light; null: none did
+    const LightSamples* samples; ///< of the points that sampled a light; null: none did
 };
 
 /// Appends to `next`, which has room for them, a ray for each point with the trait kPoint whose path goes on.

@@ -1,6 +1,7 @@
 #include "rtcore/render/path_renderer.h"
 
 #include "rtcore/pathtracing/path_integrator.h"
+#include "rtcore/pathtracing/visibility_samples.h"
 #include "rtcore/platform/task_errors.h"
 #include "rtcore/platform/threads.h"
 #include "rtcore/render/pixel_area.h"
@@ -17,6 +18,9 @@ namespace {
 /// fetches. More would save little, and a thread needs 1 KB for each.
 constexpr std::uint32_t kPaths = 65536;
 constexpr std::uint32_t kShownSamples = 16; ///< between two images that are shown
+/// The width of the image whose points say what is visible, at most: some 0.3 s of two processors, and of a
+/// coarse image, which is there for a moment, less than 0.1.
+constexpr int kSurveyed = 128, kSurveyedOfCoarse = 64;
 
 /// How a range of samples is cut into tasks: squares of the image, and samples of each pixel in one wave.
 struct Cut {
@@ -125,7 +129,9 @@ PathRenderer::Worker& PathRenderer::workerOfThread(int thread) {
     return *worker;
 }
 
-void PathRenderer::begin(const View& view, int threads) {
+void PathRenderer::begin(const View& view, int threads) { begin(view, kSurveyed, threads); }
+
+void PathRenderer::begin(const View& view, int surveyed, int threads) {
     view_ = std::make_unique<const View>(view);
     statistics_ = {};
     materials_.prepare(view.scene, view.settings, Colour{});
@@ -133,6 +139,7 @@ void PathRenderer::begin(const View& view, int threads) {
                     hiddenTriangles(view.scene.model, view.scene.hiddenParts));
     aim(view);
     workers_.resize(std::max(workers_.size(), static_cast<std::size_t>(threadsFor(threads))));
+    lookAround(surveyed, threads);
     measure();
     hits_.assign(view.settings.width * static_cast<std::size_t>(view.settings.height), 0);
 }
@@ -142,18 +149,42 @@ void PathRenderer::aim(const View& view) {
     samples_.pathSeed = static_cast<std::uint32_t>(view.settings.path.seed);
 }
 
-/// The unit of the sums, by one sample for each of some 64 x 36 pixels.
-void PathRenderer::measure() {
-    constexpr int kWidth = 64;
+/// The same view in an image so wide, but at most twice as high, with its samples in `samples`.
+RenderSettings PathRenderer::aimSmall(int width, SampleView& samples) {
     RenderSettings small = view_->settings;
-    small.width = kWidth;
+    small.width = width;
     small.height = std::clamp(
-        static_cast<int>(kWidth * static_cast<double>(view_->settings.height) / view_->settings.width + 0.5),
-        1, 2 * kWidth);
+        static_cast<int>(width * static_cast<double>(view_->settings.height) / view_->settings.width + 0.5),
+        1, 2 * width);
     const View coarse{view_->scene, view_->tracer, view_->camera, small};
-    SampleView samples;
     aimSamples(coarse, focus_, samples);
     samples.pathSeed = samples_.pathSeed;
+    return small;
+}
+
+/// What is to be known of the lights' visibility, from an image that is `maxWidth` wide at most.
+void PathRenderer::lookAround(int maxWidth, int threads) {
+    constexpr int kPixels = 4; ///< of the image, for each of that one, each way
+    const RenderSettings& settings = view_->settings;
+    const std::size_t lights = lights_.lightsByOne();
+    if (!settings.shadows || (lights_.surroundings().empty() && lights < 2)) return;
+    SampleView samples;
+    const RenderSettings small = aimSmall(std::clamp(settings.width / kPixels, 1, maxWidth), samples);
+    std::vector<SampleId> ids;
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x)
+            ids.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
+    }
+    RayWave rays;
+    makeSampleRays(samples, ids, rays);
+    lights_.setVisibility(
+        learnVisibility({view_->scene, view_->tracer, settings, materials_, lights_, threads}, rays));
+}
+
+/// The unit of the sums, by one sample for each of some 64 x 36 pixels.
+void PathRenderer::measure() {
+    SampleView samples;
+    const RenderSettings small = aimSmall(64, samples);
     const std::atomic<bool> never{false};
     Worker& worker = workerOfThread(0);
     worker.begin({view_->scene, view_->tracer, view_->settings, materials_, lights_}, samples, nullptr);
@@ -193,7 +224,7 @@ bool PathRenderer::renderCoarse(const View& view, int block, RenderControl& cont
     coarse_ = coarserSettings(view.settings, block);
     control.tilesDone = 0;
     control.tiles = pixelsOf(coarse_);
-    begin({view.scene, view.tracer, view.camera, coarse_}, control.threads);
+    begin({view.scene, view.tracer, view.camera, coarse_}, kSurveyedOfCoarse, control.threads);
     aim(view);
     samples_.camera = samples_.camera.coarser(block);
     if (!add({0, 1}, control)) return false;

@@ -62,7 +62,10 @@ class PathRenderer {
 
   private:
     class Worker;
+    void begin(const View& view, int surveyed, int threads);
     void aim(const View& view);
+    RenderSettings aimSmall(int width, SampleView& samples);
+    void lookAround(int maxWidth, int threads);
     void measure();
     Worker& workerOfThread(int thread);
 

@@ -314,6 +314,32 @@ TEST(EnvironmentSampler, SamplesDirectionsWithTheDensityThatItReturns) {
     for (const Estimate& octant : octants) expectMean(octant, kPiExact / 2);
 }
 
+TEST(EnvironmentSampler, TellsTheNumbersThatADirectionIsMadeOf) {
+    HdrImage face(16, 16);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) face.at(x, y) = kWhite * static_cast<float>(1 + x * y % 7);
+    const std::array<HdrImage, 6> faces{face, face, face, face, face, face};
+    const std::array<Environment, 2> environments{Environment::fromEquirectangular(motleyImage(128, 64), ""),
+                                                  Environment::fromCube(faces, "")};
+    for (const Environment& environment : environments) {
+        EnvironmentSampler sampler;
+        sampler.prepare({&environment, {}, TexelFilter::Bilinear});
+        test::Random random(3);
+        constexpr double kAll = 1U << EnvironmentRows::kBits;
+        int apart = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const std::uint32_t across = random.index(std::size_t{1} << 32U),
+                                down = random.index(std::size_t{1} << 32U);
+            const auto point = HWY_NAMESPACE::environmentPoint<float>(
+                sampler.rows(), HWY_NAMESPACE::environmentDirection<float>(sampler.rows(), across, down));
+            const double x = point.across / kAll - across / 0x1p32, y = point.down / kAll - down / 0x1p32;
+            // At an edge of a cell the direction may be that of a neighbour, whose numbers may be others.
+            apart += std::abs(x) > 1e-3 || std::abs(y) > 1e-3 ? 1 : 0;
+        }
+        EXPECT_LT(apart, 20);
+    }
+}
+
 TEST(EnvironmentSampler, OfAnEvenBackgroundIsEven) {
     const BackgroundLight light{nullptr, {0.5F, 2, 0.25F}, TexelFilter::Bilinear};
     const Estimate e = lightBy(

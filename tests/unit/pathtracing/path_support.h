@@ -3,6 +3,7 @@
 
 #include "rtcore/pathtracing/path_integrator.h"
 #include "rtcore/pathtracing/sampling_strategy.h"
+#include "rtcore/pathtracing/visibility_samples.h"
 
 #include "support/small_scene.h"
 
@@ -36,6 +37,22 @@ class PathScene {
         settings.path.emitters = emitters;
         materials.prepare(traced.scene, settings, rtcore::Colour{});
         lights.prepare(traced.scene, settings, traced.tracer.bounds());
+    }
+
+    /// Learns what points see, by `side` x `side` rays from `eye` through a square around the origin.
+    void learn(rtcore::Vec3 eye, float half, int side, int threads = 1) {
+        rtcore::RayWave rays;
+        const auto [across, up] = rtcore::basisAround(rtcore::normalize(eye));
+        const auto step = [&](int k) {
+            return half * (2 * (static_cast<float>(k) + 0.5F) / static_cast<float>(side) - 1);
+        };
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x)
+                rays.push({eye, 0, rtcore::normalize(across * step(x) + up * step(y) - eye),
+                           std::numeric_limits<float>::max()});
+        }
+        lights.setVisibility(rtcore::learnVisibility(
+            {traced.scene, traced.tracer, settings, materials, lights, threads}, rays));
     }
 
     /// The radiance of each sample; all along the same rays, or one ray each.

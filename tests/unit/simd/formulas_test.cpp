@@ -252,7 +252,9 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
             const EnvironmentSample<F> sample =
                 sampleEnvironment<F>(someDirections(cube), bitsOf(x[9]), bitsOf(x[10]));
             out.add(sample.direction), out.add(sample.density);
-            out.add(environmentDensity<F>(someDirections(cube), a));
+            const auto point = environmentPoint<F>(someDirections(cube), a);
+            out.add(point.density);
+            out.add(asNumber(toUint(point.across))), out.add(asNumber(toUint(point.down)));
         }
         out.add(octahedronDirection<F>(x[14], x[15]));
         out.add(fastAtan2<F>(x[10], x[11]));
