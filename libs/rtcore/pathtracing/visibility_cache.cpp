@@ -22,7 +22,7 @@ double env(const char* n, double d) {
 const std::size_t kSamplesOfCell =
     static_cast<std::size_t>(env("XS", 48)); ///< with more of them a cell is split
 constexpr int kMaxDepth = 24;
-/// What is known of a larger cell counts as so many tries of each bin and light.
+/// So many tries of each bin and light count what is known of a larger cell.
 const double kTriesOfParent = env("XT", 2);
 /// Of the mean of a cell's bins, what each of them counts more: what samples missed must not be missing.
 const double kUnseen = env("XU", .2);
@@ -46,7 +46,7 @@ struct Numbers {
     explicit Numbers(std::size_t lights, double all = 0) : light(lights, all) { sky.fill(all); }
 };
 
-/// What samples saw, and of how many tries.
+/// The sums of what samples saw, and of how many tries.
 struct Sums {
     Numbers seen, tries;
 

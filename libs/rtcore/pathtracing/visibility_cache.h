@@ -1,7 +1,7 @@
-/// What the points of a scene see of its lights, learned from samples before an image: of its surroundings by
-/// direction, of lights one by one. So a room samples the sky through its windows, and no light of another
-/// room. The idea is that of Guo, Eisemann and Eisemann 2020 ("Next Event Estimation++"), with cells that
-/// follow the samples as those of Mueller, Gross and Novak 2017 do.
+/// The visibility of lights from the points of a scene, learned from samples before an image: of its
+/// surroundings by direction, of lights one by one. So a room samples the sky through its windows, and no
+/// light of another room. The idea is that of Guo, Eisemann and Eisemann 2020 ("Next Event Estimation++"),
+/// with cells that follow the samples as those of Mueller, Gross and Novak 2017 do.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -14,7 +14,7 @@
 
 namespace rtcore {
 
-/// What a point saw.
+/// The lights that a point saw.
 struct VisibilitySample {
     static constexpr std::uint8_t kAll = 254, kUntried = 255;
     static constexpr int kLights = 4; ///< that a point looks for at most
