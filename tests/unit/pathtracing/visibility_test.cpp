@@ -38,7 +38,7 @@ Scene roomUnderTheSky() {
     b.scene.background = {1, 1, 1};
     return b.finish();
 }
-constexpr Vec3 kEye{0, 1.9F, 0};
+constexpr Vec3 kInside{0, 1.9F, 0};
 
 /// The light of the hole's lower edges, from a point of the floor; the plate is thin.
 double seenOfHole(Vec3 point) {
@@ -53,17 +53,17 @@ double seenOfHole(Vec3 point) {
 TEST(Visibility, OfAWindowLeavesTheMeanAndTakesTheNoise) {
     test::PathScene scene(roomUnderTheSky());
     for (const Vec3 at : {Vec3{0.9F, 0, 0.8F}, Vec3{-1.5F, 0, -1}}) {
-        const Vec3 direction = normalize(at - kEye);
+        const Vec3 direction = normalize(at - kInside);
         test::PathLimits limits = test::bouncesAlone(0);
         limits.strategy = SamplingStrategy::NextEvent;
         scene.lights.setVisibility({});
-        const double before = scene.see(kEye, direction, 40000, limits).error[0];
-        scene.learn(kEye, 3, 64);
+        const double before = scene.see(kInside, direction, 40000, limits).error[0];
+        scene.learn(kInside, 3, 64);
         // Through the plate's thickness a little less is seen than through its lower edges.
         const double expected = kAlbedo * seenOfHole(at);
-        test::expectLight(scene, kEye, direction, 40000, test::bouncesAlone(0), expected, "through a hole",
+        test::expectLight(scene, kInside, direction, 40000, test::bouncesAlone(0), expected, "through a hole",
                           0.02 * expected);
-        EXPECT_LT(scene.see(kEye, direction, 40000, limits).error[0], before / 3);
+        EXPECT_LT(scene.see(kInside, direction, 40000, limits).error[0], before / 3);
     }
 }
 
@@ -169,7 +169,7 @@ TEST(Visibility, IsTheSameForAnyNumberOfThreads) {
     test::PathScene scene(roomUnderTheSky());
     std::vector<std::vector<float>> seen;
     for (const int threads : {1, 3}) {
-        scene.learn(kEye, 3, 80, threads);
+        scene.learn(kInside, 3, 80, threads);
         const VisibilityRows rows = scene.lights.rows().visible;
         seen.emplace_back(rows.surroundings, rows.surroundings + rows.cells);
     }
