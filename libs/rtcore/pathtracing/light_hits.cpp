@@ -151,7 +151,8 @@ float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std
                             std::uint32_t cluster) {
     if (!lights.emitters) return 0;
     const ScatterState& s = batch.scattered();
-    return plain::probabilityOfEmitters<float>(lights, cluster, s.point.at(i), s.normal.at(i), s.total[i]);
+    return plain::probabilityOfEmitters<float>(lights, cluster, s.point.at(i), s.normal.at(i), s.cell[i],
+                                               s.total[i]);
 }
 
 float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i) {

@@ -30,12 +30,10 @@ HWY_INLINE F expectedOf(const Light& light, Vec3Of<F> point, Vec3Of<F> normal) {
     });
 }
 
-/// The same of the k-th light, where it is weighed by itself: as far as it is known to arrive in that cell.
+/// The light of a candidate (LightRows), as far as it is known to arrive in that cell.
 template <typename F>
-HWY_INLINE F expectedOf(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
-                        UintOf<F> cell) {
-    const F unhindered = expectedOf<F>(rows.light[k], point, normal);
-    return rows.visible.known() ? unhindered * visiblePart<F>(rows.visible, k, cell) : unhindered;
+HWY_INLINE F arrivingOf(const LightRows& rows, std::uint32_t candidate, F unhindered, UintOf<F> cell) {
+    return rows.visible.known() ? unhindered * visiblePart<F>(rows.visible, candidate, cell) : unhindered;
 }
 template <typename F>
 HWY_INLINE F expectedOfSurroundings(const LightRows& rows, UintOf<F> cell) {
@@ -85,22 +83,24 @@ HWY_INLINE F selectionProbability(const LightRows& rows, F expected, F total) {
 template <typename F>
 HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
                                 UintOf<F> cell, F total) {
-    if (!rows.byTree())
-        return selectionProbability<F>(rows, expectedOf<F>(rows, k, point, normal, cell), total);
-    const F ofCut =
-        selectionProbability<F>(rows, expectedOfCut<F>(rows, rows.tree.cutOf[k], point, normal), total);
-    return ofCut * probabilityOfLeaf<F>(rows.tree, k, point, normal);
+    const std::uint32_t c = rows.byTree() ? rows.tree.cutOf[k] : k;
+    const F unhindered = rows.byTree() ? expectedOfCut<F>(rows, c, point, normal)
+                                       : expectedOf<F>(rows.light[k], point, normal);
+    const F probability = selectionProbability<F>(rows, arrivingOf<F>(rows, c, unhindered, cell), total);
+    return rows.byTree() ? probability * probabilityOfLeaf<F>(rows.tree, k, point, normal) : probability;
 }
 /// Of a cluster of emitters; of all of them without a tree.
 template <typename F>
 HWY_INLINE F probabilityOfEmitters(const LightRows& rows, std::uint32_t cluster, Vec3Of<F> point,
-                                   Vec3Of<F> normal, F total) {
-    if (!rows.emittersByTree())
-        return selectionProbability<F>(rows, expectedOfEmitters<F>(rows, point), total);
+                                   Vec3Of<F> normal, UintOf<F> cell, F total) {
     const LightTreeRows& tree = rows.emitterTree;
-    const F ofCut =
-        selectionProbability<F>(rows, expectedOfCut<F>(tree, tree.cutOf[cluster], point, normal), total);
-    return ofCut * probabilityOfLeaf<F>(tree, cluster, point, normal);
+    const std::uint32_t c = rows.emittersByTree() ? tree.cutOf[cluster] : 0;
+    const F unhindered =
+        rows.emittersByTree() ? expectedOfCut<F>(tree, c, point, normal) : expectedOfEmitters<F>(rows, point);
+    const F arriving = arrivingOf<F>(rows, rows.lightCandidates() + c, unhindered, cell);
+    const F probability = selectionProbability<F>(rows, arriving, total);
+    return rows.emittersByTree() ? probability * probabilityOfLeaf<F>(tree, cluster, point, normal)
+                                 : probability;
 }
 template <typename F>
 HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, UintOf<F> cell, F total) {
@@ -127,19 +127,21 @@ HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 n
         groups[count++] = group;
         total += e;
     };
+    const auto weighKnown = [&](std::uint32_t group, Float unhindered)
+                                HWY_ATTR { weigh(group, arrivingOf<Float>(rows, count, unhindered, cell)); };
     if (rows.byTree()) {
         for (std::uint32_t c = 0; c < rows.tree.cuts; ++c)
-            weigh(rows.tree.cut[c], expectedOfCut<Float>(rows, c, point, normal));
+            weighKnown(rows.tree.cut[c], expectedOfCut<Float>(rows, c, point, normal));
     } else {
         for (std::uint32_t k = 0; k < rows.lights; ++k)
-            weigh(k, expectedOf<Float>(rows, k, point, normal, cell));
+            weighKnown(k, expectedOf<Float>(rows.light[k], point, normal));
     }
     const std::uint32_t ofLights = count;
     if (rows.emittersByTree()) {
         for (std::uint32_t c = 0; c < rows.emitterTree.cuts; ++c)
-            weigh(rows.emitterTree.cut[c], expectedOfCut<Float>(rows.emitterTree, c, point, normal));
+            weighKnown(rows.emitterTree.cut[c], expectedOfCut<Float>(rows.emitterTree, c, point, normal));
     } else if (rows.emitters) {
-        weigh(rows.emitterGroup(), expectedOfEmitters<Float>(rows, point));
+        weighKnown(rows.emitterGroup(), expectedOfEmitters<Float>(rows, point));
     }
     const std::uint32_t ofEmitters = count;
     if (rows.surroundings) weigh(rows.surroundingGroup(), expectedOfSurroundings<Float>(rows, cell));

@@ -39,9 +39,12 @@ struct LightRows {
     bool byTree() const { return tree.nodes != nullptr; }
     bool emittersByTree() const { return emitterTree.nodes != nullptr; }
     /// What a point weighs: lights and emitters, or the cuts of their trees, and surroundings.
+    std::uint32_t lightCandidates() const { return byTree() ? tree.cuts : lights; }
+    std::uint32_t emitterCandidates() const {
+        return emittersByTree() ? emitterTree.cuts : (emitters ? 1U : 0U);
+    }
     std::uint32_t candidates() const {
-        return (byTree() ? tree.cuts : lights) +
-               (emittersByTree() ? emitterTree.cuts : (emitters ? 1U : 0U)) + (surroundings ? 1U : 0U);
+        return lightCandidates() + emitterCandidates() + (surroundings ? 1U : 0U);
     }
 };
 
@@ -57,11 +60,8 @@ class LightSet {
     void prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
                  std::span<const std::uint8_t> hidden = {});
 
-    /// What is known of the lights' visibility until they are prepared anew. Of lights in a tree it is
-    /// nothing.
+    /// The visibility of what points weigh, until the lights are prepared anew.
     void setVisibility(VisibilityCache&& cache) { visibility_ = std::move(cache); }
-    /// Lights whose visibility may be known one by one.
-    std::size_t lightsByOne() const { return tree_.empty() ? lights_.size() : 0; }
 
     /// Scattered rays may meet some of the lights.
     bool anyToHit() const {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace rtcore {
 
@@ -15,17 +14,14 @@ namespace {
 constexpr int kSide = VisibilityRows::kSide;
 constexpr std::size_t kBins = std::size_t{kSide} * kSide;
 
-double env(const char* n, double d) {
-    const char* v = getenv(n);
-    return v ? atof(v) : d;
-}
-const std::size_t kSamplesOfCell =
-    static_cast<std::size_t>(env("XS", 48)); ///< with more of them a cell is split
+constexpr std::size_t kSamplesOfCell = 48; ///< with more of them a cell is split
 constexpr int kMaxDepth = 24;
 /// So many tries of each bin and light count what is known of a larger cell.
-const double kTriesOfParent = env("XT", 2);
+constexpr double kTriesOfParent = 10;
 /// Of the mean of a cell's bins, what each of them counts more: what samples missed must not be missing.
-const double kUnseen = env("XU", .2);
+constexpr double kUnseen = 0.3;
+/// The same of each of the bins beside it.
+constexpr double kUnseenBeside = 0.1;
 /// The least that surroundings and lights count, of what they throw unhindered.
 constexpr double kMinSurroundings = 0.005, kMinLight = 0.05;
 
@@ -37,6 +33,14 @@ int rootOf(Vec3 normal) {
 }
 
 double fraction(std::uint8_t arriving) { return arriving / static_cast<double>(VisibilitySample::kAll); }
+
+/// The sum of the four bins beside one.
+double besides(const std::array<double, kBins>& sky, std::size_t row, std::size_t column) {
+    const auto at = [&](std::size_t y, std::size_t x) { return sky[y * kSide + x]; };
+    const std::size_t last = kSide - 1;
+    return at(row, (column + last) % kSide) + at(row, (column + 1) % kSide) +
+           at(row > 0 ? row - 1 : row, column) + at(row < last ? row + 1 : row, column);
+}
 
 /// For each bin of the surroundings and each light.
 struct Numbers {
@@ -56,8 +60,8 @@ struct Sums {
             seen.sky[each.bin] += fraction(each.seen);
             tries.sky[each.bin] += 1;
         }
-        for (int k = 0; k < VisibilitySample::kLights; ++k) {
-            const std::uint8_t arriving = sample.light[static_cast<std::size_t>(k)];
+        for (std::uint32_t k = 0; k < VisibilitySample::kLights; ++k) {
+            const std::uint8_t arriving = sample.light[k];
             if (arriving == VisibilitySample::kUntried) continue;
             const std::size_t light = sample.lightOf(k, seen.light.size());
             seen.light[light] += fraction(arriving);
@@ -126,7 +130,8 @@ class Builder {
         for (std::size_t row = 0; row < kSide; ++row) {
             std::array<double, kSide> bins{};
             for (std::size_t column = 0; column < kSide; ++column) {
-                bins[column] = estimate.sky[row * kSide + column] + kUnseen * mean;
+                bins[column] = estimate.sky[row * kSide + column] + kUnseen * mean +
+                               kUnseenBeside * besides(estimate.sky, row, column);
                 ofRows[row] += bins[column];
             }
             addStarts(bins, tables_.columnStarts);

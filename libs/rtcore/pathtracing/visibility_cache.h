@@ -17,7 +17,7 @@ namespace rtcore {
 /// The lights that a point saw.
 struct VisibilitySample {
     static constexpr std::uint8_t kAll = 254, kUntried = 255;
-    static constexpr int kLights = 4; ///< that a point looks for at most
+    static constexpr std::uint32_t kLights = 4; ///< that a point looks for at most
 
     /// A direction to the surroundings.
     struct Try {
@@ -32,8 +32,8 @@ struct VisibilitySample {
     std::array<std::uint8_t, kLights> light{}; ///< what arrives, of kAll; or kUntried
 
     /// Which of `lights` lights it tries as the k-th, k < min(lights, kLights).
-    std::size_t lightOf(int k, std::size_t lights) const {
-        return (std::size_t{number} * kLights + static_cast<std::size_t>(k)) % lights;
+    std::size_t lightOf(std::uint32_t k, std::size_t lights) const {
+        return (std::size_t{number} * kLights + k) % lights;
     }
 };
 
@@ -49,7 +49,7 @@ struct VisibilityRows {
     /// As in EnvironmentRows, by cell: kSide rows, and kSide bins in each of them.
     const std::uint32_t *rowStarts = nullptr, *columnStarts = nullptr;
     const float* surroundings = nullptr; ///< by cell: luminance of what arrives of them on a surface
-    const float* lights = nullptr;       ///< by cell and light: about how much of it arrives, above 0
+    const float* lights = nullptr; ///< by cell and light (LightRows): about how much of it arrives, above 0
     std::int32_t cells = 0;
     std::int32_t lightCount = 0;
 

@@ -1,5 +1,6 @@
 #include "rtcore/pathtracing/visibility_samples.h"
 
+#include "rtcore/lights/emitters-inl.h"
 #include "rtcore/lights/light_sample-inl.h"
 #include "rtcore/pathtracing/visibility_cache-inl.h"
 #include "rtcore/platform/task_errors.h"
@@ -25,7 +26,7 @@ constexpr std::uint32_t kFirstTries = VisibilityRows::kSide; ///< the rest follo
 constexpr std::uint32_t kTries = std::tuple_size_v<decltype(VisibilitySample::sky)>;
 
 /// Uses of random numbers, as nameOfUse() takes them; more follow the first.
-enum : std::uint32_t { kUseOfFirstTries, kUseOfLaterTries, kUseOfScattering };
+enum : std::uint32_t { kUseOfFirstTries, kUseOfLaterTries, kUseOfLights, kUseOfScattering };
 
 OwenPair randomPair(std::uint32_t number, std::uint32_t use) { return owenPair(number, nameOfUse(0, use)); }
 
@@ -41,26 +42,52 @@ std::uint8_t wholeNumber(float fraction) {
     return static_cast<std::uint8_t>(std::clamp(fraction, 0.0F, 1.0F) * VisibilitySample::kAll + 0.5F);
 }
 
-/// A direction to a light, and how far it is free if the light arrives.
+/// A ray to a light.
 struct ToLight {
     Vec3 direction;
-    float distance;
-    bool shines;
+    float distance = 0;     ///< that is to be free
+    bool shines = false;    ///< its light arrives there if it is
+    bool surrounds = false; ///< where caustics count, glass is opaque to it (PathIntegrator::isSurrounding())
 };
-ToLight toMiddle(const Light& light, Vec3 point, Vec3 normal) {
+ToLight toLight(const Light& light, Vec3 point, Vec3 normal, OwenPair random) {
     return forKind(light.kind, [&]<LightKind kind>() {
-        const auto sample = plain::sampleLight<kind, float>(light, point);
+        const auto sample =
+            plain::sampleLight<kind, float>(light, point, {unitFloat(random.u), unitFloat(random.v), 1, 0});
         const float arriving =
             luminance(Colour{sample.irradiance.x, sample.irradiance.y, sample.irradiance.z});
-        return ToLight{sample.toLight, sample.free, arriving > 0 && dot(normal, sample.toLight) > 0};
+        return ToLight{sample.toLight, sample.free, arriving > 0 && dot(normal, sample.toLight) > 0,
+                       isDisc(light) || isMirrored(light)};
     });
+}
+ToLight toEmitter(const EmitterRows& emitters, std::uint32_t cluster, Vec3 point, Vec3 normal,
+                  OwenPair random) {
+    const auto sample = plain::sampleEmitter<float>(emitters, unitFloat(random.u), unitFloat(random.v),
+                                                    mixBits(random.u ^ random.v), cluster);
+    const Vec3 offset = sample.position - point;
+    const float distance = length(offset);
+    if (!(distance > 0) || !isFinite(offset)) return {};
+    const Vec3 direction = offset / distance;
+    return {direction, distance * 0.9999F, dot(normal, direction) > 0, true};
+}
+
+/// A light of a node, by intensity.
+std::uint32_t leafOf(const LightTreeRows& tree, std::uint32_t node, std::uint32_t random) {
+    while ((tree.nodes[node].kind & light_node::kLeaf) == 0) {
+        const std::uint32_t first = node + 1, second = tree.nodes[node].next;
+        const float a = tree.nodes[first].intensity, b = tree.nodes[second].intensity;
+        random = mixBits(random);
+        node = unitFloat(random) * (a + b) < a ? first : second;
+    }
+    return tree.nodes[node].next;
 }
 
 /// Follows some paths; one for each thread.
 class Follower {
   public:
     explicit Follower(const VisibilityTask& task)
-        : task_(task), surroundings_(task.lights.surroundings().rows()) {
+        : task_(task), lights_(task.lights.rows()), emitters_(task.lights.emitters().rows()),
+          candidates_(lights_.lightCandidates() + lights_.emitterCandidates()),
+          surroundings_(task.lights.surroundings().rows()) {
         straight_.begin(task.scene, task.tracer, task.settings, task.materials.clear());
         RenderSettings opaque = task.settings;
         opaque.refractions = opaque.refractions && !opaque.path.caustics;
@@ -146,7 +173,7 @@ class Follower {
     void look(std::span<VisibilitySample> samples) {
         if (!task_.lights.surroundings().empty()) lookAtSky(samples);
         for (VisibilitySample& sample : samples) sample.light.fill(VisibilitySample::kUntried);
-        if (task_.lights.lightsByOne() > 0) lookAtLights(samples);
+        if (candidates_ > 0) lookAtLights(samples);
     }
 
     /// One direction in each row of bins.
@@ -170,22 +197,35 @@ class Follower {
     }
 
     void lookAtLights(std::span<VisibilitySample> samples) {
-        const std::span<const Light> lights = task_.lights.lights();
-        const int tried = static_cast<int>(std::min<std::size_t>(lights.size(), VisibilitySample::kLights));
-        for (const bool disc : {false, true}) {
+        const std::size_t all = candidates_;
+        const auto tried = static_cast<std::uint32_t>(std::min<std::size_t>(all, VisibilitySample::kLights));
+        for (const bool surrounding : {false, true}) {
             startTests();
             for (VisibilitySample& sample : samples) {
-                for (int k = 0; k < tried; ++k) {
-                    const Light& light = lights[sample.lightOf(k, lights.size())];
-                    if (isDisc(light) != disc) continue;
-                    const ToLight to = toMiddle(light, sample.position, sample.normal);
-                    if (to.shines)
-                        test(sample.position, to.direction, to.distance, 1,
-                             sample.light[static_cast<std::size_t>(k)]);
+                for (std::uint32_t k = 0; k < tried; ++k) {
+                    const auto candidate = static_cast<std::uint32_t>(sample.lightOf(k, all));
+                    const OwenPair random =
+                        randomPair(sample.number * VisibilitySample::kLights + k, kUseOfLights);
+                    const ToLight to = toCandidate(candidate, sample, random);
+                    if (to.shines && to.surrounds == surrounding)
+                        test(sample.position, to.direction, to.distance, 1, sample.light[k]);
                 }
             }
-            endTests(disc ? ofSky_ : straight_);
+            endTests(surrounding ? ofSky_ : straight_);
         }
+    }
+    ToLight toCandidate(std::uint32_t candidate, const VisibilitySample& from, OwenPair random) const {
+        const std::uint32_t bits = mixBits(random.u + random.v);
+        if (candidate < lights_.lightCandidates()) {
+            const std::uint32_t light =
+                lights_.byTree() ? leafOf(lights_.tree, lights_.tree.cut[candidate], bits) : candidate;
+            return toLight(lights_.light[light], from.position, from.normal, random);
+        }
+        const LightTreeRows& tree = lights_.emitterTree;
+        const std::uint32_t cluster =
+            lights_.emittersByTree() ? leafOf(tree, tree.cut[candidate - lights_.lightCandidates()], bits)
+                                     : 0;
+        return toEmitter(emitters_, cluster, from.position, from.normal, random);
     }
 
     struct Test {
@@ -215,6 +255,9 @@ class Follower {
     }
 
     const VisibilityTask& task_;
+    const LightRows lights_;
+    const EmitterRows emitters_;
+    const std::size_t candidates_; ///< but the surroundings
     EnvironmentRows surroundings_;
     ShadowTracer straight_, ofSky_;
     RayStatistics statistics_;
@@ -246,12 +289,14 @@ VisibilityCache learnVisibility(const VisibilityTask& task, const RayWave& camer
         const std::size_t first = k * kPathsOfTask;
         follower.follow(camera, first, std::min(camera.size(), first + kPathsOfTask), found[k]);
     });
+    const LightRows lights = task.lights.rows();
+    const std::size_t candidates = lights.lightCandidates() + lights.emitterCandidates();
     VisibilityCache cache;
     const auto build = [&](std::size_t tries) {
         std::vector<VisibilitySample> all;
         for (const std::vector<VisibilitySample>& some : found)
             all.insert(all.end(), some.begin(), some.end());
-        cache.build(all, tries, task.lights.lightsByOne(), task.lights.surroundings().scalarIrradiance());
+        cache.build(all, tries, candidates, task.lights.surroundings().scalarIrradiance());
     };
     if (task.lights.surroundings().empty()) {
         build(0);

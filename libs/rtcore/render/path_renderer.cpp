@@ -166,8 +166,7 @@ RenderSettings PathRenderer::aimSmall(int width, SampleView& samples) {
 void PathRenderer::lookAround(int maxWidth, int threads) {
     constexpr int kPixels = 4; ///< of the image, for each of that one, each way
     const RenderSettings& settings = view_->settings;
-    const std::size_t lights = lights_.lightsByOne();
-    if (!settings.shadows || (lights_.surroundings().empty() && lights < 2)) return;
+    if (!settings.shadows || (lights_.surroundings().empty() && lights_.rows().candidates() < 2)) return;
     SampleView samples;
     const RenderSettings small = aimSmall(std::clamp(settings.width / kPixels, 1, maxWidth), samples);
     std::vector<SampleId> ids;

@@ -93,6 +93,43 @@ TEST(Visibility, OfALightBehindAWallLeavesTheMeanAndTakesTheNoise) {
     EXPECT_LT(scene.see(eye, direction, 20000, limits).error[0], before.error[0] / 3);
 }
 
+/// Rooms in a row along x, 4 m wide, each with lights or boxes that shine below its roof: more than are
+/// weighed one by one.
+Scene rowOfRooms(bool boxes) {
+    test::SceneBuilder b;
+    const std::uint32_t grey = b.material(test::matte(kAlbedo));
+    const std::uint32_t shining = b.material(test::emitter({20, 20, 20}));
+    b.quad({0, 0, 2}, {48, 0, 2}, {48, 0, -2}, {0, 0, -2}, grey);
+    for (int room = 0; room < 12; ++room) {
+        const auto x = 4 * static_cast<float>(room);
+        b.box({x - 0.05F, 0, -2}, {x + 0.05F, 4, 2}, grey);
+        for (int k = 0; k < 4; ++k) {
+            const Vec3 at{x + 0.8F * static_cast<float>(k + 1), 3, 0.4F * static_cast<float>(k) - 0.6F};
+            if (boxes) b.box(at, at + Vec3{0.1F, 0.1F, 0.1F}, shining);
+            if (!boxes) b.scene.lights.emplace_back(test::pointLight(at, 5));
+        }
+    }
+    return b.finish();
+}
+
+TEST(Visibility, OfManyLightsInOtherRoomsLeavesTheMeanAndTakesTheNoise) {
+    for (const bool boxes : {false, true}) {
+        test::PathScene scene(rowOfRooms(boxes));
+        const Vec3 eye{22, 3.5F, 1.5F}, direction = normalize(Vec3{20.4F, 0, -1} - eye);
+        const test::PathLimits limits = test::bouncesAlone(0);
+        const test::PathMean before = scene.see(eye, direction, 20000, limits);
+        scene.learn(eye, 30, 96);
+        for (const SamplingStrategy strategy : {SamplingStrategy::Both, SamplingStrategy::NextEvent}) {
+            test::PathLimits by = limits;
+            by.strategy = strategy;
+            const test::PathMean seen = scene.see(eye, direction, 20000, by);
+            EXPECT_NEAR(seen.mean[0], before.mean[0], 5 * std::hypot(seen.error[0], before.error[0]))
+                << boxes;
+            EXPECT_LT(seen.error[0], 0.8 * before.error[0]) << boxes;
+        }
+    }
+}
+
 /// Samples in some cells that see some bins; reproducible.
 std::vector<VisibilitySample> someSamples() {
     test::Random random(5);
