@@ -19,6 +19,8 @@ import night_scenes  # noqa: E402
 
 PROJECT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
+RAW = ("--setting=denoise.passes=0", "--setting=path.filter=0", "--denoise=off")  # whatever a scene's settings are
+
 
 def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -43,7 +45,7 @@ class Run:
         """An image, and the seconds that one thread took for it."""
         output = "%s-%s.pfm" % (scene, label)
         seconds = programs.run([self.words.renderer, scene + ".scn", "-o", output, "-w", self.width, "-h", self.height,
-                                "--threads=1", "--progress=none", *settings], output + ".log")
+                                "--threads=1", "--progress=none", *RAW, *settings], output + ".log")
         return images.read_pfm(output), seconds
 
     def paths(self, scene, label, samples, seed, *settings):

@@ -39,7 +39,8 @@ Vec3 cosineDirection(Vec3 normal, OwenPair random) {
 }
 
 std::uint8_t wholeNumber(float fraction) {
-    return static_cast<std::uint8_t>(std::clamp(fraction, 0.0F, 1.0F) * VisibilitySample::kAll + 0.5F);
+    if (!(fraction > 0)) return 0; // or no number
+    return static_cast<std::uint8_t>(std::min(fraction, 1.0F) * VisibilitySample::kAll + 0.5F);
 }
 
 /// A ray to a light.
@@ -275,7 +276,10 @@ void followAll(const VisibilityTask& task, std::size_t tasks, Use&& use) {
     errors.guard([&] {
         Follower follower(task);
 #pragma omp for schedule(dynamic, 1) nowait
-        for (std::size_t k = 0; k < tasks; ++k) errors.guard([&] { use(follower, k); });
+        for (std::size_t k = 0; k < tasks; ++k) {
+            if (task.stopped() || errors.any()) continue;
+            errors.guard([&] { use(follower, k); });
+        }
     });
     errors.rethrow();
 }

@@ -8,6 +8,8 @@
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/surface/material_table.h"
 
+#include <atomic>
+
 namespace rtcore {
 
 /// Must outlive the call.
@@ -17,7 +19,10 @@ struct VisibilityTask {
     const RenderSettings& settings; ///< of them textures, refractions, path.caustics
     const MaterialTable& materials;
     const LightSet& lights;
-    int threads; ///< as RenderControl::threads
+    int threads;                             ///< as RenderControl::threads
+    const std::atomic<bool>* stop = nullptr; ///< becomes true: what is returned soon is of no use
+
+    bool stopped() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 };
 
 /// Follows camera rays (directions of unit length) from surface to surface as if all were matte, and straight

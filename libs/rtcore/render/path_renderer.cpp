@@ -129,9 +129,9 @@ PathRenderer::Worker& PathRenderer::workerOfThread(int thread) {
     return *worker;
 }
 
-void PathRenderer::begin(const View& view, int threads) { begin(view, kSurveyed, threads); }
+void PathRenderer::begin(const View& view, int threads) { begin(view, kSurveyed, threads, nullptr); }
 
-void PathRenderer::begin(const View& view, int surveyed, int threads) {
+void PathRenderer::begin(const View& view, int surveyed, int threads, const std::atomic<bool>* stop) {
     view_ = std::make_unique<const View>(view);
     statistics_ = {};
     materials_.prepare(view.scene, view.settings, Colour{});
@@ -139,7 +139,7 @@ void PathRenderer::begin(const View& view, int surveyed, int threads) {
                     hiddenTriangles(view.scene.model, view.scene.hiddenParts));
     aim(view);
     workers_.resize(std::max(workers_.size(), static_cast<std::size_t>(threadsFor(threads))));
-    lookAround(surveyed, threads);
+    lookAround(surveyed, threads, stop);
     measure();
     hits_.assign(view.settings.width * static_cast<std::size_t>(view.settings.height), 0);
 }
@@ -163,7 +163,7 @@ RenderSettings PathRenderer::aimSmall(int width, SampleView& samples) {
 }
 
 /// What is to be known of the lights' visibility, from an image that is `maxWidth` wide at most.
-void PathRenderer::lookAround(int maxWidth, int threads) {
+void PathRenderer::lookAround(int maxWidth, int threads, const std::atomic<bool>* stop) {
     constexpr int kPixels = 4; ///< of the image, for each of that one, each way
     const RenderSettings& settings = view_->settings;
     if (!settings.shadows || (lights_.surroundings().empty() && lights_.rows().candidates() < 2)) return;
@@ -177,7 +177,7 @@ void PathRenderer::lookAround(int maxWidth, int threads) {
     RayWave rays;
     makeSampleRays(samples, ids, rays);
     lights_.setVisibility(
-        learnVisibility({view_->scene, view_->tracer, settings, materials_, lights_, threads}, rays));
+        learnVisibility({view_->scene, view_->tracer, settings, materials_, lights_, threads, stop}, rays));
 }
 
 /// The unit of the sums, by one sample for each of some 64 x 36 pixels.
@@ -203,7 +203,7 @@ bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame
     const auto samples = static_cast<std::uint32_t>(view.settings.path.samples);
     control.tilesDone = 0;
     control.tiles = samples * pixelsOf(view.settings);
-    begin(view, control.threads);
+    begin(view, kSurveyed, control.threads, &control.cancel);
     std::uint32_t done = 0;
     while (done < samples) {
         // Rounds double at first.
@@ -223,7 +223,8 @@ bool PathRenderer::renderCoarse(const View& view, int block, RenderControl& cont
     coarse_ = coarserSettings(view.settings, block);
     control.tilesDone = 0;
     control.tiles = pixelsOf(coarse_);
-    begin({view.scene, view.tracer, view.camera, coarse_}, kSurveyedOfCoarse, control.threads);
+    begin({view.scene, view.tracer, view.camera, coarse_}, kSurveyedOfCoarse, control.threads,
+          &control.cancel);
     aim(view);
     samples_.camera = samples_.camera.coarser(block);
     if (!add({0, 1}, control)) return false;

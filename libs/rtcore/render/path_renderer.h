@@ -10,6 +10,7 @@
 #include "rtcore/render/view.h"
 #include "rtcore/shading/surface/material_table.h"
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -47,8 +48,8 @@ class PathRenderer {
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
     /// Begins an image without samples, of view.settings.width x height. Everything of the view must live,
-    /// and stay as it is, until the next one begins. Measures the mean luminance in a small pass, for the
-    /// unit of the sums. Throws what std::vector throws.
+    /// and stay as it is, until the next one begins. Learns what points see (learnVisibility()), and measures
+    /// the mean luminance in a small pass, for the unit of the sums. Throws what std::vector throws.
     void begin(const View& view, int threads);
 
     /// Adds these samples to each pixel; control.tiles and tilesDone tell how far it is. False when
@@ -62,10 +63,10 @@ class PathRenderer {
 
   private:
     class Worker;
-    void begin(const View& view, int surveyed, int threads);
+    void begin(const View& view, int surveyed, int threads, const std::atomic<bool>* stop);
     void aim(const View& view);
     RenderSettings aimSmall(int width, SampleView& samples);
-    void lookAround(int maxWidth, int threads);
+    void lookAround(int maxWidth, int threads, const std::atomic<bool>* stop);
     void measure();
     Worker& workerOfThread(int thread);
 
