@@ -32,8 +32,6 @@ int rootOf(Vec3 normal) {
     return 2 * axis + (normal[axis] < 0 ? 1 : 0);
 }
 
-double fraction(std::uint8_t arriving) { return arriving / static_cast<double>(VisibilitySample::kAll); }
-
 /// The sum of the four bins beside one.
 double besides(const std::array<double, kBins>& sky, std::size_t row, std::size_t column) {
     const auto at = [&](std::size_t y, std::size_t x) { return sky[y * kSide + x]; };
@@ -50,21 +48,22 @@ struct Numbers {
     explicit Numbers(std::size_t lights, double all = 0) : light(lights, all) { sky.fill(all); }
 };
 
-/// The sums of what samples saw, and of how many tries.
+/// The sums of what samples saw, in whole numbers, so that their order does not matter, and of how many
+/// tries.
 struct Sums {
     Numbers seen, tries;
 
     explicit Sums(std::size_t lights) : seen(lights), tries(lights) {}
     void add(const VisibilitySample& sample, std::size_t some) {
         for (const VisibilitySample::Try& each : std::span(sample.sky).first(some)) {
-            seen.sky[each.bin] += fraction(each.seen);
+            seen.sky[each.bin] += each.seen;
             tries.sky[each.bin] += 1;
         }
         for (std::uint32_t k = 0; k < VisibilitySample::kLights; ++k) {
             const std::uint8_t arriving = sample.light[k];
             if (arriving == VisibilitySample::kUntried) continue;
             const std::size_t light = sample.lightOf(k, seen.light.size());
-            seen.light[light] += fraction(arriving);
+            seen.light[light] += arriving;
             tries.light[light] += 1;
         }
     }
@@ -74,7 +73,7 @@ struct Sums {
 Numbers estimateOf(const Sums& sums, const Numbers& known) {
     Numbers result = known;
     const auto mix = [](double& estimate, double seen, double tries) {
-        estimate = (seen + kTriesOfParent * estimate) / (tries + kTriesOfParent);
+        estimate = (seen / VisibilitySample::kAll + kTriesOfParent * estimate) / (tries + kTriesOfParent);
     };
     for (std::size_t i = 0; i < kBins; ++i) mix(result.sky[i], sums.seen.sky[i], sums.tries.sky[i]);
     for (std::size_t i = 0; i < result.light.size(); ++i)

@@ -56,7 +56,7 @@ struct VisibilityRows {
     bool known() const { return links != nullptr; }
 };
 
-/// Immutable once built; safe from many threads. 2.2 KB for each cell, and 4 bytes for each of its lights.
+/// Immutable once built; safe from many threads. 1.2 KB for each cell, and 4 bytes for each of its lights.
 class VisibilityCache {
   public:
     /// From the first `tries` directions of samples in any order. `lights`: how many are known one by one.

@@ -11,6 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace rtcore {
 
