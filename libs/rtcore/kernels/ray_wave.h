@@ -45,6 +45,8 @@ struct RayWave {
     void clear();
     void reserve(std::size_t count);
     void push(const Ray& ray);
+    /// Adds `count` rays of another wave.
+    void append(const RayWave& from, std::size_t first, std::size_t count);
     /// Keeps the first `count` rays; those beyond the present ones are all zero.
     void resize(std::size_t count);
     Ray ray(std::size_t i) const { return {{ox[i], oy[i], oz[i]}, tMin[i], {dx[i], dy[i], dz[i]}, tMax[i]}; }
@@ -63,6 +65,8 @@ struct HitWave {
     std::size_t size() const { return t.size(); }
     /// Forgets `clearance`.
     void resize(std::size_t count);
+    /// Becomes `count` hits of another wave.
+    void take(const HitWave& from, std::size_t first, std::size_t count);
     float clearanceOf(std::size_t i) const { return clearance.empty() ? 0 : clearance[i]; }
     bool isHit(std::size_t i) const { return triangle[i] != kNoTriangle; }
     Hit hit(std::size_t i) const { return {t[i], triangle[i], u[i], v[i]}; }

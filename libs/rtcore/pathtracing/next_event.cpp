@@ -31,11 +31,15 @@ struct NextEventRows {
     std::uint32_t maxScatters;
 };
 
-/// Where shadow rays go: arrays with room for every point and a block more.
+/// Where shadow rays and their light go (KeptLight), and of which paths they are.
 struct NextEventRays {
     ArraysOf3 origin, direction;
     float* tMax;
-    std::uint32_t* point;
+    ArraysOf3 light;
+    float* weight;
+    std::uint32_t *sample, *group, *scatters;
+    const std::uint32_t *sampleOf, *scattersOf; ///< as in NextEventRows, by point
+    std::uint32_t first;                        ///< PathNames
 };
 
 /// Sampled points of emitters, as in Hit.
@@ -160,10 +164,7 @@ std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, Sampli
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Mask used = hasTrait(load(s.traits + i), traits::kPoint) &
                           (load(from.group + i) != Uint(LightSamples::kNone));
-        if (none(used)) {
-            storeAt(Float3{}, s.contribution, i);
-            continue;
-        }
+        if (none(used)) continue;
         const PointNormals normals = normalsAt(s, i);
         const PointLobes lobes = lobesOf(rows, s, i, used, normals);
         const MirrorChoice mirror = mirrorChoiceOf(lobes);
@@ -175,17 +176,24 @@ std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, Sampli
             byBoth,
             misWeightOfNextEvent<Float>(strategy, select(byBoth, density, Float(1)), scattered.density),
             Float(1));
-        store(weight, from.weight + i);
         Float3 added = loadAt(s.weight, i) * scattered.value * loadAt(from.irradiance, i);
         if (!apart) added = added * weight;
         const Mask lit = without(used, isZero(added));
-        storeAt(selectOrZero(lit, added), s.contribution, i);
+        if (none(lit)) continue;
         const Compressor some(lit);
         const Float clearance = load(s.clearance + i);
         storeAt(loadAt(s.position, i) + normals.geometric * clearance, some, shadows.origin, count);
         storeAt(toLight, some, shadows.direction, count);
         some.store(max(load(from.free + i) - clearance, 0.0F), shadows.tMax + count);
-        some.store(iota(i), shadows.point + count);
+        storeAt(added, some, shadows.light, count);
+        some.store(weight, shadows.weight + count);
+        some.store(load(from.group + i), shadows.group + count);
+        const auto point = static_cast<std::uint32_t>(i);
+        const bool primary = shadows.sampleOf == nullptr;
+        some.store(primary ? iota(shadows.first + point) : load(shadows.sampleOf + i),
+                   shadows.sample + count);
+        some.store(primary ? Uint(0U) : load(shadows.scattersOf + i) & Uint(path_state::kScatters),
+                   shadows.scatters + count);
         count += some.count();
     }
     return count;
@@ -202,7 +210,7 @@ HWY_EXPORT(sampleLights);
 HWY_EXPORT(addSamples);
 
 void NextEvents::resize(std::size_t count) {
-    memory_.resize(10, count);
+    memory_.resize(9, count);
     const std::size_t room = count + kWaveBlock;
     if (group_.size() < room) {
         group_.resize(room);
@@ -212,7 +220,7 @@ void NextEvents::resize(std::size_t count) {
         v_.resize(room);
     }
     samples_ = {group_.data(),    memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6),
-                memory_.array(7), memory_.array(8),     cell_.data(),         memory_.array(9)};
+                memory_.array(7), memory_.array(8),     cell_.data()};
 }
 
 void NextEvents::sample(const NextEventTask& task, const Wave& wave) {
@@ -247,15 +255,23 @@ Colour NextEvents::radianceOf(const NextEventTask& task, std::size_t i) const {
     return task.lights.background().radiance(samples_.toLight.at(i));
 }
 
-void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, SurfaceWave& surfaces,
-                     ShadowRays& shadows) const {
-    RayWave& rays = shadows.rays;
-    const std::size_t room = surfaces.size() + kWaveBlock;
-    rays.resize(room);
-    if (shadows.point.size() < room) shadows.point.resize(room);
-    const NextEventRays arrays{rays.origins(), rays.directions(), rays.tMax.data(), shadows.point.data()};
-    rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.strategy, task.apart,
-                                                 surfaces, arrays));
+void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, const Wave& wave,
+                     KeptLight& kept) const {
+    const std::size_t at = kept.size();
+    const PathQueue* const queue = wave.paths.queue();
+    const NextEventRays arrays{kept.rays.origins().from(at),
+                               kept.rays.directions().from(at),
+                               kept.rays.tMax.data() + at,
+                               kept.light.from(at),
+                               kept.weight + at,
+                               kept.sample + at,
+                               kept.group + at,
+                               kept.scatters + at,
+                               queue != nullptr ? queue->sample.data() : nullptr,
+                               task.scatters,
+                               task.names.first};
+    kept.added(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.strategy, task.apart,
+                                                wave.surfaces, arrays));
 }
 
 } // namespace rtcore

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "rtcore/kernels/wave_memory.h"
+#include "rtcore/pathtracing/kept_light.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/path_names.h"
 #include "rtcore/pathtracing/sampling_strategy.h"
-#include "rtcore/shading/light/light_wave.h"
+#include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/wave.h"
 
 #include <cstddef>
@@ -23,7 +24,6 @@ struct LightSamples {
     float* density = nullptr;       ///< of the direction among all samples, 1/sr; 0: no ray meets this light
     float* total = nullptr;         ///< ChosenLight::total
     std::uint32_t* cell = nullptr;  ///< ChosenLight::cell
-    float* weight = nullptr;        ///< NextEvents::add(): by the power heuristic
 
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 };
@@ -48,10 +48,10 @@ class NextEvents {
     /// Samples a light from each point with the trait kPoint, with the numbers of its path.
     void sample(const NextEventTask& task, const Wave& wave);
     const LightSamples& samples() const { return samples_; }
-    /// Sets surfaces.contribution to what the samples add unshadowed, weighted by the power heuristic against
-    /// the lobes (path_lobes-inl.h) unless task.apart, and `shadows` to a ray for each that adds something.
-    void add(const NextEventTask& task, const MaterialTable& materials, SurfaceWave& surfaces,
-             ShadowRays& shadows) const;
+    /// Adds to `kept`, which has room for all points, each sample that adds something: what it adds
+    /// unshadowed, weighted by the power heuristic against the lobes (path_lobes-inl.h) unless task.apart.
+    void add(const NextEventTask& task, const MaterialTable& materials, const Wave& wave,
+             KeptLight& kept) const;
 
   private:
     void resize(std::size_t count);

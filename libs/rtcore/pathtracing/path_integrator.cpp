@@ -52,29 +52,68 @@ void PathIntegrator::nameSamples(std::span<const SampleId> samples) {
 
 void PathIntegrator::trace(const RayWave& rays, std::span<const SampleId> samples) {
     nameSamples(samples);
-    wave_.kind = RayKind::Primary;
-    wave_.rays = &rays;
-    wave_.paths = WavePaths();
+    sums_.resize(rays.size());
     wave_.samples = samples;
-    paths_ = nullptr;
-    for (;;) {
-        step();
-        if (frame_.stopped() || next_.queue.empty()) return;
+    traceCamera(rays);
+    while (!frame_.stopped() && !next_.empty()) {
         std::swap(current_, next_);
-        paths_ = &current_;
-        wave_.kind = RayKind::Scattered;
-        wave_.rays = &current_.queue.rays;
-        wave_.paths = WavePaths(current_.queue);
+        tracePaths();
     }
 }
 
-/// From the rays of the wave to those that follow.
-void PathIntegrator::step() {
-    statistics_.count(wave_.kind, wave_.rays->size());
-    frame_.tracer->intersect(wave_.kind, *wave_.rays, wave_.hits);
+void PathIntegrator::traceCamera(const RayWave& rays) {
+    find(RayKind::Primary, rays);
+    paths_ = nullptr;
+    wave_.rays = &cameraRays_;
+    // Rays of the light in fog are traced for each part by itself, and few at once are slower.
+    const std::size_t part = fog_.on() ? rays.size() : PathBatches::kBatch;
+    for (std::size_t first = 0; first < rays.size() && !frame_.stopped(); first += part) {
+        const std::size_t count = std::min(part, rays.size() - first);
+        cameraRays_.clear();
+        cameraRays_.append(rays, first, count);
+        wave_.paths = WavePaths(static_cast<std::uint32_t>(first));
+        shade(first, count);
+    }
+    addKept();
+}
+
+void PathIntegrator::tracePaths() {
+    const std::span<PathBatch> batches = current_.batches();
+    rays_.clear();
+    for (const PathBatch& batch : batches) rays_.append(batch.queue.rays, 0, batch.queue.size());
+    find(RayKind::Scattered, rays_);
+    std::size_t first = 0;
+    for (PathBatch& batch : batches) {
+        if (frame_.stopped()) return;
+        paths_ = &batch;
+        wave_.rays = &batch.queue.rays;
+        wave_.paths = WavePaths(batch.queue);
+        shade(first, batch.queue.size());
+        first += batch.queue.size();
+    }
+    addKept();
+}
+
+/// What the rays of a step hit.
+void PathIntegrator::find(RayKind kind, const RayWave& rays) {
+    wave_.kind = kind;
+    statistics_.count(kind, rays.size());
+    frame_.tracer->intersect(kind, rays, hits_);
     clock_.lap(Stage::Trace);
+    next_.clear();
+    kept_.start(rays.size());
+}
+
+PathNames PathIntegrator::names() const {
+    const std::uint32_t first = paths_ == nullptr && wave_.size() > 0 ? wave_.paths.sample(0) : 0;
+    return {pixelNames_.data(), subs_.data(), first};
+}
+
+/// From the rays of the wave, whose hits are those from `first` on, to those that follow.
+void PathIntegrator::shade(std::size_t first, std::size_t count) {
+    wave_.hits.take(hits_, first, count);
     wave_.surfaces.fill(frame_.scene->mesh(), *frame_.materials, *wave_.rays, wave_.hits);
-    next_.start(wave_.size());
+    onward_ = &next_.roomFor(count);
     setWeights();
     if (fog_.on()) {
         fog_.enter(*wave_.rays, wave_.hits, wave_.surfaces.traits, wave_.paths);
@@ -86,13 +125,10 @@ void PathIntegrator::step() {
     clock_.lap(Stage::Surfaces);
     if (frame_.stopped()) return;
     sampleLights();
-    const ScatterTask task{*frame_.materials,
-                           *lights_,
-                           limits_,
-                           static_cast<std::uint32_t>(frame_.settings->maxDepth),
-                           {pixelNames_.data(), subs_.data()},
-                           rows_.candidates() > 0 ? &events_.samples() : nullptr};
-    scatterPaths(task, wave_, paths_, next_);
+    const ScatterTask task{*frame_.materials, *lights_,
+                           limits_,           static_cast<std::uint32_t>(frame_.settings->maxDepth),
+                           names(),           rows_.candidates() > 0 ? &events_.samples() : nullptr};
+    scatterPaths(task, wave_, paths_, *onward_);
     clock_.lap(Stage::Secondary);
 }
 
@@ -100,7 +136,7 @@ void PathIntegrator::step() {
 void PathIntegrator::setWeights() {
     SurfaceWave& surfaces = wave_.surfaces;
     if (paths_ == nullptr) {
-        sums_.start({}, wave_);
+        sums_.startPart({}, wave_);
         return;
     }
     const PathQueue& queue = paths_->queue;
@@ -125,8 +161,7 @@ void PathIntegrator::addFound() {
     addSurroundings();
     addDiscs();
     if (paths_ != nullptr) addMirrored();
-    points_.complete({frame_, {pixelNames_.data(), subs_.data()}, limits_.caustics, paths_}, wave_, sums_,
-                     next_);
+    points_.complete({frame_, names(), limits_.caustics, paths_}, wave_, sums_, *onward_);
     addEmission();
 }
 
@@ -259,31 +294,30 @@ void PathIntegrator::sampleLights() {
                              rows_,
                              *frame_.scene,
                              frame_.settings->textures,
-                             {pixelNames_.data(), subs_.data()},
+                             names(),
                              paths_ != nullptr ? paths_->scattered().state : nullptr,
                              static_cast<std::uint32_t>(limits_.bounces),
                              strategy_,
                              frame_.settings->shadows && shadows_.tinted()};
     events_.sample(task, wave_);
-    events_.add(task, *frame_.materials, wave_.surfaces, shadowRays_);
+    events_.add(task, *frame_.materials, wave_, kept_);
     clock_.lap(Stage::Light);
-    if (frame_.settings->shadows && !shadowRays_.rays.empty()) takeShadows();
-    clampContribution();
-    sums_.add(wave_);
+    clock_.lap(Stage::Light);
+}
+
+/// Adds what arrives; what one bounce after the first adds may be clamped.
+void PathIntegrator::addKept() {
+    if (frame_.stopped()) return;
+    kept_.finish();
+    if (frame_.settings->shadows && kept_.size() > 0) takeShadows();
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        const Colour light = kept_.light.colourAt(i);
+        sums_.add(kept_.sample[i], kept_.scatters[i] != 0 ? clampedTo(limits_.clampIndirect, light) : light);
+    }
     clock_.lap(Stage::Shadows);
 }
 
-/// Clamps what one bounce after the first adds.
-void PathIntegrator::clampContribution() {
-    if (!(limits_.clampIndirect > 0) || paths_ == nullptr) return;
-    for (std::size_t i = 0; i < wave_.size(); ++i) {
-        if ((paths_->scattered().state[i] & path_state::kScatters) == 0) continue;
-        const ArraysOf3& contribution = wave_.surfaces.contribution;
-        contribution.set(i, clampedTo(limits_.clampIndirect, contribution.colourAt(i)));
-    }
-}
-
-/// Takes from surfaces.contribution what does not arrive.
+/// Takes from the kept light what does not arrive.
 void PathIntegrator::takeShadows() {
     if (fog_.on()) {
         for (std::uint32_t group = 0; group <= rows_.surroundingGroup(); ++group) {
@@ -291,9 +325,9 @@ void PathIntegrator::takeShadows() {
             if (!part_.rays.empty()) tint(group);
         }
     } else if (!shadows_.tinted()) {
-        const std::vector<std::uint8_t>& occluded = shadows_.occluded(shadowRays_.rays, statistics_);
+        const std::vector<std::uint8_t>& occluded = shadows_.occluded(kept_.rays, statistics_);
         for (std::size_t i = 0; i < occluded.size(); ++i) {
-            if (occluded[i] != 0) wave_.surfaces.contribution.set(shadowRays_.point[i], Colour{});
+            if (occluded[i] != 0) kept_.light.set(i, Colour{});
         }
     } else if (limits_.caustics) {
         takePart([&](std::uint32_t of) { return !isSurrounding(of); });
@@ -301,9 +335,8 @@ void PathIntegrator::takeShadows() {
         takePart([&](std::uint32_t of) { return isSurrounding(of); });
         if (!part_.rays.empty()) tintBy(opaqueGlass_, opaqueGlass_.transmittance(part_.rays, statistics_));
     } else {
-        std::swap(part_, shadowRays_);
+        takePart([](std::uint32_t) { return true; });
         tintBy(shadows_, shadows_.transmittance(part_.rays, statistics_));
-        std::swap(part_, shadowRays_);
     }
 }
 
@@ -316,14 +349,12 @@ bool PathIntegrator::isSurrounding(std::uint32_t group) const {
 /// The shadow rays to some groups of lights become part_.
 template <typename Wanted>
 void PathIntegrator::takePart(Wanted&& wanted) {
-    const std::uint32_t* const groups = events_.samples().group;
     part_.rays.clear();
     part_.point.clear();
-    for (std::size_t i = 0; i < shadowRays_.rays.size(); ++i) {
-        const std::uint32_t point = shadowRays_.point[i];
-        if (!wanted(groups[point])) continue;
-        part_.rays.push(shadowRays_.rays.ray(i));
-        part_.point.push_back(point);
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        if (!wanted(kept_.group[i])) continue;
+        part_.rays.push(kept_.rays.ray(i));
+        part_.point.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
@@ -339,21 +370,19 @@ void PathIntegrator::tint(std::uint32_t group) {
         const float left = light != nullptr
                                ? fogLightTransmittance(fog_.medium(), *light, ray.origin)
                                : fogTransmittance(fog_.medium(), ray.origin, ray.direction, ray.tMax);
-        const ArraysOf3& contribution = wave_.surfaces.contribution;
-        contribution.set(part_.point[i], contribution.colourAt(part_.point[i]) * left);
+        kept_.light.set(part_.point[i], kept_.light.colourAt(part_.point[i]) * left);
     }
 }
 
 /// Attenuates the light of part_ by the transmittance, and weights it against scattered rays: these find none
 /// of the light that passes solids of glass, which bend them.
 void PathIntegrator::tintBy(const ShadowTracer& tracer, const std::vector<Colour>& arriving) {
-    const ArraysOf3& contribution = wave_.surfaces.contribution;
     const bool apart = shadows_.tinted();
     for (std::size_t i = 0; i < arriving.size(); ++i) {
-        const std::uint32_t point = part_.point[i];
+        const std::uint32_t kept = part_.point[i];
         Colour left = arriving[i];
-        if (apart) left = (left - tracer.unbent()[i]) + tracer.unbent()[i] * events_.samples().weight[point];
-        contribution.set(point, contribution.colourAt(point) * left);
+        if (apart) left = (left - tracer.unbent()[i]) + tracer.unbent()[i] * kept_.weight[kept];
+        kept_.light.set(kept, kept_.light.colourAt(kept) * left);
     }
 }
 

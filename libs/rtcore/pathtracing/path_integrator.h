@@ -6,9 +6,10 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/pathtracing/kept_light.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/next_event.h"
-#include "rtcore/pathtracing/path_batch.h"
+#include "rtcore/pathtracing/path_batches.h"
 #include "rtcore/pathtracing/path_points.h"
 #include "rtcore/pathtracing/sampling_strategy.h"
 #include "rtcore/sampling/sample_id.h"
@@ -65,7 +66,11 @@ class PathIntegrator {
 
   private:
     void nameSamples(std::span<const SampleId> samples);
-    void step();
+    void traceCamera(const RayWave& rays);
+    void tracePaths();
+    void find(RayKind kind, const RayWave& rays);
+    void shade(std::size_t first, std::size_t count);
+    PathNames names() const;
     void setWeights();
     void addFound();
     void addSurroundings();
@@ -77,7 +82,7 @@ class PathIntegrator {
     float weightOfEmission(std::size_t point) const;
     void sampleLights();
     void takeShadows();
-    void clampContribution();
+    void addKept();
     template <typename Wanted>
     void takePart(Wanted&& wanted);
     void tint(std::uint32_t group);
@@ -93,9 +98,13 @@ class PathIntegrator {
     RayStatistics statistics_;
     StageClock clock_;
 
-    Wave wave_;
-    PathBatch current_, next_;
-    PathBatch* paths_ = nullptr; ///< of the wave's rays; null for those of the camera
+    RayWave rays_; ///< of a step
+    HitWave hits_;
+    Wave wave_; ///< a batch of them
+    RayWave cameraRays_;
+    PathBatches current_, next_;
+    PathBatch* paths_ = nullptr;  ///< of the wave's rays; null for those of the camera
+    PathBatch* onward_ = nullptr; ///< of next_: takes the rays that follow
     SampleSums sums_;
     std::vector<std::uint32_t> pixelNames_, subs_;
     std::vector<float> densities_; ///< of rays that leave the scene, by next event
@@ -106,7 +115,8 @@ class PathIntegrator {
     NextEvents events_;
     ShadowTracer shadows_;
     ShadowTracer opaqueGlass_; ///< where caustics count, they are the light of what rays see behind glass
-    ShadowRays shadowRays_, part_;
+    ShadowRays part_;          ///< of the kept light
+    KeptLight kept_;
 };
 
 } // namespace rtcore

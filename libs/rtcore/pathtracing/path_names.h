@@ -9,6 +9,7 @@ namespace rtcore {
 struct PathNames {
     const std::uint32_t* pixel = nullptr; ///< pixelName()
     const std::uint32_t* sub = nullptr;
+    std::uint32_t first = 0; ///< of a wave of camera rays: its first sample
 };
 
 } // namespace rtcore

@@ -39,9 +39,9 @@ struct PathName {
     Uint pixel, sub;
 };
 
-/// Names of the paths from `i` on; `samples`: which sample each belongs to, null: its own index.
+/// Names of the paths from `i` on; `samples`: which sample each belongs to, null: of camera rays.
 HWY_INLINE PathName pathName(const PathNames& names, const std::uint32_t* samples, std::size_t i, Mask used) {
-    if (samples == nullptr) return {load(names.pixel + i), load(names.sub + i)};
+    if (samples == nullptr) return {load(names.pixel + names.first + i), load(names.sub + names.first + i)};
     const Int sample = toInt(selectOrZero(used, load(samples + i)));
     return {gather(names.pixel, sample), gather(names.sub, sample)};
 }

@@ -43,18 +43,18 @@ struct Past {
     Float length{};
     Float3 extinction{};
 };
-HWY_INLINE Past pastOf(const BatchArrays* paths, std::size_t i) {
-    if (paths == nullptr) return {iota(i), Uint(0U), Uint(0U), Float(0), Float3{}};
+HWY_INLINE Past pastOf(const BatchArrays* paths, std::uint32_t first, std::size_t i) {
+    if (paths == nullptr) return {iota(first + i), Uint(0U), Uint(0U), Float(0), Float3{}};
     return {load(paths->sample + i), load(paths->bounces + i), load(paths->state + i),
             load(paths->length + i), loadAt(paths->extinction, i)};
 }
 
-/// Paths of less weight may end. With 1 less work is done, but the square error at equal time is 1.3 to 1.6
-/// times as large in rooms. (docs/shading.md)
-inline constexpr float kWeakWeight = 0.25F;
-/// The chance that paths of these weights go on. Below the least, weights would grow too much.
+/// Paths of less weight may end. (docs/lab/paths.md)
+inline constexpr float kWeakWeight = 0.7F;
+/// The chance that paths of these weights go on: as the root, so that those that do grow weaker from bounce
+/// to bounce. Below the least, weights would grow too much.
 HWY_INLINE Float survival(Float3 weight) {
-    return clamp<Float>(maxComponent(weight) * (1 / kWeakWeight), 0.05F, 1.0F);
+    return clamp<Float>(sqrt(maxComponent(weight) * (1 / kWeakWeight)), 0.05F, 1.0F);
 }
 
 /// The first of `count` values, as many as there are.
@@ -70,7 +70,7 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Mask points = hasTrait(load(s.traits + i), traits::kPoint);
         if (none(points)) continue;
-        const Past past = pastOf(paths, i);
+        const Past past = pastOf(paths, rows.names.first, i);
         const Uint scatters = past.state & Uint(path_state::kScatters);
         // A path that has scattered once more than it may only looks for lights: in mirrors, too, where what
         // they show counts.

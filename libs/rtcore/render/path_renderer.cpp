@@ -14,9 +14,9 @@ namespace rtcore {
 
 namespace {
 
-/// Paths of a wave at most, a full stream: the longer a stream, the more rays share each node that it
-/// fetches. More would save little, and a thread needs 1 KB for each.
-constexpr std::uint32_t kPaths = 65536;
+/// Paths of a wave at most. After many bounces their rays still fill streams, and the longer a stream, the
+/// more rays share each node that it fetches. A thread needs 0.5 KB for each.
+constexpr std::uint32_t kPaths = 262144;
 constexpr std::uint32_t kShownSamples = 16; ///< between two images that are shown
 /// The width of the image whose points say what is visible, at most: some 0.3 s of two processors, and of a
 /// coarse image, which is there for a moment, less than 0.1.
@@ -40,7 +40,7 @@ struct Cut {
 /// better than few of many: what is near takes the same way.
 Cut cutOf(int width, int height, std::uint32_t samples, int threads) {
     constexpr int kMaxSide = 256, kMinSide = 16, kTasksOfThread = 8;
-    const std::uint32_t max = std::clamp(samples, 1U, 256U);
+    const std::uint32_t max = std::clamp(samples, 1U, 1024U);
     Cut cut{width, height, kMaxSide, 1};
     const auto pathsOf = [&] { return static_cast<std::uint32_t>(cut.side * cut.side); };
     while (cut.side > kMinSide && (pathsOf() * max > kPaths || cut.count() < kTasksOfThread * threads))

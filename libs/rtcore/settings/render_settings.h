@@ -54,7 +54,7 @@ struct SkyLightSettings {
 struct PathSettings {
     int samples = 256;       ///< paths per pixel
     int bounces = 16;        ///< of a path, at most
-    int rouletteFrom = 3;    ///< bounce from which a weak path may end by chance; what remains counts more
+    int rouletteFrom = 1;    ///< bounce from which a weak path may end by chance; what remains counts more
     float clampIndirect = 0; ///< radiance that a sample gets from one bounce after the first; 0 = any
     bool caustics = false;   ///< light that reaches a surface by way of mirrors and glass
     EmitterLight emitters = EmitterLight::Automatic;

@@ -37,18 +37,22 @@ namespace rtcore {
 HWY_EXPORT(startAll);
 HWY_EXPORT(addAll);
 
-void SampleSums::start(Colour background, Wave& wave) {
-    const std::size_t count = wave.size();
+void SampleSums::resize(std::size_t count) {
     memory_.resize(3, count);
     radiance_ = memory_.arraysOf3(0);
     hit_.resize(count + kWaveBlock);
-    HWY_DYNAMIC_DISPATCH(startAll)(background, wave.surfaces, radiance_, hit_.data());
+}
+
+void SampleSums::startPart(Colour background, Wave& wave) {
+    if (wave.size() == 0) return;
+    const std::size_t first = wave.paths.sample(0);
+    HWY_DYNAMIC_DISPATCH(startAll)(background, wave.surfaces, radiance_.from(first), hit_.data() + first);
 }
 
 void SampleSums::add(const Wave& wave) {
     const SurfaceWave& surfaces = wave.surfaces;
     if (wave.paths.primary()) {
-        HWY_DYNAMIC_DISPATCH(addAll)(surfaces, radiance_);
+        if (wave.size() > 0) HWY_DYNAMIC_DISPATCH(addAll)(surfaces, radiance_.from(wave.paths.sample(0)));
         return;
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -10,13 +10,20 @@
 
 namespace rtcore {
 
-/// Sample i is that of primary ray i. One for each thread; keeps its memory from wave to wave. The order of
+/// One element for each sample. One for each thread; keeps its memory from wave to wave. The order of
 /// the sums is that of the rays, so that the bits do not depend on anything else.
 class SampleSums {
   public:
     /// Begins the sums of a wave of primary rays: `background` where the ray missed, else zero. Sets the
     /// samples' hits, and surfaces.weight to 1.
-    void start(Colour background, Wave& wave);
+    void start(Colour background, Wave& wave) {
+        resize(wave.size());
+        startPart(background, wave);
+    }
+    /// The same in parts that follow each other: room for all of them, then each of the parts before anything
+    /// is added to it.
+    void resize(std::size_t count);
+    void startPart(Colour background, Wave& wave);
 
     /// Adds surfaces.contribution.
     void add(const Wave& wave);

@@ -5,12 +5,13 @@
 
 namespace rtcore {
 
-/// Primary rays have no queue: ray i is that of sample i, of weight 1, and has met nothing yet. Other rays
-/// are those of a queue, which must outlive this and is only read here.
+/// Primary rays have no queue: they are those of consecutive samples, of weight 1, and have met nothing yet.
+/// Other rays are those of a queue, which must outlive this and is only read here.
 class WavePaths {
   public:
-    /// Primary rays.
+    /// Primary rays, of the samples from the first, or `first`, on.
     WavePaths() = default;
+    explicit WavePaths(std::uint32_t first) : first_(first) {}
     explicit WavePaths(PathQueue& queue) : queue_(&queue) {}
 
     bool primary() const { return queue_ == nullptr; }
@@ -18,19 +19,20 @@ class WavePaths {
     PathQueue* queue() const { return queue_; }
 
     std::uint32_t sample(std::size_t ray) const {
-        return primary() ? static_cast<std::uint32_t>(ray) : queue_->sample[ray];
+        return primary() ? first_ + static_cast<std::uint32_t>(ray) : queue_->sample[ray];
     }
     /// As in PathQueue.
     std::uint32_t bounces(std::size_t ray) const { return primary() ? 0 : queue_->bounces[ray]; }
     Path path(std::size_t ray) const {
         if (!primary()) return queue_->path(ray);
         Path path;
-        path.sample = static_cast<std::uint32_t>(ray);
+        path.sample = sample(ray);
         return path;
     }
 
   private:
     PathQueue* queue_ = nullptr;
+    std::uint32_t first_ = 0;
 };
 
 } // namespace rtcore
