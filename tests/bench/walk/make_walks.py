@@ -2,15 +2,17 @@
 """Makes the walks of bench_walk: make_walks.py FOLDER [NAME]...
 
 Each is 300 cameras at 30 a second in FOLDER/NAME.lst, along points that are passed at even speed, with a head
-that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, of a street
-and a hall at night, whose scenes are made beside their walks, and of the models Sibenik, Crytek Sponza and
-Lamborghini. Where RT_TEST_SCENES names the folder of these, each has a
+that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, of a
+flat, a cellar, a gallery of glass and a street by day, of a street and a hall at night, whose scenes are made beside
+their walks, and of the models Sibenik, Crytek Sponza and Lamborghini. Where RT_TEST_SCENES names the folder of these, each has a
 scene beside its walk: FOLDER/NAME.scn.
 """
 import math
 import os
 import pathlib
 import sys
+
+import walk_scenes
 
 FRAMES, RATE = 300, 30
 NIGHTS = (10, 100, 1000)
@@ -31,6 +33,15 @@ WALKS = {
     # Once around an object, as by a drag.
     "orbit": dict(fov=60, sway=0, period=1, around=True, points=[
         (5.8 * math.sin(math.tau * i / 16), 1.6, 5.8 * math.cos(math.tau * i / 16), 0, 0) for i in range(17)]),
+    # Scenes that are lit by way of surfaces, by walk_scenes.py.
+    "flat": dict(fov=75, sway=25, period=5, points=[
+        (-4.6, 1.6, -.6, 60, -6), (-2.7, 1.6, .9, 190, -4), (-.6, 1.6, 1.8, 90, -4), (3.4, 1.6, 2.2, 60, -6)]),
+    "cellar": dict(fov=75, sway=20, period=5, points=[
+        (1.2, 1.6, 1, 80, -4), (5, 1.6, -1.6, 90, -4), (10, 1.6, 1.3, 95, -4), (14.4, 1.6, -.8, 90, -4)]),
+    "gallery": dict(fov=75, sway=25, period=5, points=[
+        (-11, 1.7, 1, 90, 4), (-4, 1.7, -1.5, 60, 6), (4, 1.7, 1.5, 110, 2), (10, 1.7, -1, 80, 4)]),
+    "street": dict(fov=75, sway=25, period=5, points=[
+        (-28, 1.7, 0, 90, 3), (-10, 1.7, -6.2, 85, 2), (-2, 1.7, 2, 150, 2), (0, 1.7, 12, 180, 2)]),
     # At night, by scripts/lights/night_scenes.py: 100 or 1,000 lights.
     **{f"street-{count}": dict(fov=70, sway=25, period=5, points=[
         (-27, 1.8, 3, 80, -3), (-12, 1.8, 1, 95, 0), (4, 1.8, -2, 85, 2), (20, 1.8, 0, 90, 0)]) for count in NIGHTS},
@@ -118,7 +129,7 @@ def main():
             (cameras / f"{i:05}.cam").write_text(camera(WALKS[name], i))
             lines.append(f"{name}.cams/{i:05}.cam\n")
         (folder / f"{name}.lst").write_text("".join(lines))
-        if write_night(folder, name):
+        if walk_scenes.write(folder, name) or write_night(folder, name):
             continue
         models = os.environ.get("RT_TEST_SCENES")
         if models and name in SCENES:
