@@ -8,9 +8,10 @@ import numpy
 from description import Light, Scene
 from geometry import beside
 
-sys.path.insert(0, beside("..", "..", "data", "tools"))
-import mesh    # noqa: E402
-import solids  # noqa: E402
+sys.path[:0] = [beside("..", "..", "data", "tools"), beside("..", "lights")]
+import mesh           # noqa: E402
+import solids         # noqa: E402
+import window_scenes  # noqa: E402
 
 WHITE, RED, GREEN = (0.725, 0.71, 0.68), (0.63, 0.065, 0.05), (0.14, 0.45, 0.091)
 
@@ -123,6 +124,28 @@ def sun():
     return scene
 
 
+class Boxes:
+    """Takes boxes of the scenes that light comes into by windows and from above."""
+
+    def __init__(self, scene, colours):
+        self.scene, self.materials = scene, {name: scene.material(colour) for name, colour in colours.items()}
+        self.material(next(iter(colours)))
+
+    def material(self, name):
+        self.now = self.materials[name]
+
+    def add(self, low, high):
+        self.scene.soup.surface(self.now, solids.box(low, high))
+
+
+def court():
+    """A court among galleries on columns, open above, under a sky with a sun."""
+    eye, forward, fov, *_ = window_scenes.VIEWS["atrium"]
+    scene = Scene(eye, mesh.add(eye, forward), fov, bounces=12, sky=sunny_sky())
+    window_scenes.atrium(Boxes(scene, {"wall": (0.7, 0.7, 0.7), "brick": (0.6, 0.25, 0.2)}))
+    return scene
+
+
 def room(scene, panel):
     """A matte room under a panel in its ceiling that emits."""
     x, y, z = 3.0, 3.0, 3.0
@@ -195,7 +218,7 @@ SCENES = {
     "plane-rectangle": lambda: plane(Light("rectangle", (4.0, 3.0, 2.0), size=(1.2, 0.6), **PLACE)),
     "plane-emission": plane_emission,
     "plane-background": lambda: plane(background=(0.7, 0.5, 0.3)),
-    "cube": cube, "sky": sky, "sun": sun, "mirrors": mirrors, "glass": glass, "metals": metals,
+    "cube": cube, "court": court, "sky": sky, "sun": sun, "mirrors": mirrors, "glass": glass, "metals": metals,
     "whites": whites, "furnished": furnished,
 }
 
