@@ -12,17 +12,18 @@
 
 namespace rtcore {
 
-/// One element for each shadow ray; of what is added last, room for a block more. Keeps its memory.
+/// One element for each shadow ray, and room for a block more. Keeps its memory.
 class KeptLight {
   public:
-    RayWave rays;            ///< those that are kept once all are
+    RayWave rays;            ///< longer than size() until finish()
     ArraysOf3 light;         ///< that it adds to its sample, unshadowed
     float* weight = nullptr; ///< by the power heuristic
     std::uint32_t* sample = nullptr;
     std::uint32_t* group = nullptr;    ///< LightSamples
     std::uint32_t* scatters = nullptr; ///< of the path so far
 
-    /// Empties it and makes room for `count` rays.
+    /// Empties it and makes room for `count` rays. What is added goes behind the others, into the arrays
+    /// themselves.
     void start(std::size_t count) {
         const std::size_t room = count + kWaveBlock;
         size_ = 0;
@@ -37,6 +38,7 @@ class KeptLight {
     }
     std::size_t size() const { return size_; }
     void added(std::size_t count) { size_ += count; }
+    /// Once all are there.
     void finish() { rays.resize(size_); }
 
   private:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -105,8 +106,7 @@ void PathIntegrator::find(RayKind kind, const RayWave& rays) {
 }
 
 PathNames PathIntegrator::names() const {
-    const std::uint32_t first = paths_ == nullptr && wave_.size() > 0 ? wave_.paths.sample(0) : 0;
-    return {pixelNames_.data(), subs_.data(), first};
+    return {pixelNames_.data(), subs_.data(), paths_ == nullptr ? wave_.paths.sample(0) : 0};
 }
 
 /// From the rays of the wave, whose hits are those from `first` on, to those that follow.
@@ -302,7 +302,6 @@ void PathIntegrator::sampleLights() {
     events_.sample(task, wave_);
     events_.add(task, *frame_.materials, wave_, kept_);
     clock_.lap(Stage::Light);
-    clock_.lap(Stage::Light);
 }
 
 /// Adds what arrives; what one bounce after the first adds may be clamped.
@@ -335,8 +334,9 @@ void PathIntegrator::takeShadows() {
         takePart([&](std::uint32_t of) { return isSurrounding(of); });
         if (!part_.rays.empty()) tintBy(opaqueGlass_, opaqueGlass_.transmittance(part_.rays, statistics_));
     } else {
-        takePart([](std::uint32_t) { return true; });
-        tintBy(shadows_, shadows_.transmittance(part_.rays, statistics_));
+        part_.point.resize(kept_.size());
+        std::iota(part_.point.begin(), part_.point.end(), 0U);
+        tintBy(shadows_, shadows_.transmittance(kept_.rays, statistics_));
     }
 }
 
