@@ -49,13 +49,9 @@ HWY_INLINE Past pastOf(const BatchArrays* paths, std::uint32_t first, std::size_
             load(paths->length + i), loadAt(paths->extinction, i)};
 }
 
-/// Paths of less weight may end. (docs/lab/paths.md)
-inline constexpr float kWeakWeight = 0.7F;
 /// The chance that paths of these weights go on: as the root, so that those that do grow weaker from bounce
-/// to bounce. Below the least, weights would grow too much.
-HWY_INLINE Float survival(Float3 weight) {
-    return clamp<Float>(sqrt(maxComponent(weight) * (1 / kWeakWeight)), 0.05F, 1.0F);
-}
+/// to bounce. Below the least, weights would grow too much. (docs/lab/paths.md)
+HWY_INLINE Float survival(Float3 weight) { return clamp<Float>(sqrt(maxComponent(weight)), 0.05F, 1.0F); }
 
 /// The first of `count` values, as many as there are.
 HWY_INLINE Float loadDistances(const float* values, std::size_t count) {
