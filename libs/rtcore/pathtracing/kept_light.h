@@ -4,7 +4,6 @@
 
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/wave_memory.h"
-#include "rtcore/math/colour.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -63,7 +63,7 @@ void PathIntegrator::trace(const RayWave& rays, std::span<const SampleId> sample
 }
 
 void PathIntegrator::traceCamera(const RayWave& rays) {
-    find(RayKind::Primary, rays);
+    startStep(RayKind::Primary, rays);
     paths_ = nullptr;
     wave_.rays = &cameraRays_;
     // Rays of the light in fog are traced for each part by itself, and few at once are slower.
@@ -82,7 +82,7 @@ void PathIntegrator::tracePaths() {
     const std::span<PathBatch> batches = current_.batches();
     rays_.clear();
     for (const PathBatch& batch : batches) rays_.append(batch.queue.rays, 0, batch.queue.size());
-    find(RayKind::Scattered, rays_);
+    startStep(RayKind::Scattered, rays_);
     std::size_t first = 0;
     for (PathBatch& batch : batches) {
         if (frame_.stopped()) return;
@@ -95,8 +95,8 @@ void PathIntegrator::tracePaths() {
     addKept();
 }
 
-/// What the rays of a step hit.
-void PathIntegrator::find(RayKind kind, const RayWave& rays) {
+/// Finds what the rays of a step hit; nothing follows from them yet.
+void PathIntegrator::startStep(RayKind kind, const RayWave& rays) {
     wave_.kind = kind;
     statistics_.count(kind, rays.size());
     frame_.tracer->intersect(kind, rays, hits_);

@@ -68,7 +68,7 @@ class PathIntegrator {
     void nameSamples(std::span<const SampleId> samples);
     void traceCamera(const RayWave& rays);
     void tracePaths();
-    void find(RayKind kind, const RayWave& rays);
+    void startStep(RayKind kind, const RayWave& rays);
     void shade(std::size_t first, std::size_t count);
     PathNames names() const;
     void setWeights();
