@@ -1,0 +1,63 @@
+#include "bench/walk/light_errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace bench {
+
+namespace {
+
+using Channels = std::array<double, 3>;
+
+Channels channels(rtcore::Colour c) { return {c.r, c.g, c.b}; }
+
+double meanOf(const rtcore::HdrImage& image) {
+    double sum = 0;
+    for (const rtcore::Colour& pixel : image.pixels) {
+        for (const double channel : channels(pixel)) sum += channel;
+    }
+    return sum / (3 * static_cast<double>(image.pixels.size()));
+}
+
+/// The product of what x differs from a and from b, over the square of r: mean of the channels.
+double relativeError(const Channels& x, const Channels& a, const Channels& b, double floor) {
+    double sum = 0;
+    for (std::size_t c = 0; c < x.size(); ++c) {
+        const double r = (a[c] + b[c]) / 2;
+        sum += (x[c] - a[c]) * (x[c] - b[c]) / (r * r + floor);
+    }
+    return sum / static_cast<double>(x.size());
+}
+
+/// Of all but a thousandth of them, one at least: those of the largest `order`.
+double meanWithoutWorst(const std::vector<double>& errors, const std::vector<double>& order) {
+    const std::size_t left = errors.size() - std::max<std::size_t>(1, errors.size() / 1000);
+    if (left == 0) return 0;
+    std::vector<std::size_t> pixels(errors.size());
+    std::iota(pixels.begin(), pixels.end(), std::size_t{0});
+    std::ranges::nth_element(pixels, pixels.begin() + static_cast<std::ptrdiff_t>(left), {},
+                             [&](std::size_t i) { return std::pair(order[i], i); });
+    double sum = 0;
+    for (std::size_t i = 0; i < left; ++i) sum += errors[pixels[i]];
+    return sum / static_cast<double>(left);
+}
+
+} // namespace
+
+LightErrors lightErrors(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
+                        const rtcore::HdrImage& other) {
+    const double mean = (meanOf(one) + meanOf(other)) / 2, floor = 0.01 * mean * mean;
+    std::vector<double> errors, noise;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const Channels a = channels(one.pixels[i]), b = channels(other.pixels[i]);
+        errors.push_back(relativeError(channels(image.pixels[i]), a, b, floor));
+        noise.push_back(-relativeError(channels(0.5F * (one.pixels[i] + other.pixels[i])), a, b, floor));
+    }
+    return {meanWithoutWorst(errors, noise), mean > 0 ? meanOf(image) / mean - 1 : 0};
+}
+
+} // namespace bench

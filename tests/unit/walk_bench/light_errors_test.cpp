@@ -1,0 +1,63 @@
+// The errors by two references: closed values, and what becomes of the references' noise.
+#include "bench/walk/light_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace {
+
+using bench::LightErrors;
+using bench::lightErrors;
+using rtcore::Colour;
+using rtcore::HdrImage;
+
+constexpr int kSide = 200;
+
+HdrImage uniform(float value) { return HdrImage(kSide, kSide, {value, value, value}); }
+
+HdrImage noisy(float value, float deviation, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> noise(0, deviation);
+    HdrImage image(kSide, kSide);
+    for (Colour& pixel : image.pixels)
+        pixel = {value + noise(random), value + noise(random), value + noise(random)};
+    return image;
+}
+
+TEST(LightErrors, AreNoneOfTheReferenceItself) {
+    const LightErrors errors = lightErrors(uniform(2), uniform(2), uniform(2));
+    EXPECT_EQ(errors.relMse, 0);
+    EXPECT_EQ(errors.bias, 0);
+}
+
+TEST(LightErrors, AreThoseOfTheFormula) {
+    const LightErrors errors = lightErrors(uniform(3), uniform(2), uniform(2));
+    EXPECT_NEAR(errors.relMse, 1 / (4 + 0.01 * 4), 1e-9);
+    EXPECT_NEAR(errors.bias, 0.5, 1e-9);
+}
+
+// The square of what it differs from the mean of both would have half of their variance, 0.00125, as well.
+TEST(LightErrors, LoseTheNoiseOfIndependentReferences) {
+    const HdrImage one = noisy(1, 0.05F, 1), other = noisy(1, 0.05F, 2);
+    EXPECT_NEAR(lightErrors(uniform(1), one, other).relMse, 0, 0.0002);
+    EXPECT_NEAR(lightErrors(noisy(1, 0.1F, 3), one, other).relMse, 0.01, 0.0005);
+}
+
+TEST(LightErrors, LeaveOutWhereTheReferencesDifferMost) {
+    const std::size_t leftOut = uniform(1).pixels.size() / 1000;
+    HdrImage one = uniform(1);
+    const HdrImage other = uniform(1);
+    for (std::size_t i = 0; i < leftOut; ++i) one.pixels[i * 7] = {1000, 1000, 1000};
+    EXPECT_EQ(lightErrors(uniform(1), one, other).relMse, 0);
+    const double error = lightErrors(uniform(2), one, other).relMse;
+    one.pixels[1] = {3, 3, 3}; // it counts: -1 / 4 in place of 1
+    const double changed = (1 + 0.25) / static_cast<double>(one.pixels.size());
+    EXPECT_NEAR(error - lightErrors(uniform(2), one, other).relMse, changed, 0.1 * changed);
+}
+
+TEST(LightErrors, KnowNoPartOfNoLight) { EXPECT_EQ(lightErrors(uniform(1), uniform(0), uniform(0)).bias, 0); }
+
+} // namespace
