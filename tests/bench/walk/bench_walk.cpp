@@ -1,8 +1,8 @@
 /// bench_walk: what is seen while walking, beside what should be seen.
 #include "bench/walk/played_walk.h"
 #include "bench/walk/walk_options.h"
-#include "bench/walk/walk_references.h"
 #include "bench/walk/walk_report.h"
+#include "bench/walk/walk_truth.h"
 
 #include "common/cli/run_program.h"
 #include "common/process/stop.h"
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -37,20 +38,20 @@ std::vector<rtcore::Camera> readCameras(const WalkOptions& options) {
     return cameras;
 }
 
+PictureErrors errorsOfPair(const PicturePair& pair) {
+    PictureErrors errors = errorsOf(pair.shown, pair.wanted, test::Flip(pair.wanted, pair.pixelsPerDegree));
+    if (pair.light) {
+        errors.relMse = pair.light->relMse;
+        errors.bias = pair.light->bias;
+    }
+    return errors;
+}
+
 class Comparison {
   public:
-    Comparison(const WalkOptions& options, const LiveServer& server,
-               const std::vector<rtcore::Camera>& cameras, const std::vector<Published>& published)
-        : options_(options), server_(server), cameras_(cameras), published_(published), references_(options),
-          settings_(server.document().settings()) {
-        if (!options.still) return;
-        const rtcore::RenderSettings live = settings_;
-        settings_ = {};
-        rtcore::applySettings(settings_, server.document().world().loaded.still);
-        rtcore::applySettings(settings_, options.settings);
-        settings_.width = live.width;
-        settings_.height = live.height;
-    }
+    Comparison(const WalkOptions& options, WalkTruth& truth, const std::vector<rtcore::Camera>& cameras,
+               const std::vector<Published>& published)
+        : options_(options), truth_(truth), cameras_(cameras), published_(published) {}
 
     std::vector<Moment> run() {
         std::vector<Moment> moments;
@@ -74,9 +75,9 @@ class Comparison {
         ContactSheet sheet;
         for (const int camera : chosen) {
             const auto i = static_cast<std::size_t>(camera);
-            const rtcore::LdrImage shown = onScreen(i);
-            const rtcore::LdrImage wanted = reference(i);
-            sheet.add(shown, wanted, test::Flip(wanted).errors(shown));
+            const PicturePair pair = truth_.pairOf(published_[pictureAt(i)], i);
+            sheet.add(pair.shown, pair.wanted,
+                      test::Flip(pair.wanted, pair.pixelsPerDegree).errors(pair.shown));
         }
         sheet.write(*options_.sheet);
     }
@@ -84,7 +85,8 @@ class Comparison {
     void writePictures() const {
         std::filesystem::create_directories(*options_.pictures);
         for (std::size_t i = 0; i < cameras_.size(); ++i)
-            rtcore::writeImage(*options_.pictures / fmt::format("{:05}.png", i), onScreen(i));
+            rtcore::writeImage(*options_.pictures / fmt::format("{:05}.png", i),
+                               upsampled(published_[pictureAt(i)].image, options_.width, options_.height));
     }
 
   private:
@@ -95,15 +97,6 @@ class Comparison {
         std::size_t last = 0;
         while (last + 1 < published_.size() && published_[last + 1].seconds <= end) ++last;
         return last;
-    }
-
-    rtcore::LdrImage onScreen(std::size_t camera) const {
-        return upsampled(published_[pictureAt(camera)].image, options_.width, options_.height);
-    }
-
-    rtcore::LdrImage reference(std::size_t camera) const {
-        const rtserver::Document& document = server_.document();
-        return references_.picture({*document.scene(), *document.tracer(), cameras_[camera], settings_});
     }
 
     Moment at(std::size_t camera) const {
@@ -118,17 +111,14 @@ class Comparison {
             moment.age =
                 1000 * (static_cast<double>(camera + 1) / options_.framesPerSecond - picture.seconds);
         moment.scale = static_cast<double>(picture.image.width) / options_.width;
-        const rtcore::LdrImage wanted = reference(camera);
-        moment.errors = errorsOf(onScreen(camera), wanted, test::Flip(wanted));
+        moment.errors = errorsOfPair(truth_.pairOf(picture, camera));
         return moment;
     }
 
     const WalkOptions& options_;
-    const LiveServer& server_;
+    WalkTruth& truth_;
     const std::vector<rtcore::Camera>& cameras_;
     const std::vector<Published>& published_;
-    WalkReferences references_;
-    rtcore::RenderSettings settings_; ///< of the references
 };
 
 std::string paceOf(const std::vector<Published>& published) {
@@ -185,6 +175,9 @@ app::ExitCode runWalk(const app::Arguments& arguments) {
     app::useThreads(options.threads);
     const std::vector<rtcore::Camera> cameras = readCameras(options);
     LiveServer server(options);
+    const std::unique_ptr<WalkTruth> truth = makeTruth(options, server, cameras);
+    truth->prepare();
+    if (app::stopRequested()) return app::stopExitCode(); // references that were made are kept
     const std::vector<Published> published = publishedOf(options, server, cameras);
     std::printf("%s, %d x %d, %zu cameras\n", options.scene.c_str(), options.width, options.height,
                 cameras.size());
@@ -195,9 +188,10 @@ app::ExitCode runWalk(const app::Arguments& arguments) {
         std::fputs(restOf(server.rest(), options).c_str(), stdout);
     }
     if (options.trace) writeTrace(*options.trace, stepsOf(published));
-    Comparison comparison(options, server, cameras, published);
+    Comparison comparison(options, *truth, cameras, published);
     const std::vector<Moment> moments = comparison.run();
-    if (app::stopRequested()) return app::stopExitCode(); // references that were made are kept
+    if (app::stopRequested()) return app::stopExitCode();
+    if (options.truth == Truth::Paths) std::fputs(tableOf(moments).c_str(), stdout);
     std::fputs(summaryOf(moments).c_str(), stdout);
     if (options.csv) writeCsv(*options.csv, moments);
     if (options.sheet) comparison.writeSheet(moments);

@@ -1,11 +1,15 @@
 #include "bench/walk/played_walk.h"
 
+#include "bench/walk/resample.h"
+
 #include "rtcore/io/recording/path_recorder.h"
 #include "rtserver/walk/playback.h"
 #include "support/temporary_folder.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <thread>
@@ -37,6 +41,13 @@ std::uint64_t hash(std::uint64_t hash, const std::vector<rtcore::Colour>& pixels
             hash = (hash ^ std::bit_cast<std::uint32_t>(channel)) * kPrime;
     }
     return hash;
+}
+
+/// In the pixels of the references by paths. A frame smaller than the window is shown upsampled there.
+rtcore::HdrImage inTruthPixels(const rtcore::HdrImage& radiance, const WalkOptions& options) {
+    const bool small = radiance.width != options.width || radiance.height != options.height;
+    return averagedDown(small ? interpolated(radiance, options.width, options.height) : radiance,
+                        options.truthWidth, options.truthHeight);
 }
 
 double seconds(std::chrono::steady_clock::duration time) {
@@ -71,10 +82,12 @@ void LiveServer::turn(Clock::duration passed) {
     if (state_.document.ready()) state_.walk.move(passed, {}, {});
     if (drawing_.wantsFrame(false) && Clock::now() >= drawing_.due()) {
         const rtcore::Camera camera = state_.document.camera();
+        const std::size_t before = published_.size();
         drawing_.draw(false);
-        if (published_.empty()) return;
+        if (published_.size() == before) return;
         Published& last = published_.back();
         last.drawn = drawing_.frames().seconds();
+        last.exposure = drawing_.frames().exposure();
         last.detail = drawing_.frames().detail();
         last.camera = camera;
     } else {
@@ -90,6 +103,29 @@ void LiveServer::settle() {
         turn(1ms);
         if (!drawing_.idle() || upkeep_.works()) quiet = 0;
     }
+}
+
+/// The end of the first compared moment that does not end before.
+double LiveServer::nextCompared(double seconds) const {
+    const double rate = walk_.framesPerSecond, every = walk_.every;
+    const double moment = std::max(std::ceil((seconds * rate - 1) / every), 0.0);
+    return (moment * every + 1) / rate;
+}
+
+/// The radiance of the last picture, if that may still be on the screen when a compared moment ends: copying
+/// it takes a part of the walk's time. One that was left before such an end gives it its memory.
+void LiveServer::keepLight() {
+    constexpr double kLongestFrame = 0.5;
+    if (walk_.truth != Truth::Paths || !drawing_.frames().hasRadiance()) return;
+    rtcore::HdrImage light;
+    if (published_.size() > 1) {
+        Published& before = *(published_.end() - 2);
+        if (nextCompared(before.seconds) >= published_.back().seconds) light = std::move(before.light);
+    }
+    const double seconds = published_.back().seconds;
+    if (nextCompared(seconds) - seconds > kLongestFrame) return;
+    light = drawing_.frames().radiance();
+    published_.back().light = std::move(light);
 }
 
 std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& cameras) {
@@ -108,14 +144,20 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
     published_.reserve(2 * cameras.size());
     published_.push_back({.drawn = drawing_.frames().seconds(),
                           .image = drawing_.frames().image(),
+                          .exposure = drawing_.frames().exposure(),
                           .camera = state_.document.camera()});
+    keepLight();
     state_.walk.play(std::make_unique<rtserver::Playback>(recorder.list()));
     begun_ = Clock::now();
     const double end = static_cast<double>(cameras.size()) / walk_.framesPerSecond;
     for (Clock::time_point moved = begun_; seconds(moved - begun_) < end;) {
         const Clock::time_point now = Clock::now();
+        const std::size_t before = published_.size();
         turn(now - std::exchange(moved, now));
+        if (published_.size() > before) keepLight();
     }
+    for (Published& picture : published_)
+        if (!picture.light.empty()) picture.light = inTruthPixels(picture.light, walk_);
     // The eye goes on getting used to the light: what follows must follow at once.
     settle();
     const auto after = std::ranges::find_if(published_, [&](const Published& p) { return p.seconds >= end; });
@@ -132,8 +174,12 @@ std::vector<Published> LiveServer::drawEach(const std::vector<rtcore::Camera>& c
         begun_ = Clock::now();
         published_.clear();
         drawing_.draw(false);
-        if (!published_.empty()) published_.front().drawn = drawing_.frames().seconds();
-        if (!published_.empty()) pictures.push_back(std::move(published_.front()));
+        if (published_.empty()) continue;
+        Published& picture = published_.front();
+        picture.drawn = drawing_.frames().seconds();
+        picture.exposure = drawing_.frames().exposure();
+        if (walk_.truth == Truth::Paths) picture.light = inTruthPixels(drawing_.frames().radiance(), walk_);
+        pictures.push_back(std::move(picture));
     }
     return pictures;
 }
@@ -155,8 +201,10 @@ std::vector<Published> LiveServer::draw(const std::vector<WalkStep>& steps) {
         pictures.push_back({.seconds = step.seconds > 0 ? step.seconds : taken,
                             .drawn = frames.seconds(),
                             .image = frames.image(),
+                            .exposure = frames.exposure(),
                             .detail = step.detail,
                             .camera = step.camera});
+        if (walk_.truth == Truth::Paths) pictures.back().light = inTruthPixels(frames.radiance(), walk_);
     }
     return pictures;
 }

@@ -24,6 +24,10 @@ struct Published {
     double seconds = 0; ///< since the walk began
     double drawn = 0;   ///< seconds that it took to trace
     rtcore::LdrImage image;
+    float exposure = 1; ///< the constant of its tone mapping
+    /// Radiance, in the pixels of the references by paths; empty where there are none, or where it cannot be
+    /// compared.
+    rtcore::HdrImage light = {};
     rtserver::FrameDetail detail = {};
     rtcore::Camera camera = {};
 };
@@ -58,6 +62,8 @@ class LiveServer {
 
     void turn(Clock::duration passed);
     void settle();
+    void keepLight();
+    double nextCompared(double seconds) const;
 
     const WalkOptions& walk_;
     rtserver::Options options_;

@@ -7,10 +7,11 @@
 namespace bench {
 
 struct PictureErrors {
-    double psnr = 0;   ///< decibels, of the displayed codes
-    double flip = 0;   ///< mean, 0..1
-    double relMse = 0; ///< of displayed light: mean of (x - r)^2 / (r^2 + 0.01 mean^2)
-    double bias = 0;   ///< mean of x - r in parts of the mean of r, of displayed light
+    double psnr = 0; ///< decibels, of the displayed codes
+    double flip = 0; ///< mean, 0..1
+    /// Of displayed light: mean of (x - r)^2 / (r^2 + 0.01 mean^2); beside paths LightErrors, of radiance.
+    double relMse = 0;
+    double bias = 0; ///< the same: mean of x - r in parts of the mean of r
 };
 
 /// A frame smaller than the window, as the window draws it: interpolated linearly.

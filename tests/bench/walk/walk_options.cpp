@@ -4,7 +4,9 @@
 #include "common/cli/threads_option.h"
 #include "common/settings/setting_option.h"
 
-#include <cstdlib>
+#include <fmt/format.h>
+
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -66,40 +68,87 @@ OptionGroup walkGroup() {
 }
 
 OptionGroup comparisonGroup() {
-    return {"The comparison",
-            {{.name = "references",
-              .value = ValueKind::Text,
-              .argument = "FOLDER",
-              .help = "where the Renderer's pictures of the cameras are kept [references]"},
-             {.name = "still", .help = "compare with pictures by the settings [still], not [live]"},
-             {.name = "every",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "compare each N-th moment only [1]",
-              .minimum = 1,
-              .maximum = std::numeric_limits<std::int32_t>::max()},
-             {.name = "csv", .value = ValueKind::Text, .argument = "FILE", .help = "a line for each moment"},
-             {.name = "sheet",
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "a picture of six moments and of the worst one: shown, reference, difference"},
-             {.name = "pictures",
-              .value = ValueKind::Text,
-              .argument = "FOLDER",
-              .help = "every picture that was on the screen, as PNG"},
-             app::progressOption()}};
+    return {
+        "The comparison",
+        {{.name = "references",
+          .value = ValueKind::Text,
+          .argument = "FOLDER",
+          .help =
+              "where the references of the cameras are kept; those by paths are rendered before the walk, "
+              "and an interrupted run goes on where it ended [references]"},
+         {.name = "still", .help = "compare with pictures by the settings [still], not [live]"},
+         {.name = "truth",
+          .value = ValueKind::Choice,
+          .argument = "METHOD",
+          .help = "compare with the Renderer's picture by rays, or with the light of two references by "
+                  "paths: relMSE by the product of what the light differs from each, mean error of light, "
+                  "and FLIP beside their mean, each image with its own exposure [rays]",
+          .choices = {"rays", "paths"}},
+         {.name = "truth-samples",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "paths for each pixel of a reference [256]",
+          .minimum = 1,
+          .maximum = 1'000'000},
+         {.name = "truth-size",
+          .value = ValueKind::Text,
+          .argument = "WxH",
+          .help = "pixels of the references by paths, in which the walk's light is averaged; in the shape "
+                  "of the window [half of it each way]"},
+         {.name = "every",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "compare each N-th moment only [1, with paths 30]",
+          .minimum = 1,
+          .maximum = std::numeric_limits<std::int32_t>::max()},
+         {.name = "csv", .value = ValueKind::Text, .argument = "FILE", .help = "a line for each moment"},
+         {.name = "sheet",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "a picture of six moments and of the worst one: shown, reference, difference"},
+         {.name = "pictures",
+          .value = ValueKind::Text,
+          .argument = "FOLDER",
+          .help = "every picture that was on the screen, as PNG"},
+         app::progressOption()}};
 }
 
-void readSize(const std::string& text, WalkOptions& options) {
-    const std::size_t cross = text.find('x');
+struct Size {
+    int width, height;
+};
+
+std::optional<Size> sizeOf(const app::Arguments& arguments, const char* option) {
+    const auto text = arguments.text(option);
+    if (!text) return std::nullopt;
+    const std::size_t cross = text->find('x');
     const auto side = [&](const std::string& digits) {
         const auto value = app::parseInteger(digits);
         if (!value || *value < 8 || *value > 8192)
-            throw app::UsageError("option '--size' takes WxH, such as 1024x621");
+            throw app::UsageError(fmt::format("option '--{}' takes WxH, such as 1024x621", option));
         return static_cast<int>(*value);
     };
-    options.width = side(text.substr(0, cross));
-    options.height = side(cross == std::string::npos ? "" : text.substr(cross + 1));
+    return Size{side(text->substr(0, cross)),
+                side(cross == std::string::npos ? "" : text->substr(cross + 1))};
+}
+
+/// What is compared, and with what. The window's size must be known.
+void readComparison(const app::Arguments& arguments, WalkOptions& options) {
+    options.still = arguments.has("still");
+    options.references = arguments.text("references").value_or("references");
+    if (arguments.text("truth") == "paths") options.truth = Truth::Paths;
+    const bool paths = options.truth == Truth::Paths;
+    options.every = static_cast<int>(arguments.integer("every").value_or(paths ? 30 : 1));
+    if (!paths && (arguments.has("truth-samples") || arguments.has("truth-size")))
+        throw app::UsageError("'--truth-samples' and '--truth-size' go with '--truth=paths'");
+    options.truthSamples =
+        static_cast<int>(arguments.integer("truth-samples").value_or(options.truthSamples));
+    const Size size = sizeOf(arguments, "truth-size").value_or(Size{options.width / 2, options.height / 2});
+    // Squares of the window's pixels must meet them in each row (resample.h).
+    const double side = static_cast<double>(options.width) / size.width;
+    if (paths && (side < 1 || std::abs(options.height - side * size.height) > side))
+        throw app::UsageError("option '--truth-size' takes a size in the window's shape, and no larger");
+    options.truthWidth = size.width;
+    options.truthHeight = size.height;
 }
 
 } // namespace
@@ -107,8 +156,9 @@ void readSize(const std::string& text, WalkOptions& options) {
 const app::ProgramSpec& walkSpec() {
     static const app::ProgramSpec spec{
         .name = "bench_walk",
-        .purpose = "Plays a recorded walk as the server shows it, and compares what is on the screen at each "
-                   "moment with the Renderer's picture of the camera of that moment.",
+        .purpose =
+            "Plays a recorded walk as the server shows it, and compares what is on the screen at each "
+            "moment with the Renderer's picture of the camera of that moment, or with the light of paths.",
         .positionals = {{.name = "SCENE", .help = "model, .bsp or .scn"},
                         {.name = "LIST", .help = "the recorded walk"}},
         .groups = {walkGroup(), comparisonGroup()},
@@ -116,7 +166,9 @@ const app::ProgramSpec& walkSpec() {
                       "at 30 frames per second, as in the window"},
                      {"bench_walk nave.scn nave.lst --fixed --threads 1", "what a whole frame costs"},
                      {"bench_walk nave.scn nave.lst --new 0.02 --threads 1", "what a live frame costs"},
-                     {"bench_walk nave.scn nave.lst --replay steps.txt", "the frames of an earlier walk"}},
+                     {"bench_walk nave.scn nave.lst --replay steps.txt", "the frames of an earlier walk"},
+                     {"bench_walk flat.scn flat.lst --truth=paths --references DIR",
+                      "each 30th moment beside all light that there is"}},
     };
     return spec;
 }
@@ -129,15 +181,16 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
     for (const std::string& setting : arguments.all("setting"))
         options.settings.push_back(app::settingOf(setting));
     if (const auto look = arguments.text("look")) options.preset = rtcore::lightingPresetNamed(*look);
-    if (const auto size = arguments.text("size")) readSize(*size, options);
+    if (const auto size = sizeOf(arguments, "size")) {
+        options.width = size->width;
+        options.height = size->height;
+    }
     options.threads = app::threadsOf(arguments);
     options.framesPerSecond = arguments.number("fps").value_or(options.framesPerSecond);
     if (const auto frames = arguments.integer("frames")) options.frames = static_cast<int>(*frames);
-    if (const auto every = arguments.integer("every")) options.every = static_cast<int>(*every);
     options.fixed = arguments.has("fixed");
     options.newSamples = arguments.number("new").value_or(0);
-    options.still = arguments.has("still");
-    options.references = arguments.text("references").value_or("references");
+    readComparison(arguments, options);
     const auto path = [&](const char* name) -> std::optional<std::filesystem::path> {
         const auto text = arguments.text(name);
         if (!text) return std::nullopt;

@@ -14,6 +14,10 @@
 
 namespace bench {
 
+/// The images that a walk is compared with: by Whitted's rays, as the server's whole frames, or by paths,
+/// with all light.
+enum class Truth { Rays, Paths };
+
 struct WalkOptions {
     std::filesystem::path scene, list;
     std::vector<rtcore::SettingAssignment> settings; ///< of the command line
@@ -24,8 +28,11 @@ struct WalkOptions {
     bool fixed = false;    ///< every camera in a whole frame, however long it takes
     double newSamples = 0; ///< above 0: every camera in a live frame at the full size, with that part new
     bool still = false;    ///< compare with what [still] asks for, not [live]
-    int every = 1;         ///< only each n-th moment is compared
-    int frames = 0;        ///< of the walk; 0 = all
+    Truth truth = Truth::Rays;
+    int truthSamples = 256;                  ///< of each pixel of a reference by paths
+    int truthWidth = 512, truthHeight = 310; ///< its pixels
+    int every = 1;                           ///< only each n-th moment is compared
+    int frames = 0;                          ///< of the walk; 0 = all
     std::filesystem::path references;
     std::optional<std::filesystem::path> csv, sheet, pictures;
     std::optional<std::filesystem::path> trace;  ///< gets the steps of the walk

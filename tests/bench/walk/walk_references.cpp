@@ -1,7 +1,8 @@
 #include "bench/walk/walk_references.h"
 
+#include "bench/walk/reference_key.h"
+
 #include "rtcore/io/images/image_file.h"
-#include "rtcore/io/text/cam.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
@@ -10,44 +11,19 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <optional>
-#include <string_view>
-#include <utility>
 
 namespace bench {
 
-namespace {
-
-/// (Fowler, Noll and Vo)
-std::uint64_t hashOf(std::string_view text) {
-    std::uint64_t hash = 0xCBF29CE484222325U;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
-    return hash;
-}
-
-} // namespace
-
 WalkReferences::WalkReferences(const WalkOptions& options)
-    : folder_(options.references),
-      scene_(fmt::format("{} {}", options.scene.string(),
-                         std::filesystem::last_write_time(options.scene).time_since_epoch().count())) {
-    if (options.preset)
-        scene_ += fmt::format(" {}", rtcore::kLightingPresetNames[static_cast<std::size_t>(*options.preset)]);
+    : folder_(options.references), scene_(sceneKey(options)) {
     std::filesystem::create_directories(folder_);
 }
 
 std::filesystem::path WalkReferences::file(const rtcore::View& view) const {
-    rtcore::CameraFile camera;
-    camera.camera = view.camera;
-    camera.camera.nameOffset = 0;
-    std::string key = scene_ + "\n" + rtcore::formatCameraFile(camera);
-    for (const rtcore::SettingAssignment& a : rtcore::settingAssignments(view.settings, true))
-        key += fmt::format("{}={}\n", a.name, rtcore::settingText(a.value));
-    return folder_ / fmt::format("{:016x}.png", hashOf(key));
+    const auto settings = rtcore::settingAssignments(view.settings, true);
+    return folder_ / fmt::format("{:016x}.png", referenceKey(scene_, view.camera, settings));
 }
-
-bool WalkReferences::has(const rtcore::View& view) const { return std::filesystem::exists(file(view)); }
 
 rtcore::LdrImage WalkReferences::picture(const rtcore::View& view) const {
     const std::filesystem::path path = file(view);

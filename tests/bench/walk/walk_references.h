@@ -11,14 +11,13 @@
 namespace bench {
 
 /// As `Renderer` makes them, with an automatic exposure of each its own. A picture is known again by
-/// everything that it is made from, but not by the program that made it: empty the folder when its pictures
-/// are to change.
+/// everything that it is made from (reference_key.h), but not by the program that made it: empty the folder
+/// when its pictures are to change.
 class WalkReferences {
   public:
     /// The scene is named in the pictures' keys, with its time of change. Makes the folder.
     explicit WalkReferences(const WalkOptions& options);
 
-    bool has(const rtcore::View& view) const;
     /// Read from its file, or rendered by all cores and kept.
     rtcore::LdrImage picture(const rtcore::View& view) const;
 

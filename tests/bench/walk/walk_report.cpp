@@ -33,6 +33,16 @@ std::string lineOf(const char* name, const char* form, const std::vector<Moment>
 
 } // namespace
 
+std::string tableOf(const std::vector<Moment>& moments) {
+    std::string text = fmt::format("{:>6}{:>10}{:>10}{:>16}{:>10}\n", "camera", "relMSE", "mean FLIP",
+                                   "mean error, %", "PSNR, dB");
+    for (const Moment& m : moments) {
+        text += fmt::format("{:>6}{:>10.4f}{:>10.4f}{:>+16.2f}{:>10.2f}\n", m.camera, m.errors.relMse,
+                            m.errors.flip, 100 * m.errors.bias, m.errors.psnr);
+    }
+    return text;
+}
+
 std::string summaryOf(const std::vector<Moment>& moments) {
     if (moments.empty()) return "no moments were compared\n";
     std::string text = fmt::format("{:<28}{:>10}{:>12}\n", "", "mean", "worst 5 %");

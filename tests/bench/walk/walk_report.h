@@ -19,6 +19,8 @@ struct Moment {
     PictureErrors errors;
 };
 
+/// The errors of each moment, a line for each.
+std::string tableOf(const std::vector<Moment>& moments);
 /// The means and worst twentieths over all moments, a line for each figure.
 std::string summaryOf(const std::vector<Moment>& moments);
 /// Throws rtcore::FileError.
