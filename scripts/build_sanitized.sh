@@ -15,7 +15,7 @@ targets=""
 for folder in tests/unit/*/; do
     name=$(basename "$folder")
     case $name in
-    accel_validation | lights | look | math | motion | pathtracing | post | rtbench | sampling | scattering | settings) ;;
+    accel_validation | gathering | lights | look | math | motion | pathtracing | post | rtbench | sampling | scattering | settings) ;;
     shading | simd | sky | steady_frame) ;;
     apps | bridge | cui | processes | rtserver)
         [ $((${RT_TURN:-1} % 2)) -eq 0 ] || targets="$targets --target test_$name"

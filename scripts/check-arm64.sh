@@ -106,7 +106,7 @@ inside() {
 }
 by_qemu() { inside qemu-aarch64-static "$@"; }
 
-tests=${RT_ARM64_TESTS:-"simd kernels trees image accel accel_validation math sampling scene settings shading neural pathtracing render post live
+tests=${RT_ARM64_TESTS:-"simd kernels trees image accel accel_validation math sampling scene settings shading neural pathtracing irradiance gathering render post live
 motion import images bsp text debug platform"}
 
 build() {

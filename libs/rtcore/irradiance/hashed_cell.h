@@ -1,0 +1,23 @@
+/// Numbers of cells of a grid, and hashes of their keys.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace rtcore {
+
+/// The cell that a coordinate, in sides of cells, lies in; of any number there is one.
+inline std::int32_t cellCoordinate(float at) {
+    constexpr float kMax = 0x1p29F;
+    if (!(at > -kMax)) return -(1 << 29); // NaN, too
+    return static_cast<std::int32_t>(std::floor(at < kMax ? at : kMax));
+}
+
+/// (Stafford's mix of MurmurHash3's finalizer)
+constexpr std::uint64_t hashOfCell(std::uint64_t key) {
+    key = (key ^ key >> 30) * 0xBF58476D1CE4E5B9U;
+    key = (key ^ key >> 27) * 0x94D049BB133111EBU;
+    return key ^ key >> 31;
+}
+
+} // namespace rtcore

@@ -1,0 +1,66 @@
+/// The radiance that the surfaces of a scene send out, as a mean for each cell of a grid and side that they
+/// face.
+#pragma once
+
+#include "rtcore/math/box.h"
+#include "rtcore/math/colour.h"
+#include "rtcore/math/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace rtcore {
+
+/// Grids of nine levels, each of cells twice as large as the one before: rays read cells as large as they are
+/// long. Reading is safe from many threads, while none adds. 32 bytes for each cell that has samples, twice.
+class OutgoingCells {
+  public:
+    static constexpr int kLevels = 9;
+    /// Where light leaves: the level that a ray of this length reads, the point and the normal of the face,
+    /// of unit length, on the side of the ray.
+    struct Site {
+        int level = 0;
+        Vec3 point;
+        Vec3 normal;
+        float length = 0;
+        std::uint32_t surface = 0; ///< its number: light of one is not taken for that of another
+    };
+
+    /// Forgets all cells; those to come lie within the bounds, or not far from them.
+    void clear(const Box3& bounds);
+    /// The level whose cells are about an eighth of the length, but not finer than the finest.
+    int levelOf(float length) const;
+    /// Adds a sample of the radiance to the cells of its level, of two finer and of all coarser ones.
+    void add(const Site& site, Colour radiance);
+    /// How many samples the cell of the site's level has.
+    std::uint32_t samples(const Site& site) const;
+    /// The mean of the cell of the site's level; of a finer one where that knows enough, or of a coarser one
+    /// where it does not. Nothing where none knows anything.
+    std::optional<Colour> radiance(const Site& site) const;
+
+    bool empty() const { return used_ == 0; }
+    std::size_t size() const { return used_; } ///< cells
+    std::size_t memory() const { return slots_.capacity() * sizeof(Slot); }
+
+  private:
+    struct Slot {
+        std::uint64_t key = 0;
+        Colour sum;
+        float squares = 0; ///< sum of those of luminances
+        std::uint32_t count = 0;
+    };
+    static bool samplesDiffer(const Slot& slot);
+    std::uint64_t keyOf(int level, const Site& site) const;
+    const Slot* find(int level, const Site& site) const;
+    void addTo(std::uint64_t key, Colour radiance);
+    void grow();
+
+    Vec3 origin_;
+    float finest_ = 1;        ///< side of a cell
+    std::vector<Slot> slots_; ///< hashed, a power of two
+    std::size_t used_ = 0;
+};
+
+} // namespace rtcore

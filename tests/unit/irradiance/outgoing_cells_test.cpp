@@ -1,0 +1,139 @@
+#include "rtcore/irradiance/outgoing_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace rtcore {
+namespace {
+
+/// The finest cells have sides of 0.01.
+OutgoingCells emptyCells() {
+    OutgoingCells cells;
+    cells.clear({{0, 0, 0}, {10.24F, 0, 0}});
+    return cells;
+}
+
+OutgoingCells::Site siteAt(Vec3 point, float length, const OutgoingCells& cells, Vec3 normal = {0, 1, 0}) {
+    return {cells.levelOf(length), point, normal, length};
+}
+
+TEST(OutgoingCells, AreAsLargeAsAnEighthOfTheRay) {
+    const OutgoingCells cells = emptyCells();
+    EXPECT_EQ(cells.levelOf(0), 0);
+    EXPECT_EQ(cells.levelOf(0.15F), 0);
+    EXPECT_EQ(cells.levelOf(0.17F), 1);
+    EXPECT_EQ(cells.levelOf(0.33F), 2);
+    EXPECT_EQ(cells.levelOf(1e30F), OutgoingCells::kLevels - 1);
+    EXPECT_EQ(cells.levelOf(std::numeric_limits<float>::infinity()), OutgoingCells::kLevels - 1);
+}
+
+TEST(OutgoingCells, HoldTheMeanOfTheirSamples) {
+    OutgoingCells cells = emptyCells();
+    const OutgoingCells::Site site = siteAt({1.005F, 2.005F, 3.005F}, 0.1F, cells);
+    EXPECT_TRUE(cells.empty());
+    EXPECT_EQ(cells.samples(site), 0U);
+    EXPECT_FALSE(cells.radiance(site));
+    for (int i = 0; i < 10; ++i) cells.add(site, {static_cast<float>(i), 1, 0});
+    EXPECT_EQ(cells.samples(site), 10U);
+    EXPECT_FLOAT_EQ(cells.radiance(site)->r, 4.5F);
+    EXPECT_FLOAT_EQ(cells.radiance(site)->g, 1);
+}
+
+TEST(OutgoingCells, SidesAreApart) {
+    OutgoingCells cells = emptyCells();
+    const Vec3 point{1.005F, 2.005F, 3.005F};
+    for (int i = 0; i < 10; ++i) {
+        cells.add(siteAt(point, 0.1F, cells, {0, 1, 0}), {1, 1, 1});
+        cells.add(siteAt(point, 0.1F, cells, {0.1F, -0.9F, 0.1F}), {5, 5, 5});
+    }
+    EXPECT_FLOAT_EQ(cells.radiance(siteAt(point, 0.1F, cells, {0.2F, 0.8F, 0}))->r, 1);
+    EXPECT_FLOAT_EQ(cells.radiance(siteAt(point, 0.1F, cells, {0, -1, 0}))->r, 5);
+}
+
+TEST(OutgoingCells, CoarserOnesStandInForThoseThatKnowLittle) {
+    OutgoingCells cells = emptyCells();
+    const Vec3 point{1.005F, 2.005F, 3.005F};
+    const OutgoingCells::Site site = siteAt(point, 0.1F, cells);
+    cells.add(site, {100, 100, 100}); // one in a cell, many beside it
+    for (int i = 0; i < 99; ++i) cells.add(siteAt(point + Vec3{0.01F, 0, 0}, 0.1F, cells), {1, 1, 1});
+    EXPECT_EQ(cells.samples(site), 1U);
+    EXPECT_LT(cells.radiance(site)->r, 3);
+    for (int i = 0; i < 5; ++i) cells.add(site, {100, 100, 100});
+    EXPECT_FLOAT_EQ(cells.radiance({site.level, point, site.normal, 0.01F})->r, 100); // short: not another's
+}
+
+TEST(OutgoingCells, SurfacesAreApart) {
+    OutgoingCells cells = emptyCells();
+    OutgoingCells::Site one = siteAt({0, 0, 0}, 0.1F, cells), other = one;
+    one.surface = 1;
+    other.surface = 2;
+    cells.add(one, {2, 2, 2});
+    EXPECT_FLOAT_EQ(cells.radiance(one)->r, 2);
+    EXPECT_FALSE(cells.radiance(other));
+}
+
+TEST(OutgoingCells, FinerOnesAreReadOnceTheyKnowMuch) {
+    OutgoingCells cells = emptyCells();
+    const Vec3 point{1.005F, 2.005F, 3.005F};
+    const OutgoingCells::Site here = siteAt(point, 0.2F, cells),
+                              beside = siteAt(point + Vec3{0.01F, 0, 0}, 0.2F, cells);
+    ASSERT_EQ(here.level, 1);
+    for (int i = 0; i < 20; ++i) {
+        cells.add(here, {4, 4, 4});
+        cells.add(beside, {2, 2, 2});
+    }
+    EXPECT_FLOAT_EQ(cells.radiance(here)->r, 3); // one cell of their level
+    for (int i = 0; i < 20; ++i) cells.add(here, {4, 4, 4});
+    EXPECT_FLOAT_EQ(cells.radiance(here)->r, 4);
+}
+
+TEST(OutgoingCells, FinerOnesAreReadSoonerWhereSamplesDiffer) {
+    OutgoingCells cells = emptyCells();
+    const Vec3 point{1.005F, 2.005F, 3.005F};
+    const OutgoingCells::Site lit = siteAt(point, 0.2F, cells),
+                              dark = siteAt(point + Vec3{0.01F, 0, 0}, 0.2F, cells);
+    for (int i = 0; i < 8; ++i) {
+        cells.add(lit, {4, 4, 4});
+        cells.add(dark, {0, 0, 0});
+    }
+    EXPECT_FLOAT_EQ(cells.radiance(lit)->r, 4);
+    EXPECT_FLOAT_EQ(cells.radiance(dark)->r, 0);
+}
+
+TEST(OutgoingCells, RaysReadTheLevelsFromTheirOwnOn) {
+    OutgoingCells cells = emptyCells();
+    const Vec3 point{1.005F, 2.005F, 3.005F};
+    for (int i = 0; i < 20; ++i) cells.add(siteAt(point, 5, cells), {3, 3, 3});
+    EXPECT_FLOAT_EQ(cells.radiance(siteAt(point, 0.1F, cells))->r, 3); // coarser than its own, but known
+    EXPECT_EQ(cells.samples(siteAt(point, 0.1F, cells)), 0U);
+    EXPECT_EQ(cells.samples(siteAt(point, 8, cells)), 20U);
+}
+
+TEST(OutgoingCells, ManyCellsAreFoundAgainAndTakeTwiceTheirBytes) {
+    OutgoingCells cells = emptyCells();
+    const auto pointOf = [](int i) {
+        return Vec3{0.02F * static_cast<float>(i % 300), 0, 0.02F * static_cast<float>(i / 300)};
+    };
+    for (int i = 0; i < 60000; ++i) {
+        for (int k = 0; k < 8; ++k)
+            cells.add(siteAt(pointOf(i), 0.1F, cells), Colour{1, 1, 1} * static_cast<float>(i));
+    }
+    for (int i = 0; i < 60000; i += 101)
+        EXPECT_FLOAT_EQ(cells.radiance(siteAt(pointOf(i), 0.1F, cells))->r, static_cast<float>(i));
+    EXPECT_GT(cells.size(), 60000U);
+    EXPECT_LE(cells.memory(), cells.size() * 4 * 32);
+}
+
+TEST(OutgoingCells, TakeAnyNumbers) {
+    OutgoingCells cells = emptyCells();
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float odd : {infinite, -infinite, std::numeric_limits<float>::quiet_NaN(), 1e30F}) {
+        const OutgoingCells::Site site = siteAt({odd, 0, odd}, odd, cells, {odd, 0, 0});
+        cells.add(site, {1, 1, 1});
+        EXPECT_FLOAT_EQ(cells.radiance(site)->r, 1);
+    }
+}
+
+} // namespace
+} // namespace rtcore
