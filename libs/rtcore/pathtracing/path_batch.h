@@ -17,6 +17,8 @@ inline constexpr std::uint32_t kScatters = 0xFFFF;
 inline constexpr std::uint32_t kDropped = 1U << 16; ///< neither emission nor surroundings
 inline constexpr std::uint32_t kWhole = 1U << 17;   ///< all of them: next event leaves them out
 inline constexpr std::uint32_t kMatte = 1U << 18;   ///< the last scattering sampled a matte lobe
+/// The ray gathers light for a point that takes that of lights and emitters by itself.
+inline constexpr std::uint32_t kGathers = 1U << 19;
 } // namespace path_state
 
 /// Where each ray of a batch was scattered, for the weights of what it finds: one element for each ray, and
@@ -64,6 +66,14 @@ class PathBatch {
         }
         scattered_ = {memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6),
                       cells_.data(),        memory_.array(7),     states_.data()};
+    }
+
+    /// Adds a ray that leaves a matte point for the sample of this number (path_state::kGathers).
+    void pushGathering(const Ray& ray, std::uint32_t sample) {
+        Path path;
+        path.sample = sample;
+        pushStraight(ray, path, nullptr, 0);
+        scattered_.state[queue.size() - 1] = 1U | path_state::kMatte | path_state::kGathers;
     }
 
     /// Adds a ray that continues ray `i` of `from` (null: a ray of the camera) in a straight line.

@@ -56,6 +56,25 @@ void PathIntegrator::trace(const RayWave& rays, std::span<const SampleId> sample
     sums_.resize(rays.size());
     wave_.samples = samples;
     traceCamera(rays);
+    traceOnward();
+}
+
+void PathIntegrator::traceGathering(const RayWave& rays, std::span<const SampleId> samples) {
+    nameSamples(samples);
+    sums_.startEmpty(rays.size());
+    wave_.samples = samples;
+    next_.clear();
+    for (std::size_t first = 0; first < rays.size(); first += PathBatches::kBatch) {
+        const std::size_t last = std::min(first + PathBatches::kBatch, rays.size());
+        PathBatch& batch = next_.roomFor(last - first);
+        for (std::size_t i = first; i < last; ++i)
+            batch.pushGathering(rays.ray(i), static_cast<std::uint32_t>(i));
+    }
+    traceOnward();
+}
+
+/// All that follows.
+void PathIntegrator::traceOnward() {
     while (!frame_.stopped() && !next_.empty()) {
         std::swap(current_, next_);
         tracePaths();
@@ -184,6 +203,13 @@ float PathIntegrator::weightOfHit(std::size_t ray, float sampled) const {
     return HWY_NAMESPACE::misWeightOfScatteredRay<float>(strategy_, density, sampled);
 }
 
+/// Whether the point that the ray comes from samples lights and emission itself.
+bool PathIntegrator::leavesLightsOut(std::size_t ray) const {
+    if (paths_ == nullptr) return false;
+    const std::uint32_t state = paths_->scattered().state[ray];
+    return (state & path_state::kGathers) != 0 && (state & path_state::kWhole) == 0;
+}
+
 void PathIntegrator::addSurroundings() {
     const Colour seen = frame_.scene->background;
     const Environment* const environment = frame_.scene->environment();
@@ -217,7 +243,7 @@ void PathIntegrator::addDiscs() {
     for (const std::uint32_t k : lights_->discs()) {
         const Light& light = rows_.light[k];
         for (std::size_t i = 0; i < wave_.size(); ++i) {
-            if (wave_.surfaces.traits[i] != 0) continue;
+            if (wave_.surfaces.traits[i] != 0 || leavesLightsOut(i)) continue;
             Colour radiance = discSeen(light, wave_.direction(i));
             if (isBlack(radiance)) continue;
             const bool shared = paths_ != nullptr && paths_->scattered().density[i] > 0;
@@ -238,7 +264,7 @@ void PathIntegrator::addMirrored() {
         const Light& light = rows_.light[k];
         const Colour radiance = radianceOfMirrored(light);
         for (std::size_t i = 0; i < wave_.size(); ++i) {
-            if (paths_->scattered().density[i] > 0) continue;
+            if (paths_->scattered().density[i] > 0 || leavesLightsOut(i)) continue;
             const Path path = wave_.paths.path(i);
             const Ray ray = wave_.rays->ray(i);
             if (path.depth == 0 && (paths_->scattered().state[i] & path_state::kScatters) == 0) continue;
@@ -271,6 +297,7 @@ void PathIntegrator::addEmission() {
 
 float PathIntegrator::weightOfEmission(std::size_t i) const {
     if (paths_ == nullptr) return 1;
+    if (leavesLightsOut(i)) return 0;
     const ScatterState& scattered = paths_->scattered();
     if ((scattered.state[i] & path_state::kScatters) != 0) {
         const std::uint32_t material = wave_.surfaces.material[i];

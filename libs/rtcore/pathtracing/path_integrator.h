@@ -52,6 +52,10 @@ class PathIntegrator {
     /// Traces camera rays (directions of unit length) to the ends of their paths. `samples` names each of
     /// them, and which of its pixel's samples it is.
     void trace(const RayWave& rays, std::span<const SampleId> samples);
+    /// Traces rays that gather light for points which scatter it as matte surfaces do: what is left of the
+    /// paths after their first bounce. Not with the light that such points sample themselves: of lights, and
+    /// of what emits where the ray or its straight way through panes ends.
+    void traceGathering(const RayWave& rays, std::span<const SampleId> samples);
     /// Results of the last wave: radiance along each camera ray, and 1 where it hit something, else 0. Not
     /// finite where numbers of the scene are not.
     const ArraysOf3& radiance() const { return sums_.radiance(); }
@@ -68,6 +72,8 @@ class PathIntegrator {
     void nameSamples(std::span<const SampleId> samples);
     void traceCamera(const RayWave& rays);
     void tracePaths();
+    void traceOnward();
+    bool leavesLightsOut(std::size_t ray) const;
     void startStep(RayKind kind, const RayWave& rays);
     void shade(std::size_t first, std::size_t count);
     PathNames names() const;

@@ -1,5 +1,7 @@
 #include "rtcore/shading/sample_sums.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/sample_sums.cpp"
 #include "rtcore/simd/foreach_target.h"
@@ -41,6 +43,12 @@ void SampleSums::resize(std::size_t count) {
     memory_.resize(3, count);
     radiance_ = memory_.arraysOf3(0);
     hit_.resize(count + kWaveBlock);
+}
+
+void SampleSums::startEmpty(std::size_t count) {
+    resize(count);
+    for (float* const sums : {radiance_.x, radiance_.y, radiance_.z}) std::fill_n(sums, count, 0.0F);
+    std::fill(hit_.begin(), hit_.end(), std::uint8_t{0});
 }
 
 void SampleSums::startPart(Colour background, Wave& wave) {

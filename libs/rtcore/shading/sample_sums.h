@@ -24,6 +24,8 @@ class SampleSums {
     /// is added to it.
     void resize(std::size_t count);
     void startPart(Colour background, Wave& wave);
+    /// Sums of nothing yet, of samples that hit nothing.
+    void startEmpty(std::size_t count);
 
     /// Adds surfaces.contribution.
     void add(const Wave& wave);

@@ -1,0 +1,113 @@
+#include "rtcore/gathering/cell_paths.h"
+
+#include "rtcore/platform/parts.h"
+#include "rtcore/platform/task_errors.h"
+#include "rtcore/platform/threads.h"
+#include "rtcore/sampling/sample_id.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::size_t kDigits = 33;    ///< so many numbers of digits there are
+constexpr std::uint8_t kNoCell = 0xFF; ///< the ray has hit nothing
+constexpr std::size_t kPathsOfWave = 2048;
+constexpr float kMaxRadiance = 1e6F; ///< beyond, or where it is no number, a path counts as dark
+
+} // namespace
+
+bool CellPaths::fill(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
+                     std::size_t budget, std::uint32_t frame, int threads, const std::atomic<bool>* stop,
+                     OutgoingCells& cells) {
+    choose(hits, cells, budget, frame, threads);
+    if (!trace(paths, hits, passes, threads, stop)) return false;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) cells.add(hits.site(chosen_[i]), radiance_[i]);
+    return true;
+}
+
+/// Half of what is left of the budget goes to each group of rays whose cells know about as much, evenly among
+/// them.
+void CellPaths::choose(const GatherHits& hits, const OutgoingCells& cells, std::size_t budget,
+                       std::uint32_t frame, int threads) {
+    constexpr std::size_t kPart = 4096, kMinOfGroup = 64;
+    knowledge_.resize(hits.size());
+    forEachPart((hits.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
+        const std::size_t last = std::min((part + 1) * kPart, hits.size());
+        for (std::size_t i = part * kPart; i < last; ++i)
+            knowledge_[i] = hits.isHit(i)
+                                ? static_cast<std::uint8_t>(std::bit_width(cells.samples(hits.site(i))))
+                                : kNoCell;
+    });
+    std::array<std::size_t, kDigits> sizes{};
+    for (const std::uint8_t digits : knowledge_)
+        if (digits != kNoCell) ++sizes[digits];
+    /// Of each group, every `step`-th ray from the `next`-th on.
+    std::array<double, kDigits> step{}, next{};
+    std::size_t left = budget;
+    for (std::size_t group = 0; group < kDigits; ++group) {
+        const std::size_t taken = std::min({left, sizes[group], std::max(left / 2, kMinOfGroup)});
+        left -= taken;
+        if (taken == 0) continue;
+        step[group] = static_cast<double>(sizes[group]) / static_cast<double>(taken);
+        const auto name = frame * static_cast<std::uint32_t>(kDigits) + static_cast<std::uint32_t>(group);
+        next[group] = step[group] * static_cast<double>(unitFloat(mixBits(name)));
+    }
+    chosen_.clear();
+    std::array<std::size_t, kDigits> seen{};
+    for (std::size_t i = 0; i < knowledge_.size(); ++i) {
+        const std::uint8_t group = knowledge_[i];
+        if (group == kNoCell || step[group] == 0) continue;
+        if (static_cast<double>(seen[group]++) < next[group]) continue;
+        next[group] += step[group];
+        chosen_.push_back(static_cast<std::uint32_t>(i));
+    }
+}
+
+bool CellPaths::trace(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
+                      int threads, const std::atomic<bool>* stop) {
+    const int team = threadsFor(threads);
+    while (integrators_.size() < static_cast<std::size_t>(team))
+        integrators_.push_back(std::make_unique<PathIntegrator>());
+    radiance_.resize(chosen_.size());
+    const auto waves = static_cast<std::int64_t>((chosen_.size() + kPathsOfWave - 1) / kPathsOfWave);
+    const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
+    TaskErrors errors;
+#pragma omp parallel num_threads(team)
+    errors.guard([&] {
+        PathIntegrator& integrator = *integrators_[static_cast<std::size_t>(threadNumber())];
+        integrator.begin(paths);
+        integrator.stopWhen(stop);
+        RayWave rays;
+        std::vector<SampleId> names;
+#pragma omp for schedule(dynamic, 1) nowait
+        for (std::int64_t wave = 0; wave < waves; ++wave) {
+            if (stopped() || errors.any()) continue;
+            errors.guard([&] {
+                const std::size_t first = static_cast<std::size_t>(wave) * kPathsOfWave,
+                                  last = std::min(first + kPathsOfWave, chosen_.size());
+                rays.clear();
+                names.clear();
+                for (std::size_t i = first; i < last; ++i) {
+                    const GatherPass& pass = passes[chosen_[i] / kPassRays];
+                    const std::uint32_t name = mixBits(pass.name + chosen_[i] % kPassRays);
+                    rays.push(hits.ray(chosen_[i], passes));
+                    names.push_back({static_cast<std::uint16_t>(name), static_cast<std::uint16_t>(name >> 16),
+                                     pass.number});
+                }
+                integrator.traceGathering(rays, names);
+                for (std::size_t i = first; i < last; ++i) {
+                    const Colour found = integrator.radiance().colourAt(i - first);
+                    radiance_[i] = maxComponent(found) < kMaxRadiance && isFinite(found) ? found : Colour{};
+                }
+            });
+        }
+    });
+    errors.rethrow();
+    return !stopped();
+}
+
+} // namespace rtcore

@@ -1,0 +1,198 @@
+#include "rtcore/gathering/indirect_light.h"
+
+#include "rtcore/math/constants.h"
+#include "rtcore/math/octahedron-inl.h"
+#include "rtcore/platform/parts.h"
+#include "rtcore/platform/threads.h"
+#include "rtcore/scene/environment.h"
+#include "rtcore/scene/part_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+/// Records that were of no use for so many steps get no rays.
+constexpr std::uint32_t kRecentSteps = 24;
+
+/// 10 bits of each coordinate in turns. (Morton 1966)
+std::uint32_t alongCurve(Vec3 p, const Box3& bounds) {
+    const Vec3 size = bounds.size();
+    std::uint32_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float at = size[axis] > 0 ? (p[axis] - bounds.lo[axis]) / size[axis] : 0;
+        const auto cell = static_cast<std::uint32_t>(at > 0 ? std::min(at, 0.9995F) * 1024 : 0);
+        for (int bit = 0; bit < 10; ++bit) code |= (cell >> bit & 1U) << (3 * bit + axis);
+    }
+    return code;
+}
+
+/// The spread light of an environment from a direction.
+Colour spreadRadiance(const EnvironmentLight& light, Vec3 direction) {
+    const auto texel =
+        static_cast<std::size_t>(HWY_NAMESPACE::octahedronTexel<float>(direction, light.side()));
+    return {light.radiance(0)[texel], light.radiance(1)[texel], light.radiance(2)[texel]};
+}
+
+} // namespace
+
+void IndirectLight::prepare(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
+    scene_ = &scene;
+    tracer_ = &tracer;
+    settings_ = settings;
+    materials_.prepare(scene, settings_, Colour{});
+    lights_.prepare(scene, settings_, tracer.bounds(), hiddenTriangles(scene.model, scene.hiddenParts));
+}
+
+void IndirectLight::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
+    prepare(scene, tracer, settings);
+    surfaces_.find(scene.mesh());
+    cache_.clear(tracer.bounds());
+    cells_.clear(tracer.bounds());
+    records_.clear();
+    frame_ = 0;
+}
+
+void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
+    prepare(scene, tracer, settings);
+    cells_.clear(tracer.bounds());
+    records_.forgetLight();
+}
+
+bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
+                         const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
+    ++frame_;
+    lookUp(receivers, arriving, frame_, threads);
+    const std::size_t passes = budget.rays / kPassRays;
+    const std::size_t before = cache_.size();
+    chosen_.clear();
+    makeRecords(receivers, arriving, passes);
+    const std::size_t fresh = cache_.size() - before;
+    chooseRecords(passes - fresh);
+    orderChosen();
+    if (!gather(budget, threads, stop)) return false;
+    enterResults(fresh);
+    lookUp(receivers, arriving, 0, threads);
+    return true;
+}
+
+void IndirectLight::lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
+                           std::uint32_t frame, int threads) const {
+    constexpr std::size_t kPart = 512;
+    forEachPart((receivers.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
+        const std::size_t first = part * kPart, count = std::min(kPart, receivers.size() - first);
+        cache_.lookUp(receivers.subspan(first, count), arriving.subspan(first, count), frame);
+    });
+}
+
+/// Where records lack, coarse ones first. Half of the passes are left to records that know something.
+void IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
+                                std::size_t max) {
+    for (int density = kDensities - 1; density >= 0; --density) {
+        const std::size_t limit = density > 0 ? max : std::max(chosen_.size(), (max + 1) / 2);
+        for (std::size_t i = 0; i < receivers.size() && chosen_.size() < limit; ++i) {
+            if (arriving[i].lacking < density) continue;
+            ArrivingLight now; // others have been made since
+            cache_.lookUp({&receivers[i], 1}, {&now, 1}, 0);
+            if (now.lacking != density) continue;
+            chosen_.push_back(records_.add(cache_, receivers[i], now, density));
+            cache_.use(chosen_.back(), frame_);
+        }
+    }
+}
+
+/// Of the records that were used lately those with the fewest passes. Coarse ones count less: fine ones take
+/// their part.
+void IndirectLight::chooseRecords(std::size_t max) {
+    const auto old = static_cast<std::uint32_t>(cache_.size() - chosen_.size());
+    order_.clear();
+    for (std::uint32_t number = 0; number < old; ++number) {
+        const std::uint32_t used = cache_.lastUse(number);
+        if (used == 0 || used + kRecentSteps < frame_) continue;
+        const std::uint64_t passes = records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U);
+        order_.push_back(passes << 32 | number);
+    }
+    const std::size_t taken = std::min(max, order_.size());
+    std::ranges::nth_element(order_, order_.begin() + static_cast<std::ptrdiff_t>(taken));
+    for (std::size_t i = 0; i < taken; ++i) chosen_.push_back(static_cast<std::uint32_t>(order_[i]));
+}
+
+/// Records that lie together follow each other: their rays meet the same nodes.
+void IndirectLight::orderChosen() {
+    order_.clear();
+    for (const std::uint32_t number : chosen_)
+        order_.push_back(std::uint64_t{alongCurve(cache_.record(number).position, tracer_->bounds())} << 32 |
+                         number);
+    std::ranges::sort(order_);
+    for (std::size_t i = 0; i < order_.size(); ++i) chosen_[i] = static_cast<std::uint32_t>(order_[i]);
+}
+
+bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
+    passes_.clear();
+    for (const std::uint32_t number : chosen_) passes_.push_back(records_.next(cache_, number));
+    hits_.trace({*scene_, *tracer_, surfaces_, cells_}, passes_, threads);
+    if (!cellPaths_.fill(paths(), hits_, passes_, budget.paths, frame_, threads, stop, cells_)) return false;
+    emitted_.assign(passes_.size(), {});
+    emitterRays_.add(paths(), passes_, threads, emitted_);
+    results_.resize(passes_.size());
+    constexpr std::size_t kPart = 16;
+    forEachPart((passes_.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
+        const std::size_t last = std::min((part + 1) * kPart, passes_.size());
+        for (std::size_t pass = part * kPart; pass < last; ++pass) results_[pass] = resultOf(pass);
+    });
+    return stop == nullptr || !stop->load(std::memory_order_relaxed);
+}
+
+/// Radiance that comes along a ray, but emission; nothing where it is not known yet.
+std::optional<Colour> IndirectLight::arrivingAlong(std::size_t ray, Vec3 normal) const {
+    if (hits_.isHit(ray)) return cells_.radiance(hits_.site(ray));
+    const Vec3 direction = hits_.direction(ray);
+    const Environment* const environment = scene_->environment();
+    if (environment == nullptr) return lights_.background().radiance(direction);
+    const EnvironmentLight& light = environment->light();
+    return spreadRadiance(light, direction) * light.correction(normal) * environment->intensity;
+}
+
+PassResult IndirectLight::resultOf(std::size_t pass) const {
+    constexpr float kSlack = 0.02F; // of its distance: what lies in the surface itself is no wall
+    const Vec3 normal = passes_[pass].normal;
+    PassResult result;
+    PassLight gathered;
+    std::size_t known = 0;
+    for (std::size_t ray = pass * kPassRays; ray < (pass + 1) * kPassRays; ++ray) {
+        const OutgoingCells::Site& site = hits_.site(ray);
+        const Vec3 direction = hits_.direction(ray);
+        if (const std::optional<Colour> radiance = arrivingAlong(ray, normal)) {
+            gathered.add(*radiance, direction, dot(direction, normal), kPi);
+            ++known;
+        }
+        result.inverseLengths += 1 / std::max(site.length, 1e-12F);
+        if (hits_.isHit(ray))
+            result.walls.meet({site.normal, dot(site.normal, site.point) - kSlack * site.length},
+                              site.length);
+    }
+    result.light = emitted_[pass];
+    const float weight = 1 / static_cast<float>(std::max<std::size_t>(known, 1));
+    result.light.irradiance += gathered.irradiance * weight;
+    result.light.vector += gathered.vector * weight;
+    return result;
+}
+
+/// In the order of the passes. The guess follows what new records find.
+void IndirectLight::enterResults(std::size_t fresh) {
+    Colour sum;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+        if (records_.passes(chosen_[i]) == 0) sum += results_[i].light.irradiance;
+        records_.enter(cache_, chosen_[i], results_[i]);
+    }
+    if (fresh == 0) return;
+    const bool first = fresh == cache_.size();
+    const float weight = first ? 1 : std::min(0.1F, static_cast<float>(fresh) * 1e-4F);
+    cache_.setGuess(cache_.guess() * (1 - weight) + sum * (weight / static_cast<float>(fresh)));
+}
+
+std::size_t IndirectLight::memory() const { return cache_.memory() + cells_.memory() + records_.memory(); }
+
+} // namespace rtcore

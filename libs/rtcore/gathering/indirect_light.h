@@ -1,0 +1,88 @@
+/// The light that surfaces send to each other, and the light of the surroundings, at the points that are
+/// seen: learned from frame to frame, and remembered. Irradiance records are what is shown; their rays read
+/// cells of outgoing radiance, which paths of the path tracer fill, so that both show the same light.
+/// (docs/live.md, "Indirect light")
+#pragma once
+
+#include "rtcore/gathering/cell_paths.h"
+#include "rtcore/gathering/connected_surfaces.h"
+#include "rtcore/gathering/emitter_rays.h"
+#include "rtcore/gathering/gather_rays.h"
+#include "rtcore/gathering/record_passes.h"
+#include "rtcore/irradiance/irradiance_cache.h"
+#include "rtcore/irradiance/outgoing_cells.h"
+#include "rtcore/pathtracing/light_set.h"
+#include "rtcore/shading/surface/material_table.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// The work of a step.
+struct GatherBudget {
+    std::uint32_t rays = 16384; ///< from records, by 64
+    std::uint32_t paths = 1536; ///< of them that go on as paths, about
+};
+
+/// Not for several threads at once: it uses all of them itself. Its state depends on the scene and the steps
+/// since begin() alone, to the bit, for any number of threads and instruction set. Throws std::bad_alloc.
+class IndirectLight {
+  public:
+    /// Forgets all, and takes the light of this scene. The arguments must live until the next call; of the
+    /// settings count `path`, textures, shadows, reflections, refractions, maxDepth.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+    /// Takes a scene in which lights, materials or surroundings differ, but no surface: positions and radii
+    /// of records stay, and each shows what it knew until its next pass.
+    void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+
+    /// Learns, first of all about the receivers, and looks up the light of each. Returns false when `stop`
+    /// (may be null) became true: then cache and cells are as after some earlier step.
+    bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
+              const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
+    /// Looks up what is known. From many threads, while none learns.
+    const IrradianceCache& cache() const { return cache_; }
+    const OutgoingCells& cells() const { return cells_; }
+
+    std::size_t memory() const; ///< bytes that grow with what is remembered
+
+  private:
+    void prepare(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+    PathFrame paths() const { return {*scene_, *tracer_, settings_, materials_, lights_}; }
+    void lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, std::uint32_t frame,
+                int threads) const;
+    void makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
+                     std::size_t max);
+    void chooseRecords(std::size_t max);
+    void orderChosen();
+    std::optional<Colour> arrivingAlong(std::size_t ray, Vec3 normal) const;
+    PassResult resultOf(std::size_t pass) const;
+    void enterResults(std::size_t fresh);
+    bool gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
+
+    const Scene* scene_ = nullptr;
+    const RayTracer* tracer_ = nullptr;
+    RenderSettings settings_;
+    MaterialTable materials_;
+    LightSet lights_;
+    ConnectedSurfaces surfaces_;
+    IrradianceCache cache_;
+    OutgoingCells cells_;
+    RecordPasses records_;
+    std::uint32_t frame_ = 0;
+
+    std::vector<std::uint32_t> chosen_; ///< records that get a pass
+    std::vector<GatherPass> passes_;    ///< theirs
+    GatherHits hits_;
+    CellPaths cellPaths_;
+    EmitterRays emitterRays_;
+    std::vector<PassLight> emitted_;   ///< by pass
+    std::vector<PassResult> results_;  ///< the same
+    std::vector<std::uint64_t> order_; ///< scratch
+};
+
+} // namespace rtcore

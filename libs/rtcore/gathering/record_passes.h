@@ -1,0 +1,92 @@
+/// What irradiance records have learned so far, and how their radii follow from it.
+#pragma once
+
+#include "rtcore/gathering/emitter_rays.h"
+#include "rtcore/gathering/gather_rays.h"
+#include "rtcore/irradiance/irradiance_cache.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace rtcore {
+
+/// The nearest surface that rays of a record met, and the nearest that faces elsewhere.
+class NearestWalls {
+  public:
+    void meet(const RecordWall& wall, float distance) {
+        constexpr float kElsewhere = 0.7F; // cosine
+        if (distance < distances_[0]) {
+            if (dot(wall.normal, walls_[0].normal) < kElsewhere) set(1, walls_[0], distances_[0]);
+            set(0, wall, distance);
+        } else if (distance < distances_[1] && dot(wall.normal, walls_[0].normal) < kElsewhere) {
+            set(1, wall, distance);
+        }
+    }
+    void meet(const NearestWalls& other) {
+        for (std::size_t i = 0; i < 2; ++i)
+            if (other.distances_[i] < kNone) meet(other.walls_[i], other.distances_[i]);
+    }
+    const std::array<RecordWall, 2>& walls() const { return walls_; }
+
+  private:
+    static constexpr float kNone = std::numeric_limits<float>::max();
+    void set(std::size_t i, const RecordWall& wall, float distance) {
+        walls_[i] = wall;
+        distances_[i] = distance;
+    }
+    std::array<RecordWall, 2> walls_;
+    std::array<float, 2> distances_{kNone, kNone};
+};
+
+/// The results of a pass.
+struct PassResult {
+    PassLight light;
+    float inverseLengths = 0; ///< sum over its rays
+    NearestWalls walls;
+};
+
+/// One for each record of a cache, by number.
+class RecordPasses {
+  public:
+    void clear() { histories_.clear(); }
+    std::size_t size() const { return histories_.size(); }
+    std::size_t memory() const { return histories_.capacity() * sizeof(History); }
+
+    /// Adds a record of this density to the cache, at a receiver of which that says `around`.
+    std::uint32_t add(IrradianceCache& cache, const Receiver& receiver, const ArrivingLight& around,
+                      int density);
+    /// The next pass of a record.
+    GatherPass next(const IrradianceCache& cache, std::uint32_t number) const;
+    std::uint32_t passes(std::uint32_t number) const { return histories_[number].passes; }
+    int density(std::uint32_t number) const { return histories_[number].density; }
+    /// Enters the results of a pass, those of several records in a fixed order.
+    void enter(IrradianceCache& cache, std::uint32_t number, const PassResult& result);
+    /// Forgets what records know of light; they keep their positions and radii, and show what they knew until
+    /// their next pass.
+    void forgetLight();
+
+  private:
+    struct History {
+        Colour irradiance; ///< running means
+        Vec3 vector;
+        float pixel = 0; ///< size of one where it was made
+        float shrink = 1;
+        std::uint32_t passes = 0; ///< since light was forgotten
+        std::uint32_t allPasses = 0;
+        float inverseLengths = 0; ///< sum over all rays
+        NearestWalls walls;
+        std::uint8_t density = 0;
+    };
+
+    void learnDistance(IrradianceCache& cache, std::uint32_t number);
+    void adapt(IrradianceCache& cache, std::uint32_t number);
+    void setRadius(IrradianceCache& cache, std::uint32_t number) const;
+
+    std::vector<History> histories_;
+    std::vector<std::uint32_t> around_; ///< scratch
+};
+
+} // namespace rtcore

@@ -1,0 +1,133 @@
+// What steps depend on, and what they take.
+
+#include "gathering_support.h"
+
+#include "rtcore/simd/instruction_set.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+
+namespace rtcore {
+namespace {
+
+/// A furnished room under a sky that a window shows, with a pane, a mirror, an emitter and a light.
+Scene furnished() {
+    test::SceneBuilder b;
+    const auto white = b.material(test::matte(0.7F)), mirror = b.material(test::mirror(0.9F));
+    Material pane = test::glass();
+    pane.opacity = 0.1F;
+    const auto glass = b.material(pane), shining = b.material(test::emitter({3, 2, 1}));
+    b.quad({0, 0, 0}, {0, 0, 4}, {4, 0, 4}, {4, 0, 0}, white);
+    b.quad({0, 3, 0}, {4, 3, 0}, {4, 3, 4}, {0, 3, 4}, white);
+    b.quad({0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, white);
+    b.quad({0, 0, 4}, {0, 3, 4}, {4, 3, 4}, {4, 0, 4}, mirror);
+    b.quad({0, 0, 0}, {0, 3, 0}, {0, 3, 4}, {0, 0, 4}, white);
+    b.quad({4, 0, 0}, {4, 0, 4}, {4, 1, 4}, {4, 1, 0}, white);
+    b.quad({4, 1, 0}, {4, 1, 4}, {4, 3, 4}, {4, 3, 0}, glass);
+    b.box({1, 0, 1}, {2, 1, 2}, white);
+    b.box({2.5F, 0, 2.5F}, {2.8F, 0.3F, 2.8F}, shining);
+    Scene scene = b.finish();
+    scene.background = {0.4F, 0.6F, 1};
+    scene.lights = {test::pointLight({2, 2.5F, 2}, 2)};
+    return scene;
+}
+
+std::uint64_t hashOf(const IrradianceCache& cache) {
+    std::uint64_t hash = cache.size();
+    const auto add = [&](float x) { hash = (hash ^ std::bit_cast<std::uint32_t>(x)) * 1099511628211U; };
+    for (std::uint32_t i = 0; i < cache.size(); ++i) {
+        const IrradianceRecord& record = cache.record(i);
+        for (const float x : {record.position.x, record.radius, record.irradiance.r, record.irradiance.g,
+                              record.slant.y, record.distance, record.walls[0].offset})
+            add(x);
+    }
+    return hash;
+}
+
+std::uint64_t hashAfter(int steps, int threads) {
+    test::GatheringScene room(furnished());
+    room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 400, 0.006F);
+    room.budget = {4096, 700};
+    room.learn(steps, 600, threads);
+    return hashOf(room.light.cache());
+}
+
+TEST(Steps, TheSameBitsForAllThreadsAndInstructionSets) {
+    const std::uint64_t expected = hashAfter(6, 1);
+    for (const int threads : {2, 7}) EXPECT_EQ(hashAfter(6, threads), expected) << threads;
+    for (const std::string& name : instructionSets()) {
+        ASSERT_TRUE(useInstructionSet(name));
+        EXPECT_EQ(hashAfter(6, 2), expected) << name;
+    }
+    useInstructionSet("auto");
+}
+
+TEST(Steps, TheFirstHasTheRightMean) {
+    // No dark youth: the cells are filled before they are read.
+    test::GatheringScene room(furnished());
+    room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 1000, 0.006F);
+    room.budget = {65536, 6000};
+    room.learn(1);
+    const double first = room.mean().g;
+    room.budget = {16384, 1536};
+    room.learn(40);
+    EXPECT_NEAR(first / room.mean().g, 1, 0.1);
+}
+
+TEST(Steps, SettleAtRest) {
+    test::GatheringScene room(furnished());
+    room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 600, 0.003F);
+    room.budget = {16384, 1536};
+    room.learn(64);
+    const auto change = [&] {
+        std::vector<float> before;
+        for (const Receiver& receiver : room.receivers) before.push_back(room.at(receiver).g);
+        room.learn(1);
+        double sum = 0, all = 0;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            sum += std::abs(room.at(room.receivers[i]).g - before[i]);
+            all += before[i];
+        }
+        return sum / all;
+    };
+    EXPECT_LT(change(), 0.002);
+}
+
+TEST(Steps, ForgetLightThatIsSwitchedOff) {
+    test::SceneBuilder b;
+    test::addRoom(b, {0, 0, 0}, {4, 3, 4}, b.material(test::matte(0.7F)));
+    Scene scene = b.finish();
+    scene.lights = {test::pointLight({1, 2.5F, 2}, 5), test::pointLight({3, 2.5F, 2}, 5)};
+    test::GatheringScene room(std::move(scene));
+    room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 600, 0.006F);
+    room.budget = {32768, 3000};
+    room.learn(40);
+    const double before = room.mean().r;
+    room.traced.scene.lights[1].light.on = 0;
+    room.light.changeLight(room.traced.scene, room.traced.tracer, room.settings);
+    EXPECT_FLOAT_EQ(room.mean().r, static_cast<float>(before)); // shown until something is known
+    room.learn(16);
+    EXPECT_NEAR(room.mean().r / before, 0.5, 0.02);
+}
+
+TEST(Steps, StopSoon) {
+    test::GatheringScene room(furnished());
+    room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 100, 0.006F);
+    std::vector<ArrivingLight> arriving(room.receivers.size());
+    const std::atomic<bool> stop{true};
+    EXPECT_FALSE(room.light.step(room.receivers, arriving, room.budget, 2, &stop));
+    EXPECT_TRUE(room.light.step(room.receivers, arriving, room.budget, 2));
+    EXPECT_GT(room.mean().g, 0.1);
+}
+
+TEST(Steps, WithoutReceiversOrRaysDoNothing) {
+    test::GatheringScene room(furnished());
+    EXPECT_TRUE(room.light.step({}, {}, {0, 0}, 2));
+    EXPECT_TRUE(room.light.step({}, {}, room.budget, 2));
+    EXPECT_EQ(room.light.cache().size(), 0U);
+}
+
+} // namespace
+} // namespace rtcore
