@@ -208,6 +208,22 @@
         <translation>počet paprsků na jeden bod povrchu pro světlo oblohy</translation>
     </message>
     <message>
+        <source>Indirect</source>
+        <translation>Nepřímé</translation>
+    </message>
+    <message>
+        <source>Indirect light</source>
+        <translation>Nepřímé světlo</translation>
+    </message>
+    <message>
+        <source>light that surfaces send to each other, and that of the sky, learned while one walks; in place of ambient light, occlusion and skyLight</source>
+        <translation>světlo, které si povrchy posílají navzájem, a světlo oblohy, poznávané při procházce; místo okolního světla, jeho zastínění a skyLight</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Živé</translation>
+    </message>
+    <message>
         <source>Path tracing</source>
         <translation>Sledování cest</translation>
     </message>

@@ -78,7 +78,9 @@ double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene
     const double shadow = mapped ? kLookUp : 1;
     if (settings.shadows) rays += parts * shadow;
     if (settings.fog.on) rays += lights * settings.fog.shafts * shadow;
-    if (settings.skyLight.on) {
+    if (settings.indirect.mode == rtcore::IndirectMode::Live) {
+        // looked up
+    } else if (settings.skyLight.on) {
         rays += settings.skyLight.samples;
     } else if (settings.ambientOcclusion.on) {
         rays += settings.ambientOcclusion.samples;

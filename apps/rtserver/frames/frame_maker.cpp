@@ -99,6 +99,7 @@ bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const r
     renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     renderer_->collectSeen(keeps);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
+    if (!lightIndirectly(document, detail, view, control)) return false;
     if (!renderer_->render(view, control, frame)) {
         if (keeps && control.finished != nullptr) keepFinished(view, control.finished->all(), frame);
         return false;
@@ -107,6 +108,24 @@ bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const r
     noticeChanges(document);
     constexpr std::uint8_t kRough = 100;
     unkept_ = {&frame, rtcore::LiveRenderer::planeOf(view), detail.cut ? kRough : std::uint8_t{0}};
+    return true;
+}
+
+/// Coarse frames show what the walk has learned, whole ones what their view alone decides, as Renderer does.
+bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& detail,
+                                 const rtcore::View& view, rtcore::RenderControl& control) {
+    const rtcore::IrradianceCache* cache = nullptr;
+    if (view.settings.indirect.mode == rtcore::IndirectMode::Live) {
+        if (detail.whole()) {
+            if (!viewLight_->learn(view, control)) return false;
+            cache = &viewLight_->cache();
+        } else {
+            walkLight_->follow(document, view.settings);
+            if (!walkLight_->learn(view, control)) return false;
+            cache = &walkLight_->light().cache();
+        }
+    }
+    renderer_->lightIndirectlyFrom(cache);
     return true;
 }
 
@@ -143,6 +162,9 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     seedLive();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, detail.scale);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
+    const bool indirect = settings.indirect.mode == rtcore::IndirectMode::Live;
+    if (indirect) walkLight_->follow(document, settings);
+    live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::kBudget, WalkLight::kTurns);
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};
@@ -183,6 +205,8 @@ std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool liv
     if (live) {
         pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
         pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
+        if (settings.indirect.mode == rtcore::IndirectMode::Live)
+            pixel += rtcore::LiveRenderer::kMatterBytesPerPixel;
     }
     return pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
 }
@@ -205,6 +229,8 @@ void FrameMaker::drop() {
     keptPart_ = 0;
     renderer_.emplace();
     live_.emplace();
+    walkLight_.emplace();
+    viewLight_.emplace();
     unkept_ = {};
     developer_ = {};
     gradual_.drop();

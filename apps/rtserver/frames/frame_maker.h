@@ -5,12 +5,14 @@
 #include "rtserver/frames/frame_detail.h"
 #include "rtserver/frames/gradual_image.h"
 #include "rtserver/frames/live_governor.h"
+#include "rtserver/frames/walk_light.h"
 #include "rtserver/walk/workspace.h"
 
 #include "rtcore/live/live_renderer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/light_meter.h"
+#include "rtcore/render/view_light.h"
 
 #include <chrono>
 #include <cstddef>
@@ -80,6 +82,8 @@ class FrameMaker {
                   rtcore::Frame& frame);
     void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                       const rtcore::Frame& frame);
+    bool lightIndirectly(const Document& document, const FrameDetail& detail, const rtcore::View& view,
+                         rtcore::RenderControl& control);
     void noticeChanges(const Document& document);
     void seedLive();
     void meter(const Document& document, const rtcore::RenderSettings& settings, bool live,
@@ -91,6 +95,8 @@ class FrameMaker {
     int threads_;
     std::optional<rtcore::FrameRenderer> renderer_{std::in_place};
     std::optional<rtcore::LiveRenderer> live_{std::in_place};
+    std::optional<WalkLight> walkLight_{std::in_place};
+    std::optional<rtcore::ViewLight> viewLight_{std::in_place}; ///< of whole frames
     LiveGovernor::Cost liveCost_;
     rtcore::Subscription kept_;      ///< what the light of live frames knows of the state
     rtcore::RenderSettings keptFor_; ///< the settings that it was traced with

@@ -25,7 +25,7 @@ bool CellPaths::fill(const PathFrame& paths, const GatherHits& hits, std::span<c
                      OutgoingCells& cells) {
     choose(hits, cells, budget, frame, threads);
     if (!trace(paths, hits, passes, threads, stop)) return false;
-    for (std::size_t i = 0; i < chosen_.size(); ++i) cells.add(hits.site(chosen_[i]), radiance_[i]);
+    for (std::size_t i = 0; i < chosen_.size(); ++i) cells.add(hits.site(chosen_[i]), radiance_[i], frame);
     return true;
 }
 

@@ -64,18 +64,67 @@ void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, con
 bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     ++frame_;
+    forgetUnused();
     lookUp(receivers, arriving, frame_, threads);
-    const std::size_t passes = budget.rays / kPassRays;
+    findLacking(arriving);
+    const GatherBudget work = budgetFor(budget, receivers.size());
+    const std::size_t passes = work.rays / kPassRays;
     const std::size_t before = cache_.size();
     chosen_.clear();
     makeRecords(receivers, arriving, passes);
     const std::size_t fresh = cache_.size() - before;
     chooseRecords(passes - fresh);
     orderChosen();
-    if (!gather(budget, threads, stop)) return false;
+    if (!gather(work, threads, stop)) return false;
     enterResults(fresh);
-    lookUp(receivers, arriving, 0, threads);
+    lookUpLacking(receivers, arriving, threads);
     return true;
+}
+
+/// The half of the records that was not used for longest, once there are too many.
+void IndirectLight::forgetUnused() {
+    cells_.bound(kMaxCells);
+    if (cache_.size() <= maxRecords_) return;
+    std::vector<std::uint32_t> uses(cache_.size());
+    for (std::uint32_t number = 0; number < uses.size(); ++number) uses[number] = cache_.lastUse(number);
+    const auto middle = uses.begin() + static_cast<std::ptrdiff_t>(uses.size() / 2);
+    std::ranges::nth_element(uses, middle);
+    const std::uint32_t last = *middle;
+    std::vector<std::uint8_t> kept(cache_.size());
+    std::size_t left = cache_.size() / 2; // of those used as lately as the last ones that stay
+    for (std::uint32_t number = 0; number < kept.size(); ++number) {
+        const std::uint32_t used = cache_.lastUse(number);
+        kept[number] = used > last || (used == last && left > 0) ? 1 : 0;
+        if (kept[number] != 0 && left > 0) --left;
+    }
+    cache_.keep(kept);
+    records_.keep(kept);
+}
+
+/// Receivers that fine records alone are missing for are as right as they were.
+void IndirectLight::findLacking(std::span<const ArrivingLight> arriving) {
+    lacking_.clear();
+    for (std::size_t i = 0; i < arriving.size(); ++i)
+        if (arriving[i].lacking > 0) lacking_.push_back(static_cast<std::uint32_t>(i));
+}
+
+/// More where little is known of what is seen.
+GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, std::size_t receivers) const {
+    constexpr double kMaxTimes = 4;
+    const double unknown =
+        receivers > 0 ? static_cast<double>(lacking_.size()) / static_cast<double>(receivers) : 0;
+    const double times = 1 + (kMaxTimes - 1) * unknown;
+    return {static_cast<std::uint32_t>(budget.rays * times),
+            static_cast<std::uint32_t>(budget.paths * times)};
+}
+
+void IndirectLight::lookUpLacking(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
+                                  int threads) {
+    again_.resize(lacking_.size());
+    arrivingAgain_.resize(lacking_.size());
+    for (std::size_t i = 0; i < lacking_.size(); ++i) again_[i] = receivers[lacking_[i]];
+    lookUp(again_, arrivingAgain_, 0, threads);
+    for (std::size_t i = 0; i < lacking_.size(); ++i) arriving[lacking_[i]] = arrivingAgain_[i];
 }
 
 void IndirectLight::lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,

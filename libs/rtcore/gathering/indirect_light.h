@@ -23,7 +23,7 @@
 
 namespace rtcore {
 
-/// The work of a step.
+/// The work of a step; where nothing is known of what is seen it is four times as much.
 struct GatherBudget {
     std::uint32_t rays = 16384; ///< from records, by 64
     std::uint32_t paths = 1536; ///< of them that go on as paths, about
@@ -48,13 +48,21 @@ class IndirectLight {
     const IrradianceCache& cache() const { return cache_; }
     const OutgoingCells& cells() const { return cells_; }
 
-    std::size_t memory() const; ///< bytes that grow with what is remembered
+    std::size_t memory() const; ///< bytes that grow with what is remembered, at most kMaxMemory
+    /// So many records and cells are remembered; beyond, those that were of no use for longest are forgotten.
+    static constexpr std::size_t kMaxRecords = 200'000, kMaxCells = 1'000'000, kMaxMemory = 250'000'000;
+    /// For tests.
+    void boundRecords(std::size_t max) { maxRecords_ = max; }
 
   private:
     void prepare(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
     PathFrame paths() const { return {*scene_, *tracer_, settings_, materials_, lights_}; }
     void lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, std::uint32_t frame,
                 int threads) const;
+    void forgetUnused();
+    void findLacking(std::span<const ArrivingLight> arriving);
+    GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
+    void lookUpLacking(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, int threads);
     void makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max);
     void chooseRecords(std::size_t max);
@@ -74,9 +82,13 @@ class IndirectLight {
     OutgoingCells cells_;
     RecordPasses records_;
     std::uint32_t frame_ = 0;
+    std::size_t maxRecords_ = kMaxRecords;
 
-    std::vector<std::uint32_t> chosen_; ///< records that get a pass
-    std::vector<GatherPass> passes_;    ///< theirs
+    std::vector<std::uint32_t> lacking_;       ///< receivers that coarse records are missing for, too
+    std::vector<Receiver> again_;              ///< these
+    std::vector<ArrivingLight> arrivingAgain_; ///< the same
+    std::vector<std::uint32_t> chosen_;        ///< records that get a pass
+    std::vector<GatherPass> passes_;           ///< theirs
     GatherHits hits_;
     CellPaths cellPaths_;
     EmitterRays emitterRays_;

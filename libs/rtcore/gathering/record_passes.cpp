@@ -33,6 +33,7 @@ std::uint32_t RecordPasses::add(IrradianceCache& cache, const Receiver& receiver
     History history;
     history.pixel = receiver.pixel;
     history.density = static_cast<std::uint8_t>(density);
+    history.name = mixBits(names_++ * 747796405U + 2891336453U);
     histories_.push_back(history);
     return cache.add(record);
 }
@@ -40,8 +41,7 @@ std::uint32_t RecordPasses::add(IrradianceCache& cache, const Receiver& receiver
 GatherPass RecordPasses::next(const IrradianceCache& cache, std::uint32_t number) const {
     const IrradianceRecord& record = cache.record(number);
     const History& history = histories_[number];
-    return {number, originOf(record, history.pixel), record.normal,
-            mixBits(number * 747796405U + 2891336453U), history.allPasses};
+    return {number, originOf(record, history.pixel), record.normal, history.name, history.allPasses};
 }
 
 void RecordPasses::enter(IrradianceCache& cache, std::uint32_t number, const PassResult& result) {
@@ -115,6 +115,13 @@ void RecordPasses::setRadius(IrradianceCache& cache, std::uint32_t number) const
     const float radius =
         RecordRadii::of(history.density, cache.record(number).distance, history.pixel) * history.shrink;
     cache.shrink(number, std::max(radius, RecordRadii::kMinPixels * history.pixel));
+}
+
+void RecordPasses::keep(std::span<const std::uint8_t> kept) {
+    std::size_t next = 0;
+    for (std::size_t number = 0; number < histories_.size(); ++number)
+        if (kept[number] != 0) histories_[next++] = histories_[number];
+    histories_.resize(next);
 }
 
 void RecordPasses::forgetLight() {

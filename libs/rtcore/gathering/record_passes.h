@@ -1,4 +1,4 @@
-/// What irradiance records have learned so far, and how their radii follow from it.
+/// The knowledge of irradiance records, gathered pass by pass, and the radii that follow from it.
 #pragma once
 
 #include "rtcore/gathering/emitter_rays.h"
@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -51,7 +52,10 @@ struct PassResult {
 /// One for each record of a cache, by number.
 class RecordPasses {
   public:
-    void clear() { histories_.clear(); }
+    void clear() {
+        histories_.clear();
+        names_ = 0;
+    }
     std::size_t size() const { return histories_.size(); }
     std::size_t memory() const { return histories_.capacity() * sizeof(History); }
 
@@ -64,6 +68,8 @@ class RecordPasses {
     int density(std::uint32_t number) const { return histories_[number].density; }
     /// Enters the results of a pass, those of several records in a fixed order.
     void enter(IrradianceCache& cache, std::uint32_t number, const PassResult& result);
+    /// As IrradianceCache::keep().
+    void keep(std::span<const std::uint8_t> kept);
     /// Forgets what records know of light; they keep their positions and radii, and show what they knew until
     /// their next pass.
     void forgetLight();
@@ -79,6 +85,7 @@ class RecordPasses {
         float inverseLengths = 0; ///< sum over all rays
         NearestWalls walls;
         std::uint8_t density = 0;
+        std::uint32_t name = 0; ///< of its random numbers
     };
 
     void learnDistance(IrradianceCache& cache, std::uint32_t number);
@@ -86,6 +93,7 @@ class RecordPasses {
     void setRadius(IrradianceCache& cache, std::uint32_t number) const;
 
     std::vector<History> histories_;
+    std::uint32_t names_ = 0;           ///< of records so far
     std::vector<std::uint32_t> around_; ///< scratch
 };
 

@@ -13,7 +13,7 @@ constexpr float kLittleSmaller = 0.7F;
 
 /// So many receivers that lie together, or fewer.
 std::size_t sizeOfGroup(std::span<const Receiver> receivers) {
-    constexpr float kMaxPixels = 16; // from the first: more lists would be visited for all of them
+    constexpr float kMaxPixels = 32; // from the first: more lists would be visited for all of them
     const Receiver& first = receivers.front();
     const float reach = kMaxPixels * first.pixel;
     std::size_t size = 1;
@@ -31,8 +31,25 @@ void IrradianceCache::clear(const Box3& bounds) {
     records_.clear();
     indexed_.clear();
     lastUse_.clear();
+    bounds_ = bounds;
     index_.clear(bounds);
     guess_ = {};
+}
+
+void IrradianceCache::keep(std::span<const std::uint8_t> kept) {
+    index_.clear(bounds_);
+    std::uint32_t next = 0;
+    for (std::size_t number = 0; number < records_.size(); ++number) {
+        if (kept[number] == 0) continue;
+        records_[next] = records_[number];
+        lastUse_[next] = lastUse_[number];
+        indexed_[next] = records_[next].radius;
+        index_.add(next, records_[next].position, indexed_[next]);
+        ++next;
+    }
+    records_.resize(next);
+    lastUse_.resize(next);
+    indexed_.resize(next);
 }
 
 std::uint32_t IrradianceCache::add(const IrradianceRecord& record) {

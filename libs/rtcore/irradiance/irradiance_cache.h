@@ -26,6 +26,9 @@ class IrradianceCache {
     IrradianceRecord& values(std::uint32_t number) { return records_[number]; }
     /// Only ever smaller.
     void shrink(std::uint32_t number, float radius);
+    /// Forgets all but those that `kept`, by record, is not 0 of; they get the numbers from 0 on, in their
+    /// order.
+    void keep(std::span<const std::uint8_t> kept);
     /// The irradiance where no record knows any.
     void setGuess(Colour irradiance) { guess_ = irradiance; }
     Colour guess() const { return guess_; }
@@ -65,6 +68,7 @@ class IrradianceCache {
     std::vector<float> indexed_; ///< the radius that the index knows
     mutable std::vector<std::uint32_t> lastUse_;
     RecordIndex index_;
+    Box3 bounds_;
     Colour guess_;
 };
 

@@ -35,6 +35,10 @@ void OutgoingCells::clear(const Box3& bounds) {
     const float diagonal = bounds.diagonal();
     origin_ = diagonal > 0 ? bounds.lo : Vec3{};
     finest_ = diagonal > 0 ? diagonal / 1024 : 1;
+    clearCells();
+}
+
+void OutgoingCells::clearCells() {
     slots_.assign(kMinSlots, {});
     used_ = 0;
 }
@@ -66,21 +70,51 @@ const OutgoingCells::Slot* OutgoingCells::find(int level, const Site& site) cons
     return nullptr;
 }
 
-void OutgoingCells::add(const Site& site, Colour radiance) {
-    for (int level = std::max(site.level - kFiner, 0); level < kLevels; ++level)
-        addTo(keyOf(level, site), radiance);
+void OutgoingCells::add(const Site& site, Colour radiance, std::uint32_t frame) {
+    for (int level = std::max(site.level - kFiner, 0); level < kLevels; ++level) {
+        if (2 * (used_ + 1) > slots_.size()) rehash(2 * slots_.size(), 0);
+        const std::uint64_t key = keyOf(level, site);
+        Slot& slot = slotFor(key);
+        if (slot.key == 0) ++used_;
+        slot.key = key;
+        slot.sum += radiance;
+        slot.squares += luminance(radiance) * luminance(radiance);
+        ++slot.count;
+        slot.frame = frame;
+    }
 }
 
-void OutgoingCells::addTo(std::uint64_t key, Colour radiance) {
-    if (2 * (used_ + 1) > slots_.size()) grow();
+/// That of the key, or the free one that it would get.
+OutgoingCells::Slot& OutgoingCells::slotFor(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = key >> 1 & mask;
     while (slots_[i].key != 0 && slots_[i].key != key) i = (i + 1) & mask;
-    if (slots_[i].key == 0) ++used_;
-    slots_[i].key = key;
-    slots_[i].sum += radiance;
-    slots_[i].squares += luminance(radiance) * luminance(radiance);
-    ++slots_[i].count;
+    return slots_[i];
+}
+
+void OutgoingCells::bound(std::size_t max) {
+    if (used_ <= max) return;
+    std::vector<std::uint32_t> frames;
+    for (const Slot& slot : slots_)
+        if (slot.key != 0) frames.push_back(slot.frame);
+    const auto middle = frames.begin() + static_cast<std::ptrdiff_t>(frames.size() / 2);
+    std::ranges::nth_element(frames, middle);
+    const std::uint32_t from = *middle;
+    // All of one frame: there is nothing older.
+    rehash(slots_.size(), from == *std::ranges::max_element(frames) ? from : from + 1);
+    if (used_ > max) clearCells();
+}
+
+/// Moves the cells whose last sample is from that frame on to so many slots.
+void OutgoingCells::rehash(std::size_t slots, std::uint32_t fromFrame) {
+    std::vector<Slot> old(slots);
+    old.swap(slots_);
+    used_ = 0;
+    for (const Slot& slot : old) {
+        if (slot.key == 0 || slot.frame < fromFrame) continue;
+        slotFor(slot.key) = slot;
+        ++used_;
+    }
 }
 
 bool OutgoingCells::samplesDiffer(const Slot& slot) {
@@ -117,18 +151,6 @@ std::optional<Colour> OutgoingCells::radiance(const Site& site) const {
     }
     if (best == nullptr) return std::nullopt;
     return meanOf(*best);
-}
-
-void OutgoingCells::grow() {
-    std::vector<Slot> old(2 * slots_.size());
-    old.swap(slots_);
-    const std::size_t mask = slots_.size() - 1;
-    for (const Slot& slot : old) {
-        if (slot.key == 0) continue;
-        std::size_t i = slot.key >> 1 & mask;
-        while (slots_[i].key != 0) i = (i + 1) & mask;
-        slots_[i] = slot;
-    }
 }
 
 } // namespace rtcore

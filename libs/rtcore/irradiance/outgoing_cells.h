@@ -14,7 +14,8 @@
 namespace rtcore {
 
 /// Grids of nine levels, each of cells twice as large as the one before: rays read cells as large as they are
-/// long. Reading is safe from many threads, while none adds. 32 bytes for each cell that has samples, twice.
+/// long. Reading is safe from many threads, while none adds. 32 bytes for each cell that has samples, two to
+/// four times.
 class OutgoingCells {
   public:
     static constexpr int kLevels = 9;
@@ -33,7 +34,11 @@ class OutgoingCells {
     /// The level whose cells are about an eighth of the length, but not finer than the finest.
     int levelOf(float length) const;
     /// Adds a sample of the radiance to the cells of its level, of two finer and of all coarser ones.
-    void add(const Site& site, Colour radiance);
+    /// `frame`: does not descend.
+    void add(const Site& site, Colour radiance, std::uint32_t frame = 0);
+    /// Where there are more than so many cells, forgets about half of them: those that no sample was added to
+    /// for longest.
+    void bound(std::size_t max);
     /// How many samples the cell of the site's level has.
     std::uint32_t samples(const Site& site) const;
     /// The mean of the cell of the site's level; of a finer one where that knows enough, or of a coarser one
@@ -50,12 +55,15 @@ class OutgoingCells {
         Colour sum;
         float squares = 0; ///< sum of those of luminances
         std::uint32_t count = 0;
+        std::uint32_t frame = 0; ///< of the last sample
     };
+    static_assert(sizeof(Slot) == 32);
     static bool samplesDiffer(const Slot& slot);
     std::uint64_t keyOf(int level, const Site& site) const;
     const Slot* find(int level, const Site& site) const;
-    void addTo(std::uint64_t key, Colour radiance);
-    void grow();
+    void clearCells();
+    Slot& slotFor(std::uint64_t key);
+    void rehash(std::size_t slots, std::uint32_t fromFrame);
 
     Vec3 origin_;
     float finest_ = 1;        ///< side of a cell

@@ -1,5 +1,7 @@
 #include "rtcore/live/live_renderer.h"
 
+#include "rtcore/live/packed_direction.h"
+#include "rtcore/math/constants.h"
 #include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
 
@@ -55,6 +57,7 @@ void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSa
     LiveSample specular = surface;
     surface.light = surface.light * seen.surfaceFraction;
     layers.surface.set(i, surface);
+    if (layers.updatesLight) layers.surface.matter[i] = {};
     if (!layers.mirrors) return;
     if (!surface.mirrors) {
         layers.specular.forget(i);
@@ -111,6 +114,8 @@ ImagePlane LiveRenderer::planeOf(const View& view) {
 bool LiveRenderer::render(const View& view, double newSamples, RenderControl& control, Frame& frame) {
     const int threads = threadsFor(control.threads);
     present_.mirrors = past_.mirrors;
+    present_.updatesLight = indirect_ != nullptr;
+    if (present_.updatesLight && !past_.updatesLight) past_.beginUpdating();
     present_.resize(planeOf(view));
     frame.radiance.width = view.settings.width;
     frame.radiance.height = view.settings.height;
@@ -125,7 +130,8 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     selector_.choose(present_, reprojection_.staleness(), newSamples, number_, threads);
     const auto begun = std::chrono::steady_clock::now();
     if (!lightSamples(view, control, frame)) return false;
-    sampleSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    sampleSeconds_ =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() - indirectSeconds_;
     reconstruction_.show(present_, threads, frame);
     meter(threads, frame);
     std::swap(past_, present_);
@@ -148,6 +154,7 @@ void LiveRenderer::seed(const ImagePlane& plane, const Frame& frame, int threads
     });
     past_.mirrors = anyMirrors;
     if (past_.mirrors) past_.resizeSpecular(plane);
+    past_.updatesLight = false; // whole frames do not tell what surfaces scatter
     forEachPart([&](int first, int last) {
         setSamplesOf(frame, {0, first, plane.width, last - first}, age, past_);
     });
@@ -156,6 +163,7 @@ void LiveRenderer::seed(const ImagePlane& plane, const Frame& frame, int threads
 void LiveRenderer::seedParts(const View& view, const Frame& frame, std::span<const PixelArea> parts,
                              int threads) {
     present_.mirrors = past_.mirrors;
+    present_.updatesLight = past_.updatesLight;
     present_.resize(planeOf(view));
     reprojection_.reproject(past_, present_, threadsFor(threads), [](int, int) {});
     const auto mirrorsIn = [&](const PixelArea& part) {
@@ -260,6 +268,8 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
     newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.surface.size());
     if (!renderer_.renderPixels(view, chosen, control, {light_, visibility_, seen_}, frame.statistics))
         return false;
+    indirectSeconds_ = 0;
+    if (indirect_ != nullptr && !addIndirect(view, control)) return false;
     const ImagePlane& plane = present_.surface.plane();
     if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) beginMirroring();
     check();
@@ -269,9 +279,101 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
                    {.position = seen_[i].any ? seen_[i].position : towardsMiddle(plane, x, y),
                     .light = light_[i],
                     .lights = visibility_[i]});
+        if (indirect_ != nullptr) present_.surface.matter[present_.surface.index(x, y)] = matter_[i];
         selector_.traced(plane, x, y, luminance(light_[i]));
     });
     return true;
+}
+
+void LiveRenderer::lightIndirectly(IndirectLight* light, const GatherBudget& budget, int turns) {
+    if (light != indirect_) forget();
+    indirect_ = light;
+    budget_ = budget;
+    turns_ = turns;
+    renderer_.lightIndirectlyFrom(light != nullptr ? &light->cache() : nullptr);
+}
+
+/// To the chosen pixels, and to the samples whose turn it is. Returns false when control.cancel was set.
+bool LiveRenderer::addIndirect(const View& view, RenderControl& control) {
+    const auto begun = std::chrono::steady_clock::now();
+    const int threads = threadsFor(control.threads);
+    collectReceivers(view);
+    arriving_.resize(receivers_.size());
+    if (!indirect_->step(receivers_, arriving_, budget_, threads, &control.cancel)) return false;
+    addToChosen();
+    updateLight(threads);
+    indirectSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return true;
+}
+
+/// Squares of pixels are updated together: the same records tell of them.
+void LiveRenderer::collectReceivers(const View& view) {
+    constexpr int kSide = 8;
+    receivers_.clear();
+    for (const IndirectTap& tap : renderer_.taps()) receivers_.push_back(tap.receiver);
+    updated_.clear();
+    const LiveSamples& surface = present_.surface;
+    const ImagePlane& plane = surface.plane();
+    const PixelSize pixel = pixelSizeOf(CameraRays(view.camera, plane.width, plane.height));
+    const auto turns = static_cast<std::uint32_t>(turns_);
+    const auto add = [&](int x, int y) {
+        const std::size_t at = surface.index(x, y);
+        if (!surface.known(at) || surface.background(at) || surface.matter[at].albedo == 0) return;
+        const Vec3 position = surface.points[at].position;
+        updated_.push_back(static_cast<std::uint32_t>(at));
+        receivers_.push_back({position, unpackDirection(surface.matter[at].face),
+                              unpackDirection(surface.matter[at].normal),
+                              pixel.at(length(position - plane.eye))});
+    };
+    for (int top = 0; top < plane.height; top += kSide) {
+        for (int left = 0; left < plane.width; left += kSide) {
+            if (turnOf(left / kSide, top / kSide) * turns / kTurns != number_ % turns) continue;
+            forEachPixel(
+                {left, top, std::min(kSide, plane.width - left), std::min(kSide, plane.height - top)}, add);
+        }
+    }
+}
+
+/// What is seen in mirrors and through glass belongs to another layer.
+void LiveRenderer::addToChosen() {
+    const std::span<const IndirectTap> taps = renderer_.taps();
+    surfaceLight_.resize(light_.size());
+    matter_.assign(light_.size(), {});
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+        surfaceLight_[i] = light_[i] * seen_[i].surfaceFraction;
+        matter_[i].direct = packLight(surfaceLight_[i]);
+    }
+    for (std::size_t k = 0; k < taps.size(); ++k) {
+        const IndirectTap& tap = taps[k];
+        const Colour light = tap.light(arriving_[k].irradiance);
+        light_[tap.sample] += light;
+        const bool oneLayer = seen_[tap.sample].specularDistance == 0;
+        if (tap.primary || oneLayer) surfaceLight_[tap.sample] += light;
+        LiveSamples::Matter& matter = matter_[tap.sample];
+        if (tap.primary && matter.albedo == 0) {
+            matter.albedo = packLight(tap.factor);
+            matter.normal = packDirection(tap.receiver.normal);
+            matter.face = packDirection(tap.receiver.face);
+        } else if (oneLayer) {
+            matter.direct = packLight(unpackLight(matter.direct) + light);
+        }
+    }
+    const auto partOf = [](float surface, float all) { return surface < all ? surface / all : 1; };
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+        if (seen_[i].specularDistance == 0) continue;
+        const Colour surface = surfaceLight_[i], all = light_[i];
+        seen_[i].surfaceFraction = {partOf(surface.r, all.r), partOf(surface.g, all.g),
+                                    partOf(surface.b, all.b)};
+    }
+}
+
+void LiveRenderer::updateLight(int threads) {
+    const std::size_t before = renderer_.taps().size();
+    forEachChosen(updated_.size(), threads, [&](std::size_t k) {
+        const LiveSamples::Matter& matter = present_.surface.matter[updated_[k]];
+        const Colour light = unpackLight(matter.albedo) * arriving_[before + k].irradiance / kPi;
+        present_.surface.lights[updated_[k]].radiance = packLight(unpackLight(matter.direct) + light);
+    });
 }
 
 void LiveRenderer::forgetChecks() {

@@ -2,6 +2,7 @@
 /// anew where they are stale or missing. (docs/live.md)
 #pragma once
 
+#include "rtcore/gathering/indirect_light.h"
 #include "rtcore/live/light_change.h"
 #include "rtcore/live/live_samples.h"
 #include "rtcore/live/pixel_selector.h"
@@ -27,6 +28,8 @@ class LiveRenderer {
     /// Memory beside the frame, without some megabytes for each thread: where nothing mirrors and few pixels
     /// are traced; and at most, where something mirrors and all are traced.
     static constexpr std::size_t kBytesPerPixel = 103, kMaxBytesPerPixel = 369;
+    /// The same in addition, with lightIndirectly().
+    static constexpr std::size_t kMatterBytesPerPixel = 2 * sizeof(LiveSamples::Matter);
 
     /// Whether such a view can be rendered: of a perspective camera, one sample per pixel in its middle,
     /// fewer than Reprojection::kMaxPixels.
@@ -37,6 +40,10 @@ class LiveRenderer {
     /// these numbers and on the frames before; it has the same bits for every number of threads. Returns
     /// false when control.cancel was set: the frame is undefined then, and the samples are as they were.
     bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
+
+    /// Frames to come are lit by what this learns: each gives it the work of a step. Samples follow what is
+    /// learned later in so many turns of frames. Null: not any more. Forgets all samples where that changes.
+    void lightIndirectly(IndirectLight* light, const GatherBudget& budget, int turns);
 
     /// Takes the samples of a whole frame, which has Frame::seen, of a view on that plane. It may have any
     /// number of samples per pixel. `age`: its samples count as so many frames old; those of a rough preview
@@ -66,6 +73,8 @@ class LiveRenderer {
 
     /// Seconds that the traced pixels of the last frame took.
     double sampleSeconds() const { return sampleSeconds_; }
+    /// Seconds of the last frame in which indirect light was learned and looked up.
+    double indirectSeconds() const { return indirectSeconds_; }
     /// Fractions of the last frame's pixels: those that were traced, and those without a sample.
     double newSamples() const { return newSamples_; }
     double unknown() const { return selector_.unknown(); }
@@ -79,6 +88,10 @@ class LiveRenderer {
     void beginMirroring();
     bool lightSamples(const View& view, RenderControl& control, Frame& frame);
     LightVisibility surelyKnown(int x, int y) const;
+    bool addIndirect(const View& view, RenderControl& control);
+    void collectReceivers(const View& view);
+    void addToChosen();
+    void updateLight(int threads);
 
     FrameRenderer renderer_;
     Reprojection reprojection_;
@@ -87,11 +100,19 @@ class LiveRenderer {
     std::vector<Colour> light_;               ///< of the chosen pixels
     std::vector<LightVisibility> visibility_; ///< the same
     std::vector<SeenPoint> seen_;             ///< the same
+    IndirectLight* indirect_ = nullptr;
+    GatherBudget budget_;
+    int turns_ = 1;
+    std::vector<Receiver> receivers_;         ///< of the renderer's taps, then of samples that are updated
+    std::vector<ArrivingLight> arriving_;     ///< the same
+    std::vector<std::uint32_t> updated_;      ///< the pixels of these
+    std::vector<LiveSamples::Matter> matter_; ///< of the chosen pixels
+    std::vector<Colour> surfaceLight_;        ///< the same
     LiveLayers past_, present_;
     static constexpr std::size_t kCheckedFrames = 24;
     std::array<std::vector<CheckedPixel>, kCheckedFrames> checked_; ///< of the last frames
     std::uint32_t number_ = 0;                                      ///< of the frame
-    double newSamples_ = 0, sampleSeconds_ = 0;
+    double newSamples_ = 0, sampleSeconds_ = 0, indirectSeconds_ = 0;
     RayWave eyePath_; ///< from the eye of the last frame to that of the next
     std::vector<std::uint8_t> crossed_;
 };

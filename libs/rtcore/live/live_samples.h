@@ -5,6 +5,7 @@
 #include "rtcore/live/packed_light.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/platform/large_vector.h"
+#include "rtcore/sampling/pixel_turn.h"
 #include "rtcore/shading/light/light_visibility.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ class PixelArray {
     std::vector<T> values_;
 };
 
-/// A sample for each pixel of a frame, or none: 28 bytes per pixel. Values that are used together lie
-/// together.
+/// A sample for each pixel of a frame, or none: 28 bytes per pixel, and 16 more where it follows indirect
+/// light. Values that are used together lie together.
 class LiveSamples {
   public:
     struct Point {
@@ -59,7 +60,13 @@ class LiveSamples {
         std::uint32_t radiance = 0; ///< packLight()
         LightVisibility lights;
     };
-    static_assert(sizeof(Point) == 16 && sizeof(Light) == 12);
+    /// By which the light of a sample follows what is learned of indirect light: its radiance without that,
+    /// what it scatters of it, its shading normal and that of its face. Packed; no albedo: it does not
+    /// follow.
+    struct Matter {
+        std::uint32_t direct = 0, albedo = 0, normal = 0, face = 0;
+    };
+    static_assert(sizeof(Point) == 16 && sizeof(Light) == 12 && sizeof(Matter) == 16);
 
     // Bits of Point::state.
     static constexpr std::uint32_t kAge = 0xFF; ///< frames since it was traced, at most 255
@@ -103,6 +110,7 @@ class LiveSamples {
 
     PixelArray<Point> points{0};
     PixelArray<Light> lights{1};
+    PixelArray<Matter> matter{12}; ///< kept by LiveLayers, of the surface layer
 
   private:
     ImagePlane plane_;
@@ -117,12 +125,20 @@ struct LiveLayers {
     LiveSamples specular;
     /// By sample of `surface`: packLight() of SeenPoint::tint; undefined where `specular` is.
     PixelArray<std::uint32_t> tints{10};
-    bool mirrors = false; ///< false: no surface does, and neither of the last two is kept
+    bool mirrors = false;      ///< false: no surface does, and neither of the last two is kept
+    bool updatesLight = false; ///< surface.matter is kept
 
     /// `mirrors` is to be set before.
     void resize(const ImagePlane& plane) {
         surface.resize(plane);
+        if (updatesLight) surface.matter.resize(surface.size());
         if (mirrors) resizeSpecular(plane);
+    }
+    /// Of samples that are there, none of which has matter.
+    void beginUpdating() {
+        updatesLight = true;
+        surface.matter.resize(surface.size());
+        surface.matter.fill(0, {});
     }
     void resizeSpecular(const ImagePlane& plane) {
         specular.resize(plane);
@@ -136,18 +152,5 @@ struct LiveLayers {
     /// Whether all of a pixel's light is known.
     bool known(std::size_t i) const { return surface.known(i) && (!surface.mirrors(i) || specular.known(i)); }
 };
-
-/// 0..kTurns-1: the turn of a pixel among its neighbours, which are far apart in time. (Bayer 1973)
-constexpr std::uint32_t turnOf(int x, int y) {
-    std::uint32_t turn = 0;
-    for (int bit = 0; bit < 6; ++bit) {
-        const std::uint32_t a = static_cast<std::uint32_t>(x) >> bit & 1U;
-        const std::uint32_t b = static_cast<std::uint32_t>(y) >> bit & 1U;
-        turn = turn << 2 | (a ^ b) << 1 | b;
-    }
-    return turn;
-}
-inline constexpr int kTurnsSide = 64; ///< pixels after which turns repeat
-inline constexpr std::uint32_t kTurns = kTurnsSide * kTurnsSide;
 
 } // namespace rtcore

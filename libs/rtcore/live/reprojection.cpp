@@ -313,6 +313,7 @@ void Reprojection::take(const LiveLayers& past, const std::uint64_t* nearest, Li
                         std::size_t first, std::size_t last) {
     LiveSamples::Point* const points = &present.surface.points[first];
     LiveSamples::Light* const lights = &present.surface.lights[first];
+    LiveSamples::Matter* const matter = present.updatesLight ? &present.surface.matter[first] : nullptr;
     std::uint32_t* const tints = present.mirrors ? &present.tints[first] : nullptr;
     float* const staleness = &staleness_[first];
     for (std::size_t i = 0; i < last - first; ++i) {
@@ -322,6 +323,7 @@ void Reprojection::take(const LiveLayers& past, const std::uint64_t* nearest, Li
         points[i] = aged(past.surface.points[from]);
         lights[i] = past.surface.lights[from];
         staleness[i] = stalenessOf(nearest[i]);
+        if (matter != nullptr) matter[i] = past.surface.matter[from];
         if (tints != nullptr && LiveSamples::mirrors(points[i])) tints[i] = past.tints[from];
     }
 }

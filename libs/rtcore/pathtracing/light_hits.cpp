@@ -56,7 +56,8 @@ HWY_INLINE Float3 lightMet(const LightRows& rows, SamplingStrategy strategy, std
                 rows, k, point, loadAt(s.normal, i), cellAt(rows.visible, s, i), load(s.total + i));
             const Float weight = misWeightOfScatteredRay<Float>(strategy, select(met, density, Float(1)),
                                                                 select(met, sampled * probability, Float(0)));
-            return selectOrZero(met, broadcast(radianceOf<kind>(light)) * weight);
+            // From inside of a sphere light next event samples one half of all directions alone.
+            return selectOrZero(met & (sampled > 0.0F), broadcast(radianceOf<kind>(light)) * weight);
         }
     });
 }

@@ -3,6 +3,7 @@
 
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/scene/camera.h"
+#include "rtcore/shading/indirect_taps.h"
 
 namespace rtcore {
 
@@ -64,6 +65,12 @@ class CameraRays {
     bool parallel_ = false;
     float widened_ = 1;
 };
+
+/// Of a pixel that a ray of the camera sees.
+inline PixelSize pixelSizeOf(const CameraRays& camera) {
+    const float size = length(camera.plane().right);
+    return camera.parallel() ? PixelSize{size, 0} : PixelSize{0, size};
+}
 
 /// Degrees between the left and right edge of an image of this size; 0 for an orthographic camera.
 float fieldOfView(const Camera& camera, int width, int height);

@@ -56,7 +56,9 @@ bool FrameRenderer::renderGuides(const View& view, int block, GuideRays rays, Re
     frame.radiance = std::move(guides.albedo);
     frame.covered = std::move(guides.covered);
     const bool aovs = std::exchange(collectAovs_, false), points = std::exchange(collectSeen_, false);
+    const IrradianceCache* const indirect = std::exchange(indirect_, nullptr);
     const bool whole = renderAimed(seen, control, frame, &guides.normals);
+    indirect_ = indirect;
     collectAovs_ = aovs;
     collectSeen_ = points;
     for (Colour& pixel : frame.radiance.pixels)
@@ -86,7 +88,11 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
 
 /// Prepares everything that depends on the scene and the settings.
 void FrameRenderer::prepare(const View& view) {
-    materials_.prepare(view.scene, view.settings);
+    if (indirect_ != nullptr) {
+        materials_.prepare(view.scene, view.settings, Colour{});
+    } else {
+        materials_.prepare(view.scene, view.settings);
+    }
     samples_.pattern.prepare(view.settings.sampling, view.settings.antialiasing);
     samples_.lensPattern.prepare(view.settings.antialiasing);
     stageTimes_ = {};
@@ -106,15 +112,29 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
     const auto parts = static_cast<int>((pixels.size() + size - 1) / size);
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(parts);
+    tapsOfParts_.resize(static_cast<std::size_t>(parts));
     Frame none; // no pixels
     renderParts({view, threadsFor(control.threads), control, none}, parts,
                 [&](TileRenderer& renderer, int part) {
                     const std::size_t first = static_cast<std::size_t>(part) * size;
                     const std::size_t count = std::min(size, pixels.size() - first);
                     renderer.renderPixels(pixels.subspan(first, count), to.part(first, count));
+                    if (indirect_ != nullptr) keepTaps(renderer.taps(), first, part);
                 });
+    taps_.clear();
+    if (indirect_ != nullptr) {
+        for (const std::vector<IndirectTap>& some : tapsOfParts_)
+            taps_.insert(taps_.end(), some.begin(), some.end());
+    }
     statistics.add(none.statistics);
     return !control.cancel;
+}
+
+/// Those of a part of the pixels, from the first of its samples on.
+void FrameRenderer::keepTaps(std::span<const IndirectTap> taps, std::size_t first, int part) {
+    std::vector<IndirectTap>& kept = tapsOfParts_[static_cast<std::size_t>(part)];
+    kept.assign(taps.begin(), taps.end());
+    for (IndirectTap& tap : kept) tap.sample += static_cast<std::uint32_t>(first);
 }
 
 bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame,
@@ -171,6 +191,7 @@ void FrameRenderer::renderParts(const Work& work, int parts, Render&& render) {
                         .samples = samples_,
                         .materials = materials_,
                         .shadowMaps = maps_,
+                        .indirect = indirect_,
                         .cancel = cancel,
                         .measureStages = measureStages_,
                         .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs,

@@ -4,6 +4,9 @@ namespace rtcore {
 
 bool RayImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
     renderer_.collectAovs(request.aovs);
+    const bool indirect = view.settings.indirect.mode == IndirectMode::Live;
+    if (indirect && !light_.learn(view, control)) return false;
+    renderer_.lightIndirectlyFrom(indirect ? &light_.cache() : nullptr);
     refines_ = static_cast<bool>(request.show);
     if (!refines_) return renderer_.render(view, control, frame);
     return refinement_.render(

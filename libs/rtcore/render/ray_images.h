@@ -3,6 +3,7 @@
 
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/refinement.h"
+#include "rtcore/render/view_light.h"
 
 #include <atomic>
 
@@ -17,6 +18,7 @@ class RayImages : public ImageRenderer {
 
   private:
     FrameRenderer renderer_;
+    ViewLight light_;
     Refinement refinement_;
     std::atomic<bool> refines_{false}; ///< the image is shown meanwhile
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace rtcore {
 
@@ -100,6 +101,8 @@ void TileRenderer::begin(const FrameTask& task) {
     sameOrigin_ = false;
     needsSampleIds_ = WhittedIntegrator::needsSampleIds(view.scene, view.settings);
     samples_.clear();
+    indirect_ = task.indirect;
+    integrator_.collectTaps(indirect_ != nullptr, pixelSizeOf(task.samples.camera));
     integrator_.begin(view.scene, view.tracer, view.settings, task.materials, task.measureStages);
     integrator_.takeShadowsFrom(task.shadowMaps);
     integrator_.stopWhen(&task.cancel);
@@ -145,9 +148,19 @@ void TileRenderer::traceSamples() {
 
 void TileRenderer::traceRays() {
     integrator_.trace(rays_, samples_);
+    if (indirect_ != nullptr) addIndirect();
     if (aovs_ != nullptr) aovs_->add(integrator_.primaryHits(), samples_);
     if (seen_ != nullptr) keepHits();
     if (normals_ != nullptr) addNormals();
+}
+
+void TileRenderer::addIndirect() {
+    const std::span<const IndirectTap> taps = integrator_.taps();
+    receivers_.resize(taps.size());
+    arriving_.resize(taps.size());
+    std::ranges::transform(taps, receivers_.begin(), &IndirectTap::receiver);
+    indirect_->lookUp(receivers_, arriving_);
+    integrator_.addIndirect(arriving_);
 }
 
 void TileRenderer::addNormals() {
@@ -241,7 +254,9 @@ void TileRenderer::renderPixels(std::span<const SampleId> pixels, const Rendered
     sameOrigin_ = false;
     integrator_.remember(to.visibility);
     if (!to.seen.empty()) integrator_.collectPrimaryHits(PrimaryHitParts::Surface);
+    const IrradianceCache* const cache = std::exchange(indirect_, nullptr); // taps() tell where it is missing
     traceSamples();
+    indirect_ = cache;
     integrator_.remember({});
     const ArraysOf3& found = integrator_.radiance();
     for (std::size_t i = 0; i < to.seen.size(); ++i)

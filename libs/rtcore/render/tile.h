@@ -1,6 +1,7 @@
 /// One tile of the image: its rays are traced as one wave.
 #pragma once
 
+#include "rtcore/irradiance/irradiance_cache.h"
 #include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/frame.h"
@@ -38,8 +39,9 @@ class TileRenderer {
     struct FrameTask {
         const View& view;
         const SampleView& samples;
-        const MaterialTable& materials; ///< of the view's scene and settings
-        const ShadowMaps* shadowMaps;   ///< as WhittedIntegrator takes them; may be null
+        const MaterialTable& materials;  ///< of the view's scene and settings
+        const ShadowMaps* shadowMaps;    ///< as WhittedIntegrator takes them; may be null
+        const IrradianceCache* indirect; ///< indirect light is looked up there; may be null
         const std::atomic<bool>& cancel;
         bool measureStages;
         Aovs* aovs;                   ///< gets what samples see first; may be null
@@ -57,6 +59,9 @@ class TileRenderer {
     void renderRest(const PixelArea& area, const AdaptiveSampler& sampler, Frame& frame);
     /// Pixels anywhere, in their order; their `sub` is 0.
     void renderPixels(std::span<const SampleId> pixels, const RenderedPixels& to);
+    /// Points of the last renderPixels() that take indirect light, which it leaves out; one sample for each
+    /// pixel.
+    std::span<const IndirectTap> taps() const { return integrator_.taps(); }
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
@@ -67,6 +72,7 @@ class TileRenderer {
     void nameSamples(const PixelArea& area, Wanted&& wanted);
     void traceSamples();
     void traceRays();
+    void addIndirect();
     void clearSums(const PixelArea& area);
     void addToSums(const PixelArea& area);
     template <typename Count>
@@ -82,11 +88,14 @@ class TileRenderer {
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool needsSampleIds_ = false;
-    Aovs* aovs_ = nullptr;                   ///< that samples are added to; null: not asked for
-    std::vector<SeenPoint>* seen_ = nullptr; ///< the same
-    std::vector<Vec3>* normals_ = nullptr;   ///< the same
-    std::vector<SampleId> samples_;          ///< of rays_, where sample ids are needed
-    bool sameOrigin_ = false;                ///< all of rays_ begin at the eye already
+    const IrradianceCache* indirect_ = nullptr; ///< null: there is none
+    std::vector<Receiver> receivers_;           ///< of a wave's taps
+    std::vector<ArrivingLight> arriving_;       ///< the same
+    Aovs* aovs_ = nullptr;                      ///< that samples are added to; null: not asked for
+    std::vector<SeenPoint>* seen_ = nullptr;    ///< the same
+    std::vector<Vec3>* normals_ = nullptr;      ///< the same
+    std::vector<SampleId> samples_;             ///< of rays_, where sample ids are needed
+    bool sameOrigin_ = false;                   ///< all of rays_ begin at the eye already
     /// Sums over the samples of one pixel.
     struct PixelSum {
         Colour radiance;

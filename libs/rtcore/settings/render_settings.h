@@ -11,6 +11,8 @@ namespace rtcore {
 enum class Integrator { Whitted, Path };
 /// Whether surfaces that emit light light others. Automatic: unless lights of the scene stand in their place.
 enum class EmitterLight { Automatic, On, Off };
+/// Live: light that surfaces send to each other, and that of the surroundings, is learned while one walks.
+enum class IndirectMode { Off, Live };
 /// Automatic: by the brightness of what is seen; Incident: by the light that falls on it, however dark or
 /// bright it is itself.
 enum class ExposureMode { Automatic, Fixed, Incident };
@@ -63,6 +65,14 @@ struct PathSettings {
     int filter = 0;            ///< passes of the filter that smooths noise; 0 = DenoiseSettings::passes
 
     friend bool operator==(const PathSettings&, const PathSettings&) = default;
+};
+
+/// Light by way of surfaces in images by Whitted's rays, in place of ambient light, its occlusion and the
+/// light of the sky.
+struct IndirectSettings {
+    IndirectMode mode = IndirectMode::Off;
+
+    friend bool operator==(const IndirectSettings&, const IndirectSettings&) = default;
 };
 
 /// A thin lens on a film 36 mm wide.
@@ -137,6 +147,7 @@ struct RenderSettings {
     float minContribution = 0.004F; ///< a ray that adds less than this fraction to its pixel is not traced
     Integrator integrator = Integrator::Whitted;
     PathSettings path;
+    IndirectSettings indirect;
     AmbientOcclusionSettings ambientOcclusion;
     SkyLightSettings skyLight;
     DepthOfFieldSettings depthOfField;

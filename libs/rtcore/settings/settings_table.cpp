@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kIntegrators{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kEmitterLights{"automatic", "on", "off"};
+constexpr std::array<std::string_view, 2> kIndirectModes{"off", "live"};
 constexpr std::array<std::string_view, 3> kExposureModes{"automatic", "fixed", "incident"};
 constexpr std::array<std::string_view, 3> kRecordedExposures{"scaled", "exact", "automatic"};
 constexpr std::array<std::string_view, 4> kToneMappings{"luminance", "channels", "agx", "neutral"};
@@ -46,6 +47,7 @@ template <typename Enum>
 Choices choicesOf() {
     if constexpr (std::is_same_v<Enum, Integrator>) return kIntegrators;
     if constexpr (std::is_same_v<Enum, EmitterLight>) return kEmitterLights;
+    if constexpr (std::is_same_v<Enum, IndirectMode>) return kIndirectModes;
     if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
     if constexpr (std::is_same_v<Enum, RecordedExposure>) return kRecordedExposures;
     if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
@@ -235,6 +237,11 @@ std::vector<Setting> makeTable() {
                                                       "rays per point for the light of the sky")
             .usedBy(Integrator::Whitted)
             .inBrowsers({.maximum = 256}),
+        row<&S::indirect, &IndirectSettings::mode>(
+            "indirect.mode", "light that surfaces send to each other, and that of the sky, learned while one "
+                             "walks; in place of ambient light, occlusion and skyLight")
+            .called("Indirect light")
+            .usedBy(Integrator::Whitted),
         row<&S::integrator>("integrator", "whitted: mirrors, glass and light that comes straight; path: all "
                                           "light, also from surface to surface; only for stills")
             .liveOnlyWith("whitted")

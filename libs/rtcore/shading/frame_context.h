@@ -5,6 +5,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/indirect_taps.h"
 #include "rtcore/shading/light/light_visibility.h"
 #include "rtcore/shading/light/shadow_maps.h"
 #include "rtcore/shading/stage_times.h"
@@ -12,6 +13,7 @@
 
 #include <atomic>
 #include <span>
+#include <vector>
 
 namespace rtcore {
 
@@ -26,6 +28,10 @@ struct FrameContext {
     /// Known visibility at the points of primary rays, by sample; results are added, unless some of many
     /// lights are chosen (light/light_choice.h), which such frames do. Empty: all is traced.
     std::span<LightVisibility> visibility;
+    /// Get the points that take indirect light, which ambient light, occlusion and the light of the sky give
+    /// way to. Null: those there are.
+    std::vector<IndirectTap>* indirectTaps = nullptr;
+    PixelSize pixelSize;                     ///< for these
     const std::atomic<bool>* stop = nullptr; ///< true: return soon, the result is not wanted; may be null
     RayStatistics* statistics = nullptr;     ///< counts all rays of the frame
     StageClock* clock = nullptr;

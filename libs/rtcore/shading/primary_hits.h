@@ -3,6 +3,7 @@
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/shading/indirect_taps.h"
 #include "rtcore/shading/light/hemisphere_wave.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/surface/material_table.h"
@@ -60,6 +61,16 @@ class PrimaryHits {
     void addLight(const Wave& wave, bool areaLight);
     /// The same of ambient light as far as it is not occluded, or of the sky's.
     void addSurroundings(const Wave& wave, const HemisphereWave& light);
+
+    /// Tells which of the points of the wave taken last are primary hits.
+    void noteTaps(std::span<IndirectTap> taps) const {
+        for (IndirectTap& tap : taps) tap.primary = hits_[tap.sample].wave == wave_;
+    }
+    /// Adds indirect light to the hit of a sample.
+    void addIndirect(std::size_t sample, Colour light) {
+        hits_[sample].soft += light;
+        hits_[sample].surfaceLight += light;
+    }
 
     /// By sample.
     std::span<const PrimaryHit> hits() const { return hits_; }

@@ -16,8 +16,10 @@ void WaveLighting::begin(const FrameContext& frame, const FogWave& fog) {
     for (std::size_t light = 0; light < frame.scene->lights.size(); ++light)
         if (frame.scene->lights[light].light.on != 0) on_.push_back(light);
     shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->clear(), medium);
-    occlusion_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials);
-    sky_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials, medium);
+    RenderSettings surroundings = *frame.settings;
+    if (frame.indirectTaps != nullptr) surroundings.ambientOcclusion.on = surroundings.skyLight.on = false;
+    occlusion_.begin(*frame.scene, *frame.tracer, surroundings, *frame.materials);
+    sky_.begin(*frame.scene, *frame.tracer, surroundings, *frame.materials, medium);
 }
 
 void WaveLighting::addFog(const FrameContext& frame, const Wave& wave, SampleSums& sums) {

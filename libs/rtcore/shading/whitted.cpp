@@ -33,7 +33,7 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     statistics_ = {};
     fog_.begin(fogMedium(scene, settings));
     lighting_.begin(frame_, fog_);
-    ambient_ = unoccludedAmbient(scene, settings);
+    ambient_ = frame_.indirectTaps != nullptr ? Colour{} : unoccludedAmbient(scene, settings);
     clock_.start(measureStages);
 }
 
@@ -50,6 +50,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     frame_.statistics = &statistics_;
     frame_.clock = &clock_;
     secondary_.start();
+    taps_.clear();
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.start(primary.size());
     if (collectsNormals_) normals_.start(primary.size());
     wave_.kind = RayKind::Primary;
@@ -91,10 +92,25 @@ void WhittedIntegrator::traceWave() {
     if (collectsNormals_) normals_.add(wave_);
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
+    if (frame_.indirectTaps != nullptr) addTaps();
     lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.takeSurfaceLight(wave_, sums_);
     secondary_.makeSecondaryRays(frame_, wave_);
     clock_.lap(Stage::Secondary);
+}
+
+void WhittedIntegrator::addTaps() {
+    const std::size_t before = taps_.size();
+    rtcore::addTaps(*frame_.materials, wave_, frame_.pixelSize, taps_);
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.noteTaps(std::span(taps_).subspan(before));
+}
+
+void WhittedIntegrator::addIndirect(std::span<const ArrivingLight> arriving) {
+    for (std::size_t i = 0; i < taps_.size(); ++i) {
+        const Colour light = taps_[i].light(arriving[i].irradiance);
+        sums_.add(taps_[i].sample, light);
+        if (taps_[i].primary) primaryHits_.addIndirect(taps_[i].sample, light);
+    }
 }
 
 /// The weight of each hit in its sample if all light were scattered; and which samples hit something. Starts

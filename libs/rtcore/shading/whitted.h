@@ -59,6 +59,18 @@ class WhittedIntegrator {
     /// Shadow maps to look shadows up in instead of tracing rays; null: shadows are traced.
     void takeShadowsFrom(const ShadowMaps* maps) { frame_.shadowMaps = maps; }
 
+    /// Has the next waves collect the points that take indirect light, in place of ambient light, occlusion
+    /// and the light of the sky: taps(). To be called before begin(), whose materials were prepared without
+    /// ambient light then.
+    void collectTaps(bool on, const PixelSize& pixel) {
+        frame_.indirectTaps = on ? &taps_ : nullptr;
+        frame_.pixelSize = pixel;
+    }
+    /// Those of the last wave.
+    std::span<const IndirectTap> taps() const { return taps_; }
+    /// Adds their light, which arrives in their order, to radiance() and primaryHits().
+    void addIndirect(std::span<const ArrivingLight> arriving);
+
     /// Known visibility of lights at the primary hits of the next wave, by sample; shadow rays add their
     /// results. Empty: nothing is known or kept.
     void remember(std::span<LightVisibility> visibility) { frame_.visibility = visibility; }
@@ -76,6 +88,7 @@ class WhittedIntegrator {
   private:
     void traceWave();
     void setWeights();
+    void addTaps();
     void addBackground();
     void addDiscs();
     void addMirrored();
@@ -98,6 +111,7 @@ class WhittedIntegrator {
     SecondaryRays secondary_;
     PrimaryHitParts hitParts_ = PrimaryHitParts::None;
     PrimaryHits primaryHits_;
+    std::vector<IndirectTap> taps_;
     bool collectsNormals_ = false;
     NormalSums normals_;
 };

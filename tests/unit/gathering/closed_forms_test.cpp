@@ -128,7 +128,7 @@ TEST(IndirectLight, OfTheCornellCubeIsThatOfSixMillionPaths) {
         Known{{0.5F, 0.5F, 0}, {0, 0, 1}, {0.26742F, 0.24196F, 0.21184F}},
         Known{{0.1F, 1, 0.5F}, {0, -1, 0}, {0.14859F, 0.08166F, 0.06164F}},
     };
-    cube.learn(100);
+    cube.learn(160);
     for (const Known& each : known) {
         const Colour found = cube.at(test::receiverAt(each.point, each.normal, kPixel));
         EXPECT_NEAR(found.r / each.irradiance.r, 1, 0.02) << each.point.x << ' ' << each.point.y;

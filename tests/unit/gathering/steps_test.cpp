@@ -1,4 +1,4 @@
-// What steps depend on, and what they take.
+// Steps: their bits, means, memory, and edits between them.
 
 #include "gathering_support.h"
 
@@ -110,6 +110,21 @@ TEST(Steps, ForgetLightThatIsSwitchedOff) {
     EXPECT_FLOAT_EQ(room.mean().r, static_cast<float>(before)); // shown until something is known
     room.learn(16);
     EXPECT_NEAR(room.mean().r / before, 0.5, 0.02);
+}
+
+TEST(Steps, RememberNoMoreRecordsThanTheyMay) {
+    test::GatheringScene room(furnished());
+    room.light.boundRecords(500);
+    room.budget = {8192, 512};
+    for (int k = 0; k < 8; ++k) { // from corner to corner
+        room.receivers.clear();
+        const float x = 0.5F * static_cast<float>(k);
+        room.addReceivers({x, 0, 0}, {0.5F, 0, 0}, {0, 0, 4}, {0, 1, 0}, 1500, 0.002F);
+        room.learn(3);
+        EXPECT_LE(room.light.cache().size(), 500U + 8192 / kPassRays * 4);
+    }
+    EXPECT_GT(room.mean().g, 0.05); // what is seen last is known
+    EXPECT_LT(room.light.memory(), 5'000'000U);
 }
 
 TEST(Steps, StopSoon) {

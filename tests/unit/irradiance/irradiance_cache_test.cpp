@@ -356,6 +356,27 @@ TEST(IrradianceCache, IsAsRightWhereRadiiHaveShrunk) {
     }
 }
 
+TEST(IrradianceCache, KeepsSomeRecordsAsTheyAre) {
+    Crowd crowd(1500);
+    std::vector<std::uint8_t> kept;
+    std::vector<IrradianceRecord> left;
+    for (std::uint32_t number = 0; number < crowd.cache.size(); ++number) {
+        kept.push_back(number % 5 < 2 ? 1 : 0);
+        crowd.cache.use(number, number);
+        if (kept.back() != 0) left.push_back(crowd.cache.record(number));
+    }
+    crowd.cache.keep(kept);
+    ASSERT_EQ(crowd.cache.size(), left.size());
+    for (std::uint32_t number = 0; number < left.size(); ++number) {
+        EXPECT_EQ(crowd.cache.record(number).position, left[number].position);
+        EXPECT_EQ(crowd.cache.lastUse(number), number / 2 * 5 + number % 2);
+    }
+    for (int i = 0; i < 200; ++i) {
+        const Receiver receiver = crowd.receiver();
+        EXPECT_EQ(lightAt(crowd.cache, receiver).lacking, sumOfAll(crowd.cache, receiver).lacking);
+    }
+}
+
 TEST(IrradianceCache, TakesAnyNumbers) {
     Crowd crowd(200);
     const float infinite = std::numeric_limits<float>::infinity(),

@@ -125,6 +125,25 @@ TEST(OutgoingCells, ManyCellsAreFoundAgainAndTakeTwiceTheirBytes) {
     EXPECT_LE(cells.memory(), cells.size() * 4 * 32);
 }
 
+TEST(OutgoingCells, ForgetThoseThatAreOldest) {
+    OutgoingCells cells = emptyCells();
+    const auto pointOf = [](int i) { return Vec3{0.32F * static_cast<float>(i), 0, 0}; };
+    for (int i = 0; i < 4000; ++i)
+        cells.add(siteAt(pointOf(i), 0.1F, cells), {1, 1, 1}, static_cast<std::uint32_t>(i));
+    const std::size_t before = cells.size();
+    cells.bound(before);
+    EXPECT_EQ(cells.size(), before);
+    cells.bound(before - 1);
+    EXPECT_LT(cells.size(), before * 2 / 3);
+    EXPECT_GT(cells.size(), before / 3);
+    EXPECT_EQ(cells.samples(siteAt(pointOf(0), 0.1F, cells)), 0U);
+    EXPECT_EQ(cells.samples(siteAt(pointOf(3999), 0.1F, cells)), 1U);
+    cells.bound(10); // all as old, in the end
+    cells.bound(10);
+    cells.bound(10);
+    EXPECT_LE(cells.size(), before / 3);
+}
+
 TEST(OutgoingCells, TakeAnyNumbers) {
     OutgoingCells cells = emptyCells();
     const float infinite = std::numeric_limits<float>::infinity();

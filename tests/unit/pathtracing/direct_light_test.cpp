@@ -278,6 +278,25 @@ TEST(AreaLight, EmissiveRectangleHasTheSame) {
     }
 }
 
+TEST(AreaLight, PointsInsideOfASphereGetTheSameByAllStrategies) {
+    // Next event samples the half of all directions that looks towards the middle.
+    for (const float height : {-0.1F, 0.05F, 0.2F}) {
+        test::SceneBuilder b;
+        b.square({0, 0, 0}, {0, 1, 0}, 4, b.material(test::matte(0.5F)));
+        Scene lit = b.finish();
+        Light light = test::pointLight({0.05F, height, 0}, 1);
+        light.kind = LightKind::Sphere;
+        light.radius = 0.3F;
+        lit.lights = {light};
+        const test::PathScene scene(std::move(lit));
+        test::PathLimits limits = test::bouncesAlone(0);
+        limits.strategy = SamplingStrategy::NextEvent;
+        const test::PathMean byLight = scene.see({0.01F, 1, 0.02F}, {0, -1, 0}, 40000, limits);
+        test::expectLight(scene, {0.01F, 1, 0.02F}, {0, -1, 0}, 40000, limits, byLight.mean[0],
+                          "height " + std::to_string(height), 5 * byLight.error[0]);
+    }
+}
+
 TEST(AreaLight, SphereHasItsClosedFormAboveAndBelowTheHorizon) {
     struct Case {
         double sine, degrees, expected;

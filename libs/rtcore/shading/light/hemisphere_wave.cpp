@@ -1,7 +1,7 @@
 #include "rtcore/shading/light/hemisphere_wave.h"
 
-#include "rtcore/math/constants.h"
 #include "rtcore/sampling/even_shift.h"
+#include "rtcore/shading/surface/scattered_light.h"
 
 #include <algorithm>
 
@@ -34,12 +34,7 @@ void HemisphereWave::begin(const MaterialTable& materials, const Rays& rays) {
 }
 
 Colour HemisphereWave::scattered(const SurfaceWave& surfaces, std::size_t point) const {
-    const MaterialRow& row = materials_->rows()[surfaces.material[point]];
-    const bool metallic = (surfaces.traits[point] & traits::kMetallic) != 0;
-    Colour specular =
-        metallic ? surfaces.gloss.colourAt(point) : Colour{row.specular[0], row.specular[1], row.specular[2]};
-    if (!metallic && surfaces.tint.x != nullptr) specular *= surfaces.tint.colourAt(point);
-    return surfaces.weight.colourAt(point) * (surfaces.diffuseBrdf.colourAt(point) * kPi + specular);
+    return scatteredOf(*materials_, surfaces, point);
 }
 
 bool HemisphereWave::takes(const SurfaceWave& surfaces, std::size_t point) const {

@@ -1,0 +1,38 @@
+#include "rtserver/frames/walk_light.h"
+
+#include "rtcore/settings/settings_table.h"
+
+#include <vector>
+
+namespace rtserver {
+
+void WalkLight::follow(const Document& document, const rtcore::RenderSettings& settings) {
+    using rtcore::Change;
+    const rtcore::Changes changes = known_.take(document.revisions());
+    const bool begins =
+                   light_ == nullptr || changes.hasAny({Change::Scene, Change::Visibility, Change::Section}),
+               other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
+                       !rtcore::sameLight(settings, settings_);
+    if (!begins && !other) return;
+    if (light_ == nullptr) light_ = std::make_unique<rtcore::IndirectLight>();
+    scene_ = document.scene();
+    tracer_ = document.tracer();
+    settings_ = settings;
+    if (begins) {
+        light_->begin(*scene_, *tracer_, settings_);
+    } else {
+        light_->changeLight(*scene_, *tracer_, settings_);
+    }
+}
+
+bool WalkLight::learn(const rtcore::View& view, rtcore::RenderControl& control) {
+    constexpr rtcore::GatherBudget kOfCoarse{4 * kBudget.rays, 4 * kBudget.paths};
+    std::vector<rtcore::SampleId> pixels;
+    for (int y = 0; y < view.settings.height; ++y) {
+        for (int x = 0; x < view.settings.width; ++x)
+            pixels.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
+    }
+    return steps_.step(view, pixels, kOfCoarse, control, *light_);
+}
+
+} // namespace rtserver

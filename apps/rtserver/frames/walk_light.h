@@ -1,0 +1,36 @@
+/// Indirect light of the frames of a walk: learned while the camera moves, and forgotten as the state
+/// changes.
+#pragma once
+
+#include "rtserver/document/document.h"
+
+#include "rtcore/gathering/indirect_light.h"
+#include "rtcore/render/view_light.h"
+
+#include <memory>
+
+namespace rtserver {
+
+/// One thread, which uses those of the control itself. Keeps its memory from frame to frame.
+class WalkLight {
+  public:
+    /// The work of a live frame, and in how many of them samples follow what is learned.
+    static constexpr rtcore::GatherBudget kBudget{8192, 768};
+    static constexpr int kTurns = 48;
+
+    /// Takes what has changed: what is known suits the state then.
+    void follow(const Document& document, const rtcore::RenderSettings& settings);
+    /// Learns what a coarse image of the view sees.
+    bool learn(const rtcore::View& view, rtcore::RenderControl& control);
+    rtcore::IndirectLight& light() { return *light_; }
+
+  private:
+    std::unique_ptr<rtcore::IndirectLight> light_;
+    rtcore::ViewSteps steps_;
+    std::shared_ptr<const rtcore::Scene> scene_; ///< whose light is known
+    std::shared_ptr<const rtcore::RayTracer> tracer_;
+    rtcore::RenderSettings settings_;
+    rtcore::Subscription known_;
+};
+
+} // namespace rtserver

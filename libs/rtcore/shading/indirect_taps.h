@@ -1,0 +1,35 @@
+/// The points of waves that take light which surfaces send to each other, and the light of the surroundings:
+/// both are looked up for all of them together, where they are known (rtcore/irradiance).
+#pragma once
+
+#include "rtcore/irradiance/irradiance_record.h"
+#include "rtcore/math/colour.h"
+#include "rtcore/math/constants.h"
+#include "rtcore/shading/surface/material_table.h"
+#include "rtcore/shading/wave.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+struct IndirectTap {
+    Receiver receiver;
+    Colour factor;            ///< of the irradiance over pi: the part that reaches the sample
+    std::uint32_t sample = 0; ///< of the wave of primary rays
+    bool primary = false;     ///< it is the primary hit of its sample
+
+    Colour light(Colour irradiance) const { return factor * irradiance / kPi; }
+};
+
+/// The size of pixels where a ray has come so far.
+struct PixelSize {
+    float atEye = 0, perLength = 0;
+    float at(float length) const { return atEye + perLength * length; }
+};
+
+/// Appends the points of a wave whose light has been divided.
+void addTaps(const MaterialTable& materials, const Wave& wave, const PixelSize& pixel,
+             std::vector<IndirectTap>& taps);
+
+} // namespace rtcore
