@@ -9,7 +9,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kMinSlots = 1024;
+constexpr std::size_t kFirstSlots = 1024;
 
 } // namespace
 
@@ -18,7 +18,7 @@ void RecordIndex::clear(const Box3& bounds) {
     origin_ = diagonal > 0 ? bounds.lo : Vec3{};
     finest_ = diagonal > 0 ? diagonal / 65536 : 1;
     levels_ = 0;
-    slots_.assign(kMinSlots, {});
+    slots_.assign(kFirstSlots, {});
     used_ = 0;
     chunks_.clear();
     free_ = kNone;
