@@ -117,10 +117,11 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
     const rtcore::IrradianceCache* cache = nullptr;
     if (view.settings.indirect.mode == rtcore::IndirectMode::Live) {
         if (detail.whole()) {
+            if (!viewLight_) viewLight_.emplace();
             if (!viewLight_->learn(view, control)) return false;
             cache = &viewLight_->cache();
         } else {
-            walkLight_->follow(document, view.settings);
+            walkLight_->follow(document);
             if (!walkLight_->learn(view, control)) return false;
             cache = &walkLight_->light().cache();
         }
@@ -163,7 +164,9 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, detail.scale);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     const bool indirect = settings.indirect.mode == rtcore::IndirectMode::Live;
-    if (indirect) walkLight_->follow(document, settings);
+    if (indirect) walkLight_->follow(document);
+    renderer_->lightIndirectlyFrom(nullptr);
+    viewLight_.reset(); // its memory; a whole frame begins anew
     live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::kBudget, WalkLight::kTurns);
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
@@ -230,7 +233,7 @@ void FrameMaker::drop() {
     renderer_.emplace();
     live_.emplace();
     walkLight_.emplace();
-    viewLight_.emplace();
+    viewLight_.reset();
     unkept_ = {};
     developer_ = {};
     gradual_.drop();

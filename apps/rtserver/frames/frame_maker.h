@@ -96,7 +96,7 @@ class FrameMaker {
     std::optional<rtcore::FrameRenderer> renderer_{std::in_place};
     std::optional<rtcore::LiveRenderer> live_{std::in_place};
     std::optional<WalkLight> walkLight_{std::in_place};
-    std::optional<rtcore::ViewLight> viewLight_{std::in_place}; ///< of whole frames
+    std::optional<rtcore::ViewLight> viewLight_; ///< of the last whole frame
     LiveGovernor::Cost liveCost_;
     rtcore::Subscription kept_;      ///< what the light of live frames knows of the state
     rtcore::RenderSettings keptFor_; ///< the settings that it was traced with

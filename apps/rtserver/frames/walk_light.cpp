@@ -6,20 +6,25 @@
 
 namespace rtserver {
 
-void WalkLight::follow(const Document& document, const rtcore::RenderSettings& settings) {
+void WalkLight::follow(const Document& document) {
     using rtcore::Change;
+    // Of whole frames: coarse ones have cheaper samples, but the same light.
+    const rtcore::RenderSettings settings = document.frameSettings();
     const rtcore::Changes changes = known_.take(document.revisions());
     const bool begins =
                    light_ == nullptr || changes.hasAny({Change::Scene, Change::Visibility, Change::Section}),
                other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
                        !rtcore::sameLight(settings, settings_);
-    if (!begins && !other) return;
+    const bool rebinds = tracer_ != document.tracer(); // a better tree of the same surfaces
+    if (!begins && !other && !rebinds) return;
     if (light_ == nullptr) light_ = std::make_unique<rtcore::IndirectLight>();
     scene_ = document.scene();
     tracer_ = document.tracer();
     settings_ = settings;
     if (begins) {
         light_->begin(*scene_, *tracer_, settings_);
+    } else if (!other) {
+        light_->rebind(*scene_, *tracer_, settings_);
     } else {
         light_->changeLight(*scene_, *tracer_, settings_);
     }

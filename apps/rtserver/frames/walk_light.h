@@ -19,7 +19,7 @@ class WalkLight {
     static constexpr int kTurns = 48;
 
     /// Takes what has changed: what is known suits the state then.
-    void follow(const Document& document, const rtcore::RenderSettings& settings);
+    void follow(const Document& document);
     /// Learns what a coarse image of the view sees.
     bool learn(const rtcore::View& view, rtcore::RenderControl& control);
     rtcore::IndirectLight& light() { return *light_; }

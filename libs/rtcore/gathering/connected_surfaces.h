@@ -16,8 +16,10 @@ class ConnectedSurfaces {
     /// than a hundredth as large as the mesh, as leaves and pebbles are, nothing is told apart.
     void find(const Mesh& mesh);
 
-    /// 0: of one that is small.
-    std::uint32_t of(std::uint32_t triangle) const { return numbers_[triangle]; }
+    /// 0: of one that is small, or no triangle of the mesh, as those of a ground.
+    std::uint32_t of(std::uint32_t triangle) const {
+        return triangle < numbers_.size() ? numbers_[triangle] : 0;
+    }
 
   private:
     std::vector<std::uint16_t> numbers_;

@@ -18,10 +18,13 @@ struct PassLight {
     Colour irradiance;
     Vec3 vector;
 
-    /// Adds radiance from a direction of unit length, where `solidAngle` is over the cosine with the normal.
+    /// Adds radiance from a direction of unit length, times its projected solid angle; nothing where that is
+    /// no number or beyond all light.
     void add(Colour radiance, Vec3 direction, float cosine, float projected) {
         constexpr float kMinCosine = 0.2F; // below, single rays would count too much
+        constexpr float kMaxLight = 1e9F;
         const Colour light = radiance * projected;
+        if (!(maxComponent(light) < kMaxLight) || !isFinite(light)) return;
         irradiance += light;
         vector += direction * (luminance(light) / std::max(cosine, kMinCosine));
     }
@@ -40,7 +43,7 @@ class EmitterRays {
         ShadowTracer shadows;
         RayStatistics statistics;
         RayWave rays;
-        std::vector<Colour> radiance; ///< of each ray, over pi
+        std::vector<Colour> radiance; ///< of each ray, times its projected solid angle
     };
     static void aim(const PathFrame& paths, const GatherPass& pass, Worker& worker);
 

@@ -42,23 +42,26 @@ void IndirectLight::prepare(const Scene& scene, const RayTracer& tracer, const R
     scene_ = &scene;
     tracer_ = &tracer;
     settings_ = settings;
+    fog_ = fogMedium(scene, settings_);
     materials_.prepare(scene, settings_, Colour{});
     lights_.prepare(scene, settings_, tracer.bounds(), hiddenTriangles(scene.model, scene.hiddenParts));
 }
 
 void IndirectLight::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
     prepare(scene, tracer, settings);
-    surfaces_.find(scene.mesh());
+    surfaces_.find(scene.model.mesh);
     cache_.clear(tracer.bounds());
     cells_.clear(tracer.bounds());
     records_.clear();
     frame_ = 0;
+    guesses_ = false;
 }
 
 void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
     prepare(scene, tracer, settings);
     cells_.clear(tracer.bounds());
     records_.forgetLight();
+    guesses_ = false;
 }
 
 bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
@@ -72,11 +75,13 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
     const std::size_t before = cache_.size();
     chosen_.clear();
     makeRecords(receivers, arriving, passes);
-    const std::size_t fresh = cache_.size() - before;
-    chooseRecords(passes - fresh);
+    chooseRecords(passes - (cache_.size() - before));
     orderChosen();
-    if (!gather(work, threads, stop)) return false;
-    enterResults(fresh);
+    if (!gather(work, threads, stop)) {
+        undo(before);
+        return false;
+    }
+    enterResults();
     lookUpLacking(receivers, arriving, threads);
     return true;
 }
@@ -99,6 +104,15 @@ void IndirectLight::forgetUnused() {
     }
     cache_.keep(kept);
     records_.keep(kept);
+}
+
+/// Forgets the records beyond so many, which have learned nothing yet.
+void IndirectLight::undo(std::size_t records) {
+    std::vector<std::uint8_t> kept(cache_.size(), 1);
+    std::fill(kept.begin() + static_cast<std::ptrdiff_t>(records), kept.end(), std::uint8_t{0});
+    records_.undo(cache_.size() - records);
+    cache_.keep(kept);
+    --frame_;
 }
 
 /// Receivers that fine records alone are missing for are as right as they were.
@@ -136,7 +150,7 @@ void IndirectLight::lookUp(std::span<const Receiver> receivers, std::span<Arrivi
     });
 }
 
-/// Where records lack, coarse ones first. Half of the passes are left to records that know something.
+/// Where records lack, coarse ones first; fine ones leave half of the passes to records that know something.
 void IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                                 std::size_t max) {
     for (int density = kDensities - 1; density >= 0; --density) {
@@ -181,6 +195,7 @@ void IndirectLight::orderChosen() {
 bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     passes_.clear();
     for (const std::uint32_t number : chosen_) passes_.push_back(records_.next(cache_, number));
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return false;
     hits_.trace({*scene_, *tracer_, surfaces_, cells_}, passes_, threads);
     if (!cellPaths_.fill(paths(), hits_, passes_, budget.paths, frame_, threads, stop, cells_)) return false;
     emitted_.assign(passes_.size(), {});
@@ -191,17 +206,19 @@ bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::a
         const std::size_t last = std::min((part + 1) * kPart, passes_.size());
         for (std::size_t pass = part * kPart; pass < last; ++pass) results_[pass] = resultOf(pass);
     });
-    return stop == nullptr || !stop->load(std::memory_order_relaxed);
+    return true;
 }
 
 /// Radiance that comes along a ray, but emission; nothing where it is not known yet.
 std::optional<Colour> IndirectLight::arrivingAlong(std::size_t ray, Vec3 normal) const {
     if (hits_.isHit(ray)) return cells_.radiance(hits_.site(ray));
     const Vec3 direction = hits_.direction(ray);
+    const float left =
+        fog_.on ? fogTransmittance(fog_, passes_[ray / kPassRays].origin, direction, kEndless) : 1;
     const Environment* const environment = scene_->environment();
-    if (environment == nullptr) return lights_.background().radiance(direction);
+    if (environment == nullptr) return lights_.background().radiance(direction) * left;
     const EnvironmentLight& light = environment->light();
-    return spreadRadiance(light, direction) * light.correction(normal) * environment->intensity;
+    return spreadRadiance(light, direction) * light.correction(normal) * (environment->intensity * left);
 }
 
 PassResult IndirectLight::resultOf(std::size_t pass) const {
@@ -230,16 +247,20 @@ PassResult IndirectLight::resultOf(std::size_t pass) const {
 }
 
 /// In the order of the passes. The guess follows what new records find.
-void IndirectLight::enterResults(std::size_t fresh) {
+void IndirectLight::enterResults() {
     Colour sum;
+    float count = 0;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
-        if (records_.passes(chosen_[i]) == 0) sum += results_[i].light.irradiance;
+        if (records_.passes(chosen_[i]) == 0) {
+            sum += results_[i].light.irradiance;
+            ++count;
+        }
         records_.enter(cache_, chosen_[i], results_[i]);
     }
-    if (fresh == 0) return;
-    const bool first = fresh == cache_.size();
-    const float weight = first ? 1 : std::min(0.1F, static_cast<float>(fresh) * 1e-4F);
-    cache_.setGuess(cache_.guess() * (1 - weight) + sum * (weight / static_cast<float>(fresh)));
+    if (count == 0) return;
+    const float weight = guesses_ ? std::min(0.1F, count * 1e-4F) : 1;
+    cache_.setGuess(cache_.guess() * (1 - weight) + sum * (weight / count));
+    guesses_ = true;
 }
 
 std::size_t IndirectLight::memory() const { return cache_.memory() + cells_.memory() + records_.memory(); }

@@ -12,6 +12,7 @@
 #include "rtcore/irradiance/irradiance_cache.h"
 #include "rtcore/irradiance/outgoing_cells.h"
 #include "rtcore/pathtracing/light_set.h"
+#include "rtcore/shading/fog/fog.h"
 #include "rtcore/shading/surface/material_table.h"
 
 #include <atomic>
@@ -34,14 +35,19 @@ struct GatherBudget {
 class IndirectLight {
   public:
     /// Forgets all, and takes the light of this scene. The arguments must live until the next call; of the
-    /// settings count `path`, textures, shadows, reflections, refractions, maxDepth.
+    /// settings count `path`, textures, shadows, reflections, refractions, maxDepth, fog.
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
     /// Takes a scene in which lights, materials or surroundings differ, but no surface: positions and radii
     /// of records stay, and each shows what it knew until its next pass.
     void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
 
+    /// Takes another tracer of the same surfaces.
+    void rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
+        prepare(scene, tracer, settings);
+    }
+
     /// Learns, first of all about the receivers, and looks up the light of each. Returns false when `stop`
-    /// (may be null) became true: then cache and cells are as after some earlier step.
+    /// (may be null) became true: then all is as before, but for which records were of use lately.
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
     /// Looks up what is known. From many threads, while none learns.
@@ -50,7 +56,7 @@ class IndirectLight {
 
     std::size_t memory() const; ///< bytes that grow with what is remembered, at most kMaxMemory
     /// So many records and cells are remembered; beyond, those that were of no use for longest are forgotten.
-    static constexpr std::size_t kMaxRecords = 200'000, kMaxCells = 1'000'000, kMaxMemory = 250'000'000;
+    static constexpr std::size_t kMaxRecords = 200'000, kMaxCells = 750'000, kMaxMemory = 250'000'000;
     /// For tests.
     void boundRecords(std::size_t max) { maxRecords_ = max; }
 
@@ -60,6 +66,7 @@ class IndirectLight {
     void lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, std::uint32_t frame,
                 int threads) const;
     void forgetUnused();
+    void undo(std::size_t records);
     void findLacking(std::span<const ArrivingLight> arriving);
     GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
     void lookUpLacking(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, int threads);
@@ -69,7 +76,7 @@ class IndirectLight {
     void orderChosen();
     std::optional<Colour> arrivingAlong(std::size_t ray, Vec3 normal) const;
     PassResult resultOf(std::size_t pass) const;
-    void enterResults(std::size_t fresh);
+    void enterResults();
     bool gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
 
     const Scene* scene_ = nullptr;
@@ -77,12 +84,14 @@ class IndirectLight {
     RenderSettings settings_;
     MaterialTable materials_;
     LightSet lights_;
+    FogMedium fog_;
     ConnectedSurfaces surfaces_;
     IrradianceCache cache_;
     OutgoingCells cells_;
     RecordPasses records_;
     std::uint32_t frame_ = 0;
     std::size_t maxRecords_ = kMaxRecords;
+    bool guesses_ = false; ///< the cache's guess is of this light
 
     std::vector<std::uint32_t> lacking_;       ///< receivers that coarse records are missing for, too
     std::vector<Receiver> again_;              ///< these

@@ -68,6 +68,11 @@ class RecordPasses {
     int density(std::uint32_t number) const { return histories_[number].density; }
     /// Enters the results of a pass, those of several records in a fixed order.
     void enter(IrradianceCache& cache, std::uint32_t number, const PassResult& result);
+    /// Forgets the last records, which had no pass, as if they had not been added.
+    void undo(std::size_t count) {
+        histories_.resize(histories_.size() - count);
+        names_ -= static_cast<std::uint32_t>(count);
+    }
     /// As IrradianceCache::keep().
     void keep(std::span<const std::uint8_t> kept);
     /// Forgets what records know of light; they keep their positions and radii, and show what they knew until

@@ -88,7 +88,7 @@ HWY_INLINE Mask addRecord(const IrradianceRecord& record, std::uint32_t list, Lo
     const Float leaning =
         max(dot(own + broadcast(record.slant), normal) + 0.5F * (1.0F - dot(own, normal)), 0.0F);
     const Float3 light = broadcast(record.irradiance) * (weight * leaning);
-    addTo(group.distance, i, kernel * record.distance);
+    addTo(group.distance, i, selectOrZero(used, kernel * record.distance));
     const Float pixel = load(&group.pixel[i]);
     const Float wanted = clamp(Float(RecordRadii::kOfDistance * record.distance),
                                RecordRadii::kMinPixels * pixel, RecordRadii::kMaxPixels * pixel);
@@ -143,8 +143,10 @@ void addList(const LookupTask& task, std::uint32_t list, LookupGroup& group) {
             bool used = false;
             for (std::size_t i = 0; i < group.count; i += lanes())
                 used |= any(addRecord(record, list, group, i));
-            if (used && task.frame != 0 && task.lastUse[number] != task.frame)
-                std::atomic_ref(task.lastUse[number]).store(task.frame, std::memory_order_relaxed);
+            if (!used || task.frame == 0) continue;
+            const std::atomic_ref lastUse(task.lastUse[number]);
+            if (lastUse.load(std::memory_order_relaxed) != task.frame)
+                lastUse.store(task.frame, std::memory_order_relaxed);
         }
     }
 }

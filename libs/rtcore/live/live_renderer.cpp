@@ -286,7 +286,6 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
 }
 
 void LiveRenderer::lightIndirectly(IndirectLight* light, const GatherBudget& budget, int turns) {
-    if (light != indirect_) forget();
     indirect_ = light;
     budget_ = budget;
     turns_ = turns;

@@ -42,7 +42,8 @@ class LiveRenderer {
     bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
 
     /// Frames to come are lit by what this learns: each gives it the work of a step. Samples follow what is
-    /// learned later in so many turns of frames. Null: not any more. Forgets all samples where that changes.
+    /// learned later in so many turns of frames, at least 1. Null: not any more. Samples stay as they are;
+    /// those of whole frames do not follow.
     void lightIndirectly(IndirectLight* light, const GatherBudget& budget, int turns);
 
     /// Takes the samples of a whole frame, which has Frame::seen, of a view on that plane. It may have any

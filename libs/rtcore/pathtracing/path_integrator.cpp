@@ -210,6 +210,14 @@ bool PathIntegrator::leavesLightsOut(std::size_t ray) const {
     return (state & path_state::kGathers) != 0 && (state & path_state::kWhole) == 0;
 }
 
+/// Straight ways through panes, with caustics too: shadow rays pass those.
+bool PathIntegrator::leavesDiscsOut(std::size_t ray) const {
+    if (leavesLightsOut(ray)) return true;
+    if (paths_ == nullptr) return false;
+    const bool straight = wave_.paths.path(ray).depth == 0;
+    return straight && (paths_->scattered().state[ray] & path_state::kGathers) != 0;
+}
+
 void PathIntegrator::addSurroundings() {
     const Colour seen = frame_.scene->background;
     const Environment* const environment = frame_.scene->environment();
@@ -243,7 +251,7 @@ void PathIntegrator::addDiscs() {
     for (const std::uint32_t k : lights_->discs()) {
         const Light& light = rows_.light[k];
         for (std::size_t i = 0; i < wave_.size(); ++i) {
-            if (wave_.surfaces.traits[i] != 0 || leavesLightsOut(i)) continue;
+            if (wave_.surfaces.traits[i] != 0 || leavesDiscsOut(i)) continue;
             Colour radiance = discSeen(light, wave_.direction(i));
             if (isBlack(radiance)) continue;
             const bool shared = paths_ != nullptr && paths_->scattered().density[i] > 0;

@@ -74,6 +74,7 @@ class PathIntegrator {
     void tracePaths();
     void traceOnward();
     bool leavesLightsOut(std::size_t ray) const;
+    bool leavesDiscsOut(std::size_t ray) const;
     void startStep(RayKind kind, const RayWave& rays);
     void shade(std::size_t first, std::size_t count);
     PathNames names() const;

@@ -119,7 +119,7 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
                     const std::size_t first = static_cast<std::size_t>(part) * size;
                     const std::size_t count = std::min(size, pixels.size() - first);
                     renderer.renderPixels(pixels.subspan(first, count), to.part(first, count));
-                    if (indirect_ != nullptr) keepTaps(renderer.taps(), first, part);
+                    if (indirect_ != nullptr) keepTaps(renderer.taps(), ofPixel, first, part);
                 });
     taps_.clear();
     if (indirect_ != nullptr) {
@@ -130,11 +130,15 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
     return !control.cancel;
 }
 
-/// Those of a part of the pixels, from the first of its samples on.
-void FrameRenderer::keepTaps(std::span<const IndirectTap> taps, std::size_t first, int part) {
+/// Those of a part of the pixels, from the first on, which have so many samples each.
+void FrameRenderer::keepTaps(std::span<const IndirectTap> taps, std::size_t ofPixel, std::size_t first,
+                             int part) {
     std::vector<IndirectTap>& kept = tapsOfParts_[static_cast<std::size_t>(part)];
     kept.assign(taps.begin(), taps.end());
-    for (IndirectTap& tap : kept) tap.sample += static_cast<std::uint32_t>(first);
+    for (IndirectTap& tap : kept) {
+        tap.sample = static_cast<std::uint32_t>(tap.sample / ofPixel + first);
+        tap.factor = tap.factor / static_cast<float>(ofPixel);
+    }
 }
 
 bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame,

@@ -103,7 +103,7 @@ class FrameRenderer {
     void prepare(const View& view);
     template <typename Render>
     void renderParts(const Work& work, int parts, Render&& render);
-    void keepTaps(std::span<const IndirectTap> taps, std::size_t first, int part);
+    void keepTaps(std::span<const IndirectTap> taps, std::size_t ofPixel, std::size_t first, int part);
     void renderAdaptively(const Work& work, const TileGrid& grid);
     void finish(const Work& work, const PixelArea& tile);
     TileRenderer& rendererOfThread(int thread);

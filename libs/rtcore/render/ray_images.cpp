@@ -4,6 +4,7 @@ namespace rtcore {
 
 bool RayImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
     renderer_.collectAovs(request.aovs);
+    refines_ = false;
     const bool indirect = view.settings.indirect.mode == IndirectMode::Live;
     if (indirect && !light_.learn(view, control)) return false;
     renderer_.lightIndirectlyFrom(indirect ? &light_.cache() : nullptr);

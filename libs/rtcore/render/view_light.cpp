@@ -9,6 +9,8 @@ namespace rtcore {
 namespace {
 
 constexpr std::uint32_t kSteps = 48, kSweep = 16; ///< steps in which all pixels have their turn
+constexpr std::uint32_t kStepsOfSmall = 16;       ///< of images that are measured, not seen
+constexpr int kSmall = 64 * 64;                   ///< pixels
 constexpr GatherBudget kBudget{65536, 6144};
 
 /// The view whose points alone are wanted, not their light.
@@ -65,10 +67,12 @@ bool ViewSteps::step(const View& view, std::span<const SampleId> pixels, const G
 
 bool ViewLight::learn(const View& view, RenderControl& control) {
     light_.begin(view.scene, view.tracer, view.settings);
-    for (std::uint32_t step = 0; step < kSteps; ++step) {
+    const bool small = view.settings.width * static_cast<std::int64_t>(view.settings.height) <= kSmall;
+    const std::uint32_t steps = small ? kStepsOfSmall : kSteps;
+    for (std::uint32_t step = 0; step < steps; ++step) {
         const std::vector<SampleId> pixels = pixelsOfTurn(view.settings, step % kSweep);
         if (!steps_.step(view, pixels, kBudget, control, light_)) return false;
-        control.tiles = kSteps;
+        control.tiles = steps;
         control.tilesDone = step + 1;
     }
     return true;

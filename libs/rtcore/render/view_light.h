@@ -30,8 +30,8 @@ class ViewSteps {
 /// view alone, whatever was walked through before.
 class ViewLight {
   public:
-    /// The same bits for any number of threads. Returns false when control.cancel was set: nothing is known
-    /// then. Takes some seconds of two processors.
+    /// The same bits for any number of threads. Returns false when control.cancel was set: only a
+    /// part is known then. Takes some seconds of two processors.
     bool learn(const View& view, RenderControl& control);
     const IrradianceCache& cache() const { return light_.cache(); }
 

@@ -1,10 +1,13 @@
 #include "rtcore/shading/indirect_taps.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/shading/surface/scattered_light.h"
 
 #include <cmath>
 
 namespace rtcore {
+
+Colour IndirectTap::light(Colour irradiance) const { return factor * irradiance / kPi; }
 
 void addTaps(const MaterialTable& materials, const Wave& wave, const PixelSize& pixel,
              std::vector<IndirectTap>& taps) {

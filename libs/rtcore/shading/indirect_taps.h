@@ -4,7 +4,6 @@
 
 #include "rtcore/irradiance/irradiance_record.h"
 #include "rtcore/math/colour.h"
-#include "rtcore/math/constants.h"
 #include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/wave.h"
 
@@ -19,7 +18,7 @@ struct IndirectTap {
     std::uint32_t sample = 0; ///< of the wave of primary rays
     bool primary = false;     ///< it is the primary hit of its sample
 
-    Colour light(Colour irradiance) const { return factor * irradiance / kPi; }
+    Colour light(Colour irradiance) const;
 };
 
 /// The size of pixels where a ray has come so far.

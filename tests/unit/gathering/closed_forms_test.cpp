@@ -10,6 +10,24 @@
 namespace rtcore {
 namespace {
 
+TEST(IndirectLight, OfManyEmittersIsTheirPower) {
+    // All of it arrives at black walls; emitters are small.
+    test::SceneBuilder b;
+    test::addRoom(b, {0, 0, 0}, {2, 2, 2}, b.material(test::matte(0)));
+    const auto shining = b.material(test::emitter({10, 10, 10}));
+    constexpr int kBoxes = 12; // of 12 triangles each: they are in a tree
+    constexpr float kHalf = 0.03F;
+    for (int i = 0; i < kBoxes; ++i) {
+        const Vec3 at{0.4F + 0.4F * static_cast<float>(i % 4), 0.5F + 0.5F * static_cast<float>(i / 4), 0.9F};
+        b.box(at - Vec3{kHalf, kHalf, kHalf}, at + Vec3{kHalf, kHalf, kHalf}, shining);
+    }
+    test::GatheringScene room(b.finish());
+    room.addReceiversOfBox({0, 0, 0}, {2, 2, 2}, 800, 0.008F);
+    room.learn(20);
+    const double power = test::kPi * 10 * kBoxes * 6 * 4 * kHalf * kHalf;
+    EXPECT_NEAR(room.mean().r / (power / 24), 1, 0.03); // some of it falls on other boxes
+}
+
 TEST(IndirectLight, OfAnEnclosureIsThatOfItsPower) {
     // Radiance rho phi / (pi A (1 - rho)) in all, of which the first term of the series is direct.
     for (const float albedo : {0.5F, 0.9F}) {

@@ -133,8 +133,25 @@ TEST(Steps, StopSoon) {
     std::vector<ArrivingLight> arriving(room.receivers.size());
     const std::atomic<bool> stop{true};
     EXPECT_FALSE(room.light.step(room.receivers, arriving, room.budget, 2, &stop));
+    EXPECT_EQ(room.light.cache().size(), 0U);
     EXPECT_TRUE(room.light.step(room.receivers, arriving, room.budget, 2));
     EXPECT_GT(room.mean().g, 0.1);
+    test::GatheringScene other(furnished());
+    other.receivers = room.receivers;
+    other.light.step(other.receivers, arriving, other.budget, 2);
+    EXPECT_EQ(hashOf(other.light.cache()), hashOf(room.light.cache()));
+}
+
+TEST(Steps, TakeLightThatIsNoNumberForDarkness) {
+    test::SceneBuilder b;
+    test::addRoom(b, {0, 0, 0}, {4, 3, 4}, b.material(test::matte(0.5F)));
+    b.box({1, 1, 1}, {1.2F, 1.2F, 1.2F}, b.material(test::emitter({1e38F, 1e38F, 1e38F})));
+    Scene scene = b.finish();
+    scene.lights = {test::pointLight({3, 2, 3}, 1)};
+    test::GatheringScene room(std::move(scene));
+    room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 200, 0.006F);
+    room.learn(3);
+    for (const Receiver& receiver : room.receivers) EXPECT_TRUE(isFinite(room.at(receiver)));
 }
 
 TEST(Steps, WithoutReceiversOrRaysDoNothing) {

@@ -175,7 +175,8 @@ class Crowd {
                 recordAt(at.position, 0.08F * std::exp2(7 * number()), number(), at.normal);
             record.confidence = number() < 0.2F ? 0 : number();
             record.slant = {number() - 0.5F, number() - 0.5F, number() - 0.5F};
-            record.distance = 0.1F + 4 * number() * number();
+            record.distance =
+                number() < 0.1F ? std::numeric_limits<float>::infinity() : 0.1F + 4 * number() * number();
             if (number() < 0.3F) {
                 const Vec3 wall = site().normal;
                 record.walls[number() < 0.5F ? 0 : 1] = {wall, dot(wall, record.position) -
