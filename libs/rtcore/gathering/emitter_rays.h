@@ -7,6 +7,7 @@
 #include "rtcore/pathtracing/path_integrator.h"
 #include "rtcore/shading/light/shadows.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>

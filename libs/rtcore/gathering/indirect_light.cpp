@@ -108,10 +108,9 @@ void IndirectLight::forgetUnused() {
 
 /// Forgets the records beyond so many, which have learned nothing yet.
 void IndirectLight::undo(std::size_t records) {
-    std::vector<std::uint8_t> kept(cache_.size(), 1);
-    std::fill(kept.begin() + static_cast<std::ptrdiff_t>(records), kept.end(), std::uint8_t{0});
-    records_.undo(cache_.size() - records);
-    cache_.keep(kept);
+    const std::size_t fresh = cache_.size() - records;
+    records_.undo(fresh);
+    cache_.removeLast(fresh);
     --frame_;
 }
 

@@ -54,9 +54,9 @@ class IndirectLight {
     const IrradianceCache& cache() const { return cache_; }
     const OutgoingCells& cells() const { return cells_; }
 
-    std::size_t memory() const; ///< bytes that grow with what is remembered, at most kMaxMemory
+    std::size_t memory() const; ///< bytes that grow with what is remembered
     /// So many records and cells are remembered; beyond, those that were of no use for longest are forgotten.
-    static constexpr std::size_t kMaxRecords = 200'000, kMaxCells = 750'000, kMaxMemory = 250'000'000;
+    static constexpr std::size_t kMaxRecords = 200'000, kMaxCells = 750'000;
     /// For tests.
     void boundRecords(std::size_t max) { maxRecords_ = max; }
 

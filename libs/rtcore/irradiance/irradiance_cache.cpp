@@ -36,6 +36,17 @@ void IrradianceCache::clear(const Box3& bounds) {
     guess_ = {};
 }
 
+/// Backwards, so that the lists of the index are in their old order.
+void IrradianceCache::removeLast(std::size_t count) {
+    for (; count > 0; --count) {
+        const auto number = static_cast<std::uint32_t>(records_.size() - 1);
+        index_.remove(number, records_[number].position, indexed_[number]);
+        records_.pop_back();
+        indexed_.pop_back();
+        lastUse_.pop_back();
+    }
+}
+
 void IrradianceCache::keep(std::span<const std::uint8_t> kept) {
     index_.clear(bounds_);
     std::uint32_t next = 0;

@@ -26,6 +26,8 @@ class IrradianceCache {
     IrradianceRecord& values(std::uint32_t number) { return records_[number]; }
     /// Only ever smaller.
     void shrink(std::uint32_t number, float radius);
+    /// Forgets the last ones, as if they had not been added.
+    void removeLast(std::size_t count);
     /// Forgets all but those that `kept`, by record, is not 0 of; they get the numbers from 0 on, in their
     /// order.
     void keep(std::span<const std::uint8_t> kept);

@@ -142,6 +142,22 @@ TEST(Steps, StopSoon) {
     EXPECT_EQ(hashOf(other.light.cache()), hashOf(room.light.cache()));
 }
 
+TEST(Steps, GoOnAfterOneThatWasStoppedAsIfItHadNotBeen) {
+    test::GatheringScene stopped(furnished()), other(furnished());
+    stopped.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 300, 0.006F);
+    other.receivers = stopped.receivers;
+    std::vector<ArrivingLight> arriving(stopped.receivers.size()), expected = arriving;
+    const std::atomic<bool> stop{true};
+    for (int step = 0; step < 4; ++step) {
+        EXPECT_FALSE(stopped.light.step(stopped.receivers, arriving, {4096, 512}, 2, &stop));
+        EXPECT_TRUE(stopped.light.step(stopped.receivers, arriving, {4096, 512}, 2));
+        EXPECT_TRUE(other.light.step(other.receivers, expected, {4096, 512}, 2));
+        EXPECT_EQ(hashOf(stopped.light.cache()), hashOf(other.light.cache()));
+    }
+    for (std::size_t i = 0; i < arriving.size(); ++i)
+        EXPECT_EQ(arriving[i].irradiance, expected[i].irradiance) << i;
+}
+
 TEST(Steps, TakeLightThatIsNoNumberForDarkness) {
     test::SceneBuilder b;
     test::addRoom(b, {0, 0, 0}, {4, 3, 4}, b.material(test::matte(0.5F)));
