@@ -12,6 +12,8 @@ struct FrameDetail {
     /// The fraction of a live frame's pixels (rtcore/live) that is traced; the others show the light of the
     /// frames before. 0: all are traced.
     double newSamples = 0;
+    /// The fraction of WalkLight::kBudget by which a live frame learns indirect light.
+    double learning = 1;
 
     bool whole() const { return scale == 1 && !cut; }
     bool live() const { return newSamples > 0; }

@@ -61,8 +61,7 @@ bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const 
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = document.frameSettings();
     if (detail.live()) effects.denoise.passes = 0;
-    if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery)
-        meter(document, effects, detail.live(), control);
+    if (!detail.live() || !white_ || ++unmetered_ >= kMeterEvery) meter(document, effects, detail, control);
     if (control.cancel) return false; // what was measured then says nothing
     target_ = developer_.exposure(frame, effects, white_, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
@@ -79,13 +78,16 @@ bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const 
 
 /// The light on what is seen: coarse and whole frames of a view have the same exposure. That of live frames
 /// is measured roughly, or such a frame would be late; it is followed smoothly.
-void FrameMaker::meter(const Document& document, const rtcore::RenderSettings& settings, bool live,
-                       rtcore::RenderControl& control) {
+void FrameMaker::meter(const Document& document, const rtcore::RenderSettings& settings,
+                       const FrameDetail& detail, rtcore::RenderControl& control) {
+    const bool live = detail.live();
+    const bool byWalk = !detail.whole() && settings.indirect.mode == rtcore::IndirectMode::Live;
     white_.reset();
     unmetered_ = 0;
     if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
+    meter_.lightIndirectlyFrom(byWalk ? &walkLight_->light().cache() : nullptr);
     white_ = live ? meter_.roughWhite(view, control) : meter_.white(view, control);
 }
 
@@ -117,6 +119,7 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
     const rtcore::IrradianceCache* cache = nullptr;
     if (view.settings.indirect.mode == rtcore::IndirectMode::Live) {
         if (detail.whole()) {
+            if (control.finished != nullptr && !showAtOnce(document, control, whole_)) return false;
             if (!viewLight_) viewLight_.emplace();
             if (!viewLight_->learn(view, control)) return false;
             cache = &viewLight_->cache();
@@ -127,6 +130,18 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
         }
     }
     renderer_->lightIndirectlyFrom(cache);
+    return true;
+}
+
+/// The whole size, lit by what the walk has learned: to be seen while the light of the view is learned anew.
+bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& control, rtcore::Frame& frame) {
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
+    walkLight_->follow(document);
+    renderer_->lightIndirectlyFrom(&walkLight_->light().cache());
+    if (!renderer_->render({*scene, *document.tracer(), document.camera(), settings}, control, frame))
+        return false;
+    gradual_.beginAgain(frame, document.frameSettings(), threads_);
     return true;
 }
 
@@ -167,10 +182,16 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     if (indirect) walkLight_->follow(document);
     renderer_->lightIndirectlyFrom(nullptr);
     viewLight_.reset(); // its memory; a whole frame begins anew
-    live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::kBudget, WalkLight::kTurns);
+    live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::budgetOf(detail.learning),
+                           WalkLight::kTurns);
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};
+    if (indirect) {
+        const rtcore::IndirectLight::Learned& learned = walkLight_->light().learned();
+        liveCost_.rays = static_cast<double>(learned.rays);
+        liveCost_.raySeconds = learned.seconds;
+    }
     return true;
 }
 

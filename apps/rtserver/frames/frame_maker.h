@@ -82,11 +82,12 @@ class FrameMaker {
                   rtcore::Frame& frame);
     void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                       const rtcore::Frame& frame);
+    bool showAtOnce(const Document& document, rtcore::RenderControl& control, rtcore::Frame& frame);
     bool lightIndirectly(const Document& document, const FrameDetail& detail, const rtcore::View& view,
                          rtcore::RenderControl& control);
     void noticeChanges(const Document& document);
     void seedLive();
-    void meter(const Document& document, const rtcore::RenderSettings& settings, bool live,
+    void meter(const Document& document, const rtcore::RenderSettings& settings, const FrameDetail& detail,
                rtcore::RenderControl& control);
     void adapt(float target, const rtcore::ExposureSettings& settings);
 

@@ -21,10 +21,23 @@ void GradualImage::begin(const rtcore::Frame& before, const rtcore::RenderSettin
     waiting_.clear();
     pixels_ = static_cast<double>(settings.width) * settings.height;
     exposure_ = exposure;
-    brightening_ = 1;
+    brightened_ = brightening_ = 1;
     transition_.begin(before, settings, threads);
     shown_ = now;
     active_ = true;
+    developed_ = false;
+}
+
+void GradualImage::beginAgain(const rtcore::Frame& better, const rtcore::RenderSettings& settings,
+                              int threads) {
+    const std::lock_guard lock(mutex_);
+    transition_.step(finished_.take(), better.radiance);
+    transition_.step({}, better.radiance); // the other half of them
+    brightened_ *= transition_.brightening();
+    brightening_ = brightened_;
+    finished_.clear();
+    waiting_.clear();
+    transition_.begin(better, settings, threads);
     developed_ = false;
 }
 
@@ -58,7 +71,7 @@ const rtcore::LdrImage* GradualImage::step(const rtcore::HdrImage& radiance,
     const bool enough = pixelsOf(waiting_) >= kStepPart * pixels_ || now - shown_ >= kMaxWait;
     if (enough) {
         transition_.step(std::exchange(waiting_, {}), radiance);
-        brightening_ = transition_.brightening();
+        brightening_ = brightened_ * transition_.brightening();
     }
     if (!enough && !exposed) return nullptr;
     shown_ = now;

@@ -24,6 +24,9 @@ class GradualImage {
     /// that exposure. `threads` = 0: all cores.
     void begin(const rtcore::Frame& before, const rtcore::RenderSettings& settings, float exposure,
                int threads, Clock::time_point now);
+    /// A better image of that view is seen from here on until the frame is finished; its tiles count from
+    /// now on.
+    void beginAgain(const rtcore::Frame& better, const rtcore::RenderSettings& settings, int threads);
     /// From here on step() shows nothing. Waits for one that is under way.
     void end();
     /// Gives its memory back; after end().
@@ -45,7 +48,8 @@ class GradualImage {
     rtcore::FinishedTiles finished_;
     std::vector<rtcore::PixelArea> waiting_; ///< finished and not yet shown
     double pixels_ = 0;                      ///< of the image
-    float exposure_ = 1, brightening_ = 1;
+    float exposure_ = 1;
+    float brightened_ = 1, brightening_ = 1; ///< before the image that was begun with last; in all
     Clock::time_point shown_;
     bool active_ = false, developed_ = false;
 };

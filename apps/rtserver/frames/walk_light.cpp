@@ -6,6 +6,11 @@
 
 namespace rtserver {
 
+rtcore::GatherBudget WalkLight::budgetOf(double fraction) {
+    return {static_cast<std::uint32_t>(kBudget.rays * fraction),
+            static_cast<std::uint32_t>(kBudget.paths * fraction)};
+}
+
 void WalkLight::follow(const Document& document) {
     using rtcore::Change;
     // Of whole frames: coarse ones have cheaper samples, but the same light.

@@ -14,8 +14,10 @@ namespace rtserver {
 /// One thread, which uses those of the control itself. Keeps its memory from frame to frame.
 class WalkLight {
   public:
-    /// The work of a live frame, and in how many of them samples follow what is learned.
+    /// The work of a live frame at most, and in how many of them samples follow what is learned.
     static constexpr rtcore::GatherBudget kBudget{8192, 768};
+    /// A fraction of it.
+    static rtcore::GatherBudget budgetOf(double fraction);
     static constexpr int kTurns = 48;
 
     /// Takes what has changed: what is known suits the state then.

@@ -8,6 +8,7 @@
 #include "rtcore/scene/part_list.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace rtcore {
@@ -70,19 +71,27 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
     forgetUnused();
     lookUp(receivers, arriving, frame_, threads);
     findLacking(arriving);
-    const GatherBudget work = budgetFor(budget, receivers.size());
-    const std::size_t passes = work.rays / kPassRays;
+    const auto begun = std::chrono::steady_clock::now();
+    if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
+    const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
+    learned_ = {chosen_.size() * kPassRays, lasted.count()};
+    lookUpLacking(receivers, arriving, threads);
+    return true;
+}
+
+bool IndirectLight::learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
+                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
+    const std::size_t passes = budget.rays / kPassRays;
     const std::size_t before = cache_.size();
     chosen_.clear();
     makeRecords(receivers, arriving, passes);
     chooseRecords(passes - (cache_.size() - before));
     orderChosen();
-    if (!gather(work, threads, stop)) {
+    if (!gather(budget, threads, stop)) {
         undo(before);
         return false;
     }
     enterResults();
-    lookUpLacking(receivers, arriving, threads);
     return true;
 }
 

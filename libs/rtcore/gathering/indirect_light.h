@@ -50,6 +50,12 @@ class IndirectLight {
     /// (may be null) became true: then all is as before, but for which records were of use lately.
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
+    /// Learning in the last step: rays from records, and the seconds that all of it took.
+    struct Learned {
+        std::size_t rays = 0;
+        double seconds = 0;
+    };
+    const Learned& learned() const { return learned_; }
     /// Looks up what is known. From many threads, while none learns.
     const IrradianceCache& cache() const { return cache_; }
     const OutgoingCells& cells() const { return cells_; }
@@ -65,6 +71,8 @@ class IndirectLight {
     PathFrame paths() const { return {*scene_, *tracer_, settings_, materials_, lights_}; }
     void lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, std::uint32_t frame,
                 int threads) const;
+    bool learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
+               const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
     void forgetUnused();
     void undo(std::size_t records);
     void findLacking(std::span<const ArrivingLight> arriving);
@@ -92,6 +100,7 @@ class IndirectLight {
     std::uint32_t frame_ = 0;
     std::size_t maxRecords_ = kMaxRecords;
     bool guesses_ = false; ///< the cache's guess is of this light
+    Learned learned_;
 
     std::vector<std::uint32_t> lacking_;       ///< receivers that coarse records are missing for, too
     std::vector<Receiver> again_;              ///< these

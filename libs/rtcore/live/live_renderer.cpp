@@ -131,7 +131,7 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     const auto begun = std::chrono::steady_clock::now();
     if (!lightSamples(view, control, frame)) return false;
     sampleSeconds_ =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() - indirectSeconds_;
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() - otherSeconds_;
     reconstruction_.show(present_, threads, frame);
     meter(threads, frame);
     std::swap(past_, present_);
@@ -268,7 +268,7 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
     newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.surface.size());
     if (!renderer_.renderPixels(view, chosen, control, {light_, visibility_, seen_}, frame.statistics))
         return false;
-    indirectSeconds_ = 0;
+    otherSeconds_ = 0;
     if (indirect_ != nullptr && !addIndirect(view, control)) return false;
     const ImagePlane& plane = present_.surface.plane();
     if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) beginMirroring();
@@ -301,7 +301,12 @@ bool LiveRenderer::addIndirect(const View& view, RenderControl& control) {
     if (!indirect_->step(receivers_, arriving_, budget_, threads, &control.cancel)) return false;
     addToChosen();
     updateLight(threads);
-    indirectSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    const double learning = indirect_->learned().seconds;
+    const double old = receivers_.empty()
+                           ? 0
+                           : static_cast<double>(updated_.size()) / static_cast<double>(receivers_.size());
+    otherSeconds_ = learning + (seconds - learning) * old;
     return true;
 }
 

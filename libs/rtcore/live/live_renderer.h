@@ -72,10 +72,8 @@ class LiveRenderer {
     bool canReuse(Vec3 eye, const RayTracer& tracer);
     bool empty() const { return past_.surface.size() == 0; } ///< nothing is kept
 
-    /// Seconds that the traced pixels of the last frame took.
+    /// Seconds that the traced pixels of the last frame took, but what indirect light learned of them.
     double sampleSeconds() const { return sampleSeconds_; }
-    /// Seconds of the last frame in which indirect light was learned and looked up.
-    double indirectSeconds() const { return indirectSeconds_; }
     /// Fractions of the last frame's pixels: those that were traced, and those without a sample.
     double newSamples() const { return newSamples_; }
     double unknown() const { return selector_.unknown(); }
@@ -113,8 +111,9 @@ class LiveRenderer {
     static constexpr std::size_t kCheckedFrames = 24;
     std::array<std::vector<CheckedPixel>, kCheckedFrames> checked_; ///< of the last frames
     std::uint32_t number_ = 0;                                      ///< of the frame
-    double newSamples_ = 0, sampleSeconds_ = 0, indirectSeconds_ = 0;
-    RayWave eyePath_; ///< from the eye of the last frame to that of the next
+    double newSamples_ = 0, sampleSeconds_ = 0;
+    double otherSeconds_ = 0; ///< of those in which samples were lit: learning, and updating older ones
+    RayWave eyePath_;         ///< from the eye of the last frame to that of the next
     std::vector<std::uint8_t> crossed_;
 };
 

@@ -37,11 +37,19 @@ bool LightMeter::findSurfaces(const View& view, RenderControl& control) {
     rays.integrator = Integrator::Whitted;
     rays.ambientOcclusion.on = rays.skyLight.on = rays.shadows = false;
     rays_.collectAovs(true);
+    rays_.lightIndirectlyFrom(nullptr);
     return rays_.render({view.scene, view.tracer, view.camera, rays}, control, surfaces_);
 }
 
 /// frame_ has the light, and surfaces_.aovs what it falls on.
 bool LightMeter::render(const View& view, RenderControl& control) {
+    if (cache_ != nullptr && view.settings.integrator == Integrator::Whitted) {
+        rays_.collectAovs(true);
+        rays_.lightIndirectlyFrom(cache_);
+        if (!rays_.render(view, control, frame_)) return false;
+        std::swap(surfaces_.aovs, frame_.aovs);
+        return true;
+    }
     ImageRenderer& images = images_.of(view.settings.integrator);
     if (!images.render(view, control, {.aovs = images.rendersAovs()}, frame_)) return false;
     if (!images.rendersAovs()) return findSurfaces(view, control);

@@ -27,6 +27,9 @@ class LightMeter {
     /// The same by one sample for each pixel of a smaller image, a twentieth of the work: within some
     /// percent. For images that move.
     std::optional<float> roughWhite(const View& view, RenderControl& control);
+    /// Images to come by rays are lit by this, which must outlive them; null: each by what it has learned
+    /// itself, on which alone white() is what it says.
+    void lightIndirectlyFrom(const IrradianceCache* cache) { cache_ = cache; }
 
   private:
     std::optional<float> whiteOf(const View& small, RenderControl& control);
@@ -37,7 +40,8 @@ class LightMeter {
     std::optional<float> whiteOn(Metered what);
 
     ImageRenderers images_;
-    FrameRenderer rays_; ///< for AOVs that do not come with the image
+    FrameRenderer rays_; ///< for AOVs that do not come with the image, and for light of the cache
+    const IrradianceCache* cache_ = nullptr;
     Frame frame_, surfaces_;
     std::vector<float> whites_; ///< of the pixels that count
 };

@@ -15,8 +15,8 @@ namespace bench {
 
 namespace {
 
-constexpr const char* kTitle = "# bench_walk's steps: seconds, scale, cut, part of new samples, eye, "
-                               "forward, up, fov, kind, width, aspect";
+constexpr const char* kTitle = "# bench_walk's steps: seconds, scale, cut, part of new samples, of learning, "
+                               "eye, forward, up, fov, kind, width, aspect";
 
 std::string textOf(rtcore::Vec3 v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 
@@ -24,14 +24,15 @@ bool read(std::istream& line, rtcore::Vec3& v) { return static_cast<bool>(line >
 
 bool read(std::istream& line, WalkStep& step) {
     std::uint32_t kind = 0;
-    line >> step.seconds >> step.detail.scale >> step.detail.cut >> step.detail.newSamples;
+    line >> step.seconds >> step.detail.scale >> step.detail.cut >> step.detail.newSamples >>
+        step.detail.learning;
     rtcore::Camera& camera = step.camera;
     if (!read(line, camera.eye) || !read(line, camera.forward) || !read(line, camera.up)) return false;
     line >> camera.horizontalFov >> kind >> camera.orthographicWidth >> camera.aspect;
     camera.kind = static_cast<rtcore::CameraKind>(kind);
     const auto isPart = [](double value) { return value > 0 && value <= 1; };
     return line && line.eof() && kind <= 1 && isPart(step.detail.scale) &&
-           (step.detail.newSamples == 0 || isPart(step.detail.newSamples));
+           (step.detail.newSamples == 0 || isPart(step.detail.newSamples)) && isPart(step.detail.learning);
 }
 
 } // namespace
@@ -40,8 +41,8 @@ void writeTrace(const std::filesystem::path& path, const std::vector<WalkStep>& 
     std::string text = std::string(kTitle) + '\n';
     for (const WalkStep& step : steps) {
         const rtcore::Camera& camera = step.camera;
-        text += fmt::format("{} {} {:d} {} {} {} {} {} {} {} {}\n", step.seconds, step.detail.scale,
-                            step.detail.cut, step.detail.newSamples, textOf(camera.eye),
+        text += fmt::format("{} {} {:d} {} {} {} {} {} {} {} {} {}\n", step.seconds, step.detail.scale,
+                            step.detail.cut, step.detail.newSamples, step.detail.learning, textOf(camera.eye),
                             textOf(camera.forward), textOf(camera.up), camera.horizontalFov,
                             static_cast<std::uint32_t>(camera.kind), camera.orthographicWidth, camera.aspect);
     }

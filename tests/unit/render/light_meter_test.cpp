@@ -1,5 +1,6 @@
 // The meter, against light whose strength is known.
 #include "rtcore/render/light_meter.h"
+#include "rtcore/render/view_light.h"
 
 #include "rtcore/post/develop.h"
 
@@ -123,6 +124,31 @@ TEST(LightMeter, RoughlyItMeasuresTheSame) {
     ASSERT_TRUE(exact && rough);
     EXPECT_NEAR(*rough / *exact, 1, 0.08F);
     EXPECT_NE(*rough, *exact) << "it took fewer samples";
+}
+
+/// In a closed room, where most light comes by way of its walls.
+TEST(LightMeter, TakesIndirectLightThatIsKnown) {
+    test::SceneBuilder b;
+    b.box({-2, -2, -8}, {2, 2, 2}, b.material(test::matte(0.7F)));
+    b.scene.lights = {test::pointLight({0.3F, 1, -3}, 5)};
+    const test::TracedScene traced(b.finish());
+    RenderSettings settings = test::sampleSettings(48, 30);
+    const Camera camera = ahead();
+    RenderControl control{.threads = 2};
+    LightMeter meter;
+    const auto white = [&] { return meter.white({traced.scene, traced.tracer, camera, settings}, control); };
+    const std::optional<float> direct = white();
+    settings.indirect.mode = IndirectMode::Live;
+    const std::optional<float> own = white();
+    ViewLight light;
+    ASSERT_TRUE(light.learn({traced.scene, traced.tracer, camera, settings}, control));
+    meter.lightIndirectlyFrom(&light.cache());
+    const std::optional<float> known = white();
+    ASSERT_TRUE(direct && own && known);
+    EXPECT_GT(*own, 1.2F * *direct);
+    EXPECT_NEAR(*known / *own, 1, 0.05F);
+    meter.lightIndirectlyFrom(nullptr);
+    EXPECT_EQ(white(), own);
 }
 
 TEST(LightMeter, LeavesOutSkyLightsAndMirrors) {

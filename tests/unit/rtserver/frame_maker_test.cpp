@@ -270,6 +270,28 @@ TEST_F(FramesOfAState, KeepAFixedExposureWhileAWholeOneIsDrawn) {
     EXPECT_EQ(wrong, 0);
 }
 
+/// What is shown first leaves no trace in the frame.
+TEST_F(FramesOfAState, AreShownAtOnceWhileTheirIndirectLightIsLearned) {
+    document.assign({{"width", 60}, {"height", 40}, {"indirect.mode", "live"}});
+    test::draw(frames, state);
+    const rtcore::HdrImage alone = frames.radiance();
+    walk.turn(30, 0);
+    test::draw(frames, state, rtserver::kCoarsest);
+    walk.turn(-30, 0);
+    test::draw(frames, state, rtserver::kCoarsest);
+    std::atomic<bool> over = false;
+    {
+        const std::jthread watcher([&] {
+            while (!over) frames.underWay(document);
+        });
+        rtcore::RenderControl control;
+        EXPECT_TRUE(frames.trace(state, {}, nullptr, control));
+        over = true;
+    }
+    EXPECT_TRUE(frames.whole());
+    EXPECT_EQ(frames.radiance().pixels, alone.pixels);
+}
+
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     state.frameSeconds = 0.03;
     EXPECT_FALSE(frames.drawsLive(document)) << "there was none";

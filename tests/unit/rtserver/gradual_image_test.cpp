@@ -117,6 +117,29 @@ TEST_F(Gradual, TheExposureHearsWhatIsFinished) {
     EXPECT_FLOAT_EQ(brightening, 1) << "no surface is seen";
 }
 
+TEST_F(Gradual, ABetterImageTakesThePartOfThatBefore) {
+    begin();
+    const LdrImage* shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    const int dark = top(*shown);
+    const rtcore::Frame better = frameOf(kSide, 0.4F);
+    image.finished().add({0, 0, kSide, kSide});
+    image.beginAgain(better, settings, 1);
+    shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr) << "at once, as soon as steps may come";
+    const int half = top(*shown);
+    EXPECT_GT(half, dark);
+    EXPECT_EQ(bottom(*shown), half);
+    EXPECT_NEAR(brightening, 4, 0.1F) << "so many times what the exposure was for";
+    EXPECT_EQ(stepAfter(20ms), nullptr) << "nothing of the frame is finished";
+    image.finished().add({0, 0, kSide, kSide});
+    shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    EXPECT_GT(top(*shown), half);
+    stepAfter(20ms);
+    EXPECT_NEAR(brightening, 12, 0.2F) << "half of it is seen";
+}
+
 TEST_F(Gradual, BeginsAgainAfterItsMemoryWasGivenBack) {
     begin();
     ASSERT_NE(stepAfter(20ms), nullptr);

@@ -1,4 +1,5 @@
 #include "rtserver/frames/live_governor.h"
+#include "rtserver/frames/walk_light.h"
 
 #include <gtest/gtest.h>
 
@@ -6,19 +7,25 @@ namespace {
 
 using rtserver::FrameDetail;
 using rtserver::LiveGovernor;
+using rtserver::WalkLight;
 
 constexpr double kPixels = 1e6, kRays = 20, kFrameTarget = 0.033;
 
 /// Draws frames on a machine for which a pixel and a traced one take so many seconds.
-FrameDetail settled(LiveGovernor& governor, double pixel, double sample, int frames = 200) {
+/// `learning`: all rays by which indirect light is learned.
+FrameDetail settled(LiveGovernor& governor, double pixel, double sample, int frames = 200,
+                    double learning = 0) {
     FrameDetail detail;
     for (int i = 0; i < frames; ++i) {
         detail = governor.detail(kPixels, kRays, kFrameTarget);
         const double pixels = kPixels * detail.scale * detail.scale, samples = pixels * detail.newSamples;
+        const double raySeconds = learning * detail.learning;
         governor.learn(detail, kPixels, kFrameTarget,
                        {.samples = samples,
                         .sampleSeconds = samples * sample,
-                        .seconds = pixels * pixel + samples * sample});
+                        .rays = learning > 0 ? WalkLight::budgetOf(detail.learning).rays : 0.0,
+                        .raySeconds = raySeconds,
+                        .seconds = pixels * pixel + samples * sample + raySeconds});
     }
     return detail;
 }
@@ -48,6 +55,25 @@ TEST(LiveGovernor, GivesSizeUpRatherThanFreshLight) {
     EXPECT_LT(detail.newSamples, 0.04);
     EXPECT_LT(secondsOf(detail, 25e-9, 1e-6), 1.1 * kFrameTarget);
     EXPECT_EQ(settled(governor, 5e-9, 1e-6).scale, 1) << "and takes it back";
+}
+
+TEST(LiveGovernor, GivesRaysOfIndirectLightUpRatherThanSize) {
+    LiveGovernor governor;
+    const auto with = [&](double learning) { return settled(governor, 10e-9, 0.3e-6, 200, learning); };
+    const FrameDetail quick = with(0.005);
+    EXPECT_EQ(quick.learning, 1);
+    EXPECT_GT(quick.newSamples, 0.02) << "what is left";
+    const FrameDetail slow = with(0.02);
+    EXPECT_LT(slow.learning, 0.9);
+    EXPECT_GT(slow.learning, 0.4);
+    EXPECT_EQ(slow.scale, 1);
+    EXPECT_LT(secondsOf(slow, 10e-9, 0.3e-6) + slow.learning * 0.02, kFrameTarget);
+    const FrameDetail slowest = with(0.1);
+    EXPECT_NEAR(slowest.learning, 0.25, 0.01);
+    EXPECT_LT(slowest.scale, 1);
+    const FrameDetail off = with(0);
+    EXPECT_EQ(off.learning, 1) << "nothing is kept for what is not learned";
+    EXPECT_EQ(off.scale, 1);
 }
 
 TEST(LiveGovernor, NeverGivesAllUp) {
