@@ -199,6 +199,16 @@ TEST(Messages, AnOfferIsRead) {
     EXPECT_EQ(text(*materials), "Materials guessed by name: 3 (glass, metal).");
 }
 
+TEST(Messages, AnOfferToSwitchFillLightsOffNamesThem) {
+    const auto offer = readFillOffer(told(
+        R"(["indirect light is rendered, and {0} stand in for it: it counts twice; to switch them off: {1}",
+            "'fill'","light 2 off; quit; light 31 off"])"));
+    ASSERT_TRUE(offer);
+    EXPECT_TRUE(offer->text.contains(QLatin1String("'fill'")));
+    EXPECT_EQ(offer->lights, (QList<int>{2, 31})) << "nothing else is taken from a server";
+    EXPECT_FALSE(readFillOffer(told(R"(["+z is taken for up"])")));
+}
+
 #ifdef RT_TRANSLATED
 // Each language has its own word order and plurals.
 TEST(Messages, AreTranslatedAsAWhole) {

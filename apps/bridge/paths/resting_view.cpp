@@ -43,6 +43,10 @@ void RestingView::statusChanged(const ipc::Status& status) {
     rests_ = rests;
 }
 
+void RestingView::serverFound() {
+    if (renderer_ != nullptr) links_.ask(app::command::restLight(true), [](bool, const std::string&) {});
+}
+
 void RestingView::serverGone() {
     interrupt();
     rests_ = false;

@@ -33,6 +33,8 @@ class RestingView {
     /// Whether a page is open and visible; without one nothing is begun.
     void setWatched(bool watched) { watched_ = watched; }
     void statusChanged(const ipc::Status& status);
+    /// The server need not learn the light of views that rest: they are rendered here.
+    void serverFound();
     void serverGone();
     /// Someone acts, so that the image will be out of date.
     void touched() { interrupt(); }

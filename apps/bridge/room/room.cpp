@@ -326,6 +326,8 @@ void Room::serverChanged(ServerLink link, const rtcore::Sentence& why) {
         requests_.serverGone();
         input_.serverGone();
         resting_.serverGone();
+    } else {
+        resting_.serverFound();
     }
     for (const auto& [id, session] : sessions_) sendServer(id);
 }

@@ -60,6 +60,7 @@ std::string frameTime(int milliseconds) {
     return milliseconds > 0 ? line(CommandId::FrameTime, milliseconds) : line(CommandId::FrameTime, "off");
 }
 
+std::string restLight(bool ofWalk) { return line(CommandId::RestLight, ofWalk ? "walk" : "view"); }
 std::string messages(std::uint32_t known) { return line(CommandId::Messages, known); }
 
 std::string resolution(int width, int height) { return line(CommandId::Resolution, width, height); }

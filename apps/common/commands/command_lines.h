@@ -27,6 +27,7 @@ std::string noParent();
 std::string pause();
 std::string resume();
 std::string frameTime(int milliseconds); ///< 0: any
+std::string restLight(bool ofWalk);      ///< indirect light of whole frames: else of their view
 std::string messages(std::uint32_t known);
 
 std::string resolution(int width, int height);

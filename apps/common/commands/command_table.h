@@ -29,6 +29,7 @@ enum class CommandId {
     Resume,
     Idle,
     FrameTime,
+    RestLight,
     Messages,
     WaitIdle,
     Resolution,

@@ -114,6 +114,16 @@ std::vector<CommandSpec> serverCommands() {
          .needsScene = false,
          .help = "after a change, draw a coarser frame at first where the whole one would take longer",
          .more = "As the option of RTServer"},
+        {.id = CommandId::RestLight,
+         .name = "rest-light",
+         .arguments = {choice("view|walk")},
+         .effect = Steers,
+         .needsScene = false,
+         .help = "the indirect light of whole frames: learned for the view alone, as Renderer does, or "
+                 "what the walk has learned",
+         .more =
+             "The second is there at once, for clients that refine what rests with another program. Frames "
+             "that a command writes to a file have the first"},
         {.id = CommandId::Messages,
          .name = "messages",
          .arguments = {maybe(whole("KNOWN", 0))},

@@ -119,7 +119,7 @@ std::vector<CommandSpec> skyCommands() {
          .step = "light of the scene",
          .browser = BrowserUse::Edit,
          .sets = {"skyLight.on", "ambientOcclusion.on", "ambientOcclusion.distance", "path.filter",
-                  "exposure.mode", "exposure.key", "toneMapping", "toneContrast"},
+                  "exposure.mode", "exposure.key", "toneMapping", "toneContrast", "indirect.mode"},
          .help = "replace the scene's lighting by a preset: lights, sky and environment map",
          .more = "As the option `--look` does, for what is seen now"},
         {.id = CommandId::Lights,

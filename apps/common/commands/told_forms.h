@@ -17,6 +17,9 @@ inline constexpr const char
 // Decisions made for the user, and the commands that decide otherwise.
 inline constexpr const char *kUpOffer = "{0} is taken for up ({1}); 'up {2}' turns the model",
                             *kUnitOffer = "{0} m are taken for a unit ({1}); 'units' sets another",
-                            *kMaterialOffer = "{0}; 'material reset *' takes them as they are";
+                            *kMaterialOffer = "{0}; 'material reset *' takes them as they are",
+                            *kFillOffer =
+                                "indirect light is rendered, and {0} stand in for it: it counts twice; "
+                                "to switch them off: {1}";
 
 } // namespace app::told

@@ -103,6 +103,17 @@ std::optional<QString> readMaterialOffer(const Message& offer) {
     return tr("Materials guessed by name: %1 (%2).").arg(guessed.argument(0), guessed.argument(1));
 }
 
+std::optional<FillOffer> readFillOffer(const Message& offer) {
+    if (!offer.said || offer.said->form != QLatin1String(told::kFillOffer)) return std::nullopt;
+    FillOffer read{
+        tr("Indirect light is rendered, and these lights stand in for it: %1.").arg(offer.said->argument(0)),
+        {}};
+    static const QRegularExpression command(QStringLiteral("light (\\d{1,9}) off"));
+    for (auto each = command.globalMatch(offer.said->argument(1)); each.hasNext();)
+        read.lights.append(each.next().captured(1).toInt());
+    return read;
+}
+
 QString warningsText(const QStringList& warnings) {
     QStringList kinds;
     QHash<QString, QStringList> ofKind;

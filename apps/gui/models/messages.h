@@ -36,6 +36,14 @@ std::optional<QString> readUnitOffer(const Message& offer);
 /// The same of an offer to take guessed materials back.
 std::optional<QString> readMaterialOffer(const Message& offer);
 
+/// An offer to switch lights off that stand in for indirect light.
+struct FillOffer {
+    QString text;      ///< in the user's language
+    QList<int> lights; ///< ids
+};
+/// Nothing where the message is no such offer.
+std::optional<FillOffer> readFillOffer(const Message& offer);
+
 /// Lines that are none are left out. `detail` is that of the answer.
 QList<Message> readMessages(const QString& answer, const QString& detail);
 

@@ -17,7 +17,8 @@
 namespace gui {
 
 MessageOperations::MessageOperations(const GuiContext& context, QObject* parent)
-    : QObject(parent), context_(context), turn_(new QAction(this)), takeBack_(new QAction(tr("Undo"), this)) {
+    : QObject(parent), context_(context), turn_(new QAction(this)), takeBack_(new QAction(tr("Undo"), this)),
+      darken_(new QAction(tr("Switch Them Off"), this)) {
     connect(turn_, &QAction::triggered, this, [this] {
         if (!upOffer_) return;
         context_.editor.edit(app::command::up(upOffer_->other.toStdString()));
@@ -26,6 +27,10 @@ MessageOperations::MessageOperations(const GuiContext& context, QObject* parent)
     connect(takeBack_, &QAction::triggered, this, [this] {
         context_.editor.edit(app::command::materialReset("*"));
         materialOffer_.clear();
+    });
+    connect(darken_, &QAction::triggered, this, [this] {
+        if (fillOffer_) switchOff(fillOffer_->lights);
+        fillOffer_.reset();
     });
     context_.actions.on(ActionId::ServerLog, [this] { showLog(); });
     connect(&context_.session, &Session::stateChanged, this, &MessageOperations::onState);
@@ -84,7 +89,8 @@ void MessageOperations::offer(const Message& message) {
     const std::optional<UpOffer> up = readUpOffer(message);
     const std::optional<QString> unit = readUnitOffer(message);
     const std::optional<QString> materials = readMaterialOffer(message);
-    if (!up && !unit && !materials) return;
+    const std::optional<FillOffer> fill = readFillOffer(message);
+    if (!up && !unit && !materials && !fill) return;
     forgetClosed();
     if (materials) materialOffer_ = *materials;
     if (up) {
@@ -92,10 +98,20 @@ void MessageOperations::offer(const Message& message) {
         turn_->setText(tr("%1 is up").arg(up->other.toUpper()));
     }
     if (unit) unitOffer_ = *unit;
+    if (fill) fillOffer_ = fill;
     notify();
 }
 
+// As one edit.
+void MessageOperations::switchOff(const QList<int>& lights) {
+    for (qsizetype i = 0; i < lights.size(); ++i) {
+        const std::string line = app::command::light(lights[i], false);
+        context_.editor.edit(i == 0 ? line : app::command::also(line));
+    }
+}
+
 void MessageOperations::forgetOffers() {
+    fillOffer_.reset();
     upOffer_.reset();
     unitOffer_.clear();
     materialOffer_.clear();
@@ -121,6 +137,10 @@ void MessageOperations::notify() {
     if (!materialOffer_.isEmpty()) {
         lines.append(materialOffer_);
         actions.append(takeBack_);
+    }
+    if (fillOffer_) {
+        lines.append(fillOffer_->text);
+        actions.append(darken_);
     }
     if (!warnings_.isEmpty()) {
         lines.append(warningsText(warnings_));

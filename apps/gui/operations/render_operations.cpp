@@ -52,6 +52,12 @@ void RenderOperations::bindAtRest() {
     show();
 }
 
+// The light that the server would learn for a view that rests alone is not seen where it is refined here.
+void RenderOperations::tellServer() {
+    refines_ = context_.preferences.get(pref::progressiveRendering);
+    if (context_.session.live()) context_.session.send(app::command::restLight(refines_));
+}
+
 void RenderOperations::listen() {
     InputCapture& input = context_.view.input();
     connect(&input, &InputCapture::commandKey, this, [this](int code, bool withL) {
@@ -61,7 +67,7 @@ void RenderOperations::listen() {
     connect(&input, &InputCapture::keyPressed, this, &RenderOperations::interrupt);
     connect(&input, &InputCapture::turned, this, &RenderOperations::interrupt);
     connect(&context_.session, &Session::stateChanged, this, [this] {
-        if (context_.session.live()) return;
+        if (context_.session.live()) return tellServer();
         interrupt();
         preview_.leave();
     });
@@ -163,6 +169,7 @@ void RenderOperations::onFrame() {
 }
 
 void RenderOperations::onPreferences() {
+    if (refines_ != context_.preferences.get(pref::progressiveRendering)) tellServer();
     if (!quick_ && !context_.preferences.get(pref::progressiveRendering)) {
         if (settled_) interrupt();
         return preview_.leave();

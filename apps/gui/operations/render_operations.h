@@ -22,6 +22,7 @@ class RenderOperations : public QObject {
 
   private:
     void bindAtRest();
+    void tellServer();
     void listen();
     void render(const StillQuality& quality);
     void quickRender(int antialiasing);
@@ -55,7 +56,8 @@ class RenderOperations : public QObject {
 
     GuiContext context_;
     PreviewProcess preview_;
-    QTimer rest_; ///< how long nothing has moved
+    bool refines_ = false; ///< what the server was told
+    QTimer rest_;          ///< how long nothing has moved
     QElapsedTimer sizeAsked_;
     bool quick_ = false;   ///< the image was asked for; else it is a progressive one
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be

@@ -1071,6 +1071,10 @@
         <source>largest: ±%1</source>
         <translation>největší: ±%1</translation>
     </message>
+    <message>
+        <source>Indirect light is rendered, and these lights stand in for it: %1.</source>
+        <translation>Nepřímé světlo se počítá a tato světla ho jen nahrazují: %1.</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2381,6 +2385,10 @@ Alt+%2</translation>
     <message>
         <source>Undo</source>
         <translation>Zpět</translation>
+    </message>
+    <message>
+        <source>Switch Them Off</source>
+        <translation>Zhasnout je</translation>
     </message>
 </context>
 <context>

@@ -1048,6 +1048,10 @@
         <translation>ignorováno, protože se nepodporuje: {0}</translation>
     </message>
     <message>
+        <source>indirect light is rendered, and {0} stand in for it: it counts twice; to switch them off: {1}</source>
+        <translation>nepřímé světlo se počítá a {0} ho jen nahrazují: započítá se dvakrát; zhasnete je takto: {1}</translation>
+    </message>
+    <message>
         <source>innerAngle must be below outerAngle, by enough to tell them apart</source>
         <translation>innerAngle musí být znatelně menší než outerAngle</translation>
     </message>

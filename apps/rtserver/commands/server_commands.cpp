@@ -47,6 +47,11 @@ Result frameTime(const Call& call) {
     return {};
 }
 
+Result restLight(const Call& call) {
+    call.state.restsInWalkLight = call[0] == "walk";
+    return {};
+}
+
 Result waitIdle(const Call& call) {
     if (!call.state.idles) throw rtcore::Refusal("the server never idles; 'idle on' lets it");
     if (call.state.paused) throw rtcore::Refusal("the server is paused; resume it first");
@@ -69,6 +74,7 @@ constexpr std::array kServerFunctions{
     CommandFunction{app::CommandId::Resume, resume},
     CommandFunction{app::CommandId::Idle, idle},
     CommandFunction{app::CommandId::FrameTime, frameTime},
+    CommandFunction{app::CommandId::RestLight, restLight},
     CommandFunction{app::CommandId::Messages, messages},
     CommandFunction{app::CommandId::WaitIdle, waitIdle},
 };

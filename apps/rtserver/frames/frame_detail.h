@@ -14,8 +14,12 @@ struct FrameDetail {
     double newSamples = 0;
     /// The fraction of WalkLight::kBudget by which a live frame learns indirect light.
     double learning = 1;
+    /// The indirect light of a whole frame is what the walk has learned, as that of the others.
+    bool inWalkLight = false;
 
     bool whole() const { return scale == 1 && !cut; }
+    /// Whether it depends on the state alone, not on what was drawn before.
+    bool exact() const { return whole() && !inWalkLight; }
     bool live() const { return newSamples > 0; }
     friend bool operator==(const FrameDetail&, const FrameDetail&) = default;
 };

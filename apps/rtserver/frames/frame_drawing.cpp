@@ -45,7 +45,7 @@ bool FrameDrawing::wantsFrame(bool waitedFor) const {
 
 // All pixels for an unchanged view, and for commands that write the frame to a file.
 bool FrameDrawing::wantsWholeFrame(bool waitedFor) const {
-    return !frames_.whole() && (standsStill() || waitedFor);
+    return waitedFor ? !frames_.exact() : !frames_.whole() && standsStill();
 }
 
 bool FrameDrawing::idle() const {
@@ -123,10 +123,15 @@ FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowM
             .liveRays = liveRays(settings, scene)};
 }
 
+bool FrameDrawing::learnsWalkLight() const {
+    return state_.frameSeconds > 0 && state_.document.settings().indirect.mode == rtcore::IndirectMode::Live;
+}
+
 FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
     noticeScene();
     const rtcore::ShadowMaps* const maps = upkeep_.shadowMaps();
-    const FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
+    FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
+    detail.inWalkLight = detail.whole() && !waitedFor && state_.restsInWalkLight && learnsWalkLight();
     begun_ = Clock::now();
     tracesWhole_ = detail.whole();
     stepDue_ = begun_ + pacer_.interval();

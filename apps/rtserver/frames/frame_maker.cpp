@@ -113,12 +113,12 @@ bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const r
     return true;
 }
 
-/// Coarse frames show what the walk has learned, whole ones what their view alone decides, as Renderer does.
+/// Exact frames show what their view alone decides, as Renderer does, others what the walk has learned.
 bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& detail,
                                  const rtcore::View& view, rtcore::RenderControl& control) {
     const rtcore::IrradianceCache* cache = nullptr;
     if (view.settings.indirect.mode == rtcore::IndirectMode::Live) {
-        if (detail.whole()) {
+        if (detail.exact()) {
             if (control.finished != nullptr && !showAtOnce(document, control, whole_)) return false;
             if (!viewLight_) viewLight_.emplace();
             if (!viewLight_->learn(view, control)) return false;
@@ -138,6 +138,7 @@ bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& con
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
     walkLight_->follow(document);
+    if (!walkLight_->learn({*scene, *document.tracer(), document.camera(), settings}, control)) return false;
     renderer_->lightIndirectlyFrom(&walkLight_->light().cache());
     if (!renderer_->render({*scene, *document.tracer(), document.camera(), settings}, control, frame))
         return false;
@@ -183,7 +184,7 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     renderer_->lightIndirectlyFrom(nullptr);
     viewLight_.reset(); // its memory; a whole frame begins anew
     live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::budgetOf(detail.learning),
-                           WalkLight::kTurns);
+                           walkLight_->turns());
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};
@@ -230,7 +231,7 @@ std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool liv
         pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
         pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
         if (settings.indirect.mode == rtcore::IndirectMode::Live)
-            pixel += rtcore::LiveRenderer::kMatterBytesPerPixel;
+            pixel += sizeof(rtcore::SeenMatter) + rtcore::LiveRenderer::kMatterBytesPerPixel;
     }
     return pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
 }

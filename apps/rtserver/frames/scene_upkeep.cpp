@@ -1,8 +1,10 @@
 #include "rtserver/frames/scene_upkeep.h"
 
+#include "common/commands/command_lines.h"
 #include "common/commands/told_forms.h"
 #include "common/settings/guess_text.h"
 
+#include "rtcore/look/fill_lights.h"
 #include "rtcore/platform/file_waits.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
@@ -14,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -77,12 +80,29 @@ void SceneUpkeep::tellModelUnits() {
                                 rtcore::axisName(units.otherUp)));
 }
 
+// Once indirect light is switched on.
+void SceneUpkeep::tellFillLights() {
+    const bool before =
+        std::exchange(indirect_, document_.settings().indirect.mode == rtcore::IndirectMode::Live);
+    if (!indirect_ || before) return;
+    const std::shared_ptr<const rtcore::Scene> scene = document_.scene();
+    std::vector<std::string> names, commands;
+    for (const rtcore::SceneLight* light : rtcore::fillLights(*scene)) {
+        names.push_back(fmt::format("'{}'", light->name));
+        commands.push_back(app::command::light(light->notes.id, false));
+    }
+    if (names.empty()) return;
+    messages_.offer(rtcore::say(app::told::kFillOffer, fmt::format("{}", fmt::join(names, ", ")),
+                                fmt::format("{}", fmt::join(commands, "; "))));
+}
+
 // --- What is kept of the scene ---
 
 void SceneUpkeep::noticeChanges() {
     using rtcore::Change;
     const rtcore::Changes changes = changes_.take(document_.revisions());
     if (changes.has(Change::Scene)) {
+        indirect_ = false;
         giveUp(std::move(refinement_));
         treeless_ = false;
     }
@@ -90,6 +110,7 @@ void SceneUpkeep::noticeChanges() {
         giveUp(std::move(visible_));
         prunedOnly_ = false;
     }
+    tellFillLights();
     // Maps hold what stands where, and what light passes through it.
     const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
     const bool lights = changes.has(Change::Light) && mapped_ != nullptr &&

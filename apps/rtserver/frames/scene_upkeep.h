@@ -64,6 +64,7 @@ class SceneUpkeep {
   private:
     void show(std::unique_ptr<World> world);
     void tellModelUnits();
+    void tellFillLights();
     void noticeChanges();
     void giveUp(std::unique_ptr<TreeRefinement> refinement);
     void refineTree(const Pace& pace);
@@ -74,6 +75,7 @@ class SceneUpkeep {
     Document& document_;
     Messages& messages_;
     rtcore::Subscription changes_;
+    bool indirect_ = false; ///< indirect light is rendered, and fill lights were told of
     std::unique_ptr<SceneLoad> load_;
     std::unique_ptr<TreeRefinement> refinement_;
     bool treeless_ = false; ///< there was no memory for the exact tree

@@ -2,6 +2,7 @@
 
 #include "rtcore/settings/settings_table.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace rtserver {
@@ -21,6 +22,7 @@ void WalkLight::follow(const Document& document) {
                other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
                        !rtcore::sameLight(settings, settings_);
     const bool rebinds = tracer_ != document.tracer(); // a better tree of the same surfaces
+    frames_ = other && !begins ? 0 : std::min(frames_ + 1, kTurns);
     if (!begins && !other && !rebinds) return;
     if (light_ == nullptr) light_ = std::make_unique<rtcore::IndirectLight>();
     scene_ = document.scene();
@@ -35,11 +37,24 @@ void WalkLight::follow(const Document& document) {
     }
 }
 
+int WalkLight::turns() const {
+    struct After {
+        int frames, turns;
+    };
+    constexpr After kAfter[] = {{8, 4}, {24, 8}};
+    for (const After& after : kAfter)
+        if (frames_ < after.frames) return after.turns;
+    return kTurns;
+}
+
 bool WalkLight::learn(const rtcore::View& view, rtcore::RenderControl& control) {
     constexpr rtcore::GatherBudget kOfCoarse{4 * kBudget.rays, 4 * kBudget.paths};
+    constexpr int kMaxPixels = 1 << 16;
+    int step = 1; // of pixels each way
+    while (view.settings.width / step * (view.settings.height / step) > kMaxPixels) ++step;
     std::vector<rtcore::SampleId> pixels;
-    for (int y = 0; y < view.settings.height; ++y) {
-        for (int x = 0; x < view.settings.width; ++x)
+    for (int y = step / 2; y < view.settings.height; y += step) {
+        for (int x = step / 2; x < view.settings.width; x += step)
             pixels.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
     }
     return steps_.step(view, pixels, kOfCoarse, control, *light_);

@@ -20,9 +20,11 @@ class WalkLight {
     static rtcore::GatherBudget budgetOf(double fraction);
     static constexpr int kTurns = 48;
 
-    /// Takes what has changed: what is known suits the state then.
+    /// kTurns, but for some frames after a change of light: then samples follow sooner.
+    int turns() const;
+    /// Before each frame: takes what has changed, so that what is known suits the state.
     void follow(const Document& document);
-    /// Learns what a coarse image of the view sees.
+    /// Learns about some of the pixels of a frame that is not live.
     bool learn(const rtcore::View& view, rtcore::RenderControl& control);
     rtcore::IndirectLight& light() { return *light_; }
 
@@ -33,6 +35,7 @@ class WalkLight {
     std::shared_ptr<const rtcore::RayTracer> tracer_;
     rtcore::RenderSettings settings_;
     rtcore::Subscription known_;
+    int frames_ = kTurns; ///< since light changed, as far as that counts
 };
 
 } // namespace rtserver

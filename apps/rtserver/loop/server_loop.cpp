@@ -78,7 +78,7 @@ void ServerLoop::turn() {
     // A command that writes the frame to a file gets the whole frame of what is shown.
     const bool changed = drawing_.takeChange();
     const bool holdsStill =
-        commands_.waits() && !changed && !frames().stale(state_.document) && !frames().whole();
+        commands_.waits() && !changed && !frames().stale(state_.document) && !frames().exact();
     if (!holdsStill) move();
     drawing_.noticePause(commands_.waits());
     const bool due = drawing_.wantsFrame(commands_.waits()) && Clock::now() >= drawing_.due();

@@ -20,7 +20,9 @@ struct Workspace {
     Walk walk;
     bool paused = false;
     double frameSeconds; ///< what a frame may take while something moves: fewer pixels then; 0: any time
-    bool idles = true;   ///< false: every frame is drawn, though it equals the last
+    /// The indirect light of whole frames that nothing is written from is what the walk has learned.
+    bool restsInWalkLight = false;
+    bool idles = true; ///< false: every frame is drawn, though it equals the last
     std::shared_ptr<PackProgress> packing = nullptr; ///< of the pack that is being made; null: none is
 };
 

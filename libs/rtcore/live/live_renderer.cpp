@@ -1,7 +1,7 @@
 #include "rtcore/live/live_renderer.h"
 
-#include "rtcore/live/packed_direction.h"
 #include "rtcore/math/constants.h"
+#include "rtcore/math/packed_direction.h"
 #include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
 
@@ -86,14 +86,20 @@ void forEachPixel(const PixelArea& area, Use&& use) {
 /// The samples of an area of a whole frame.
 void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, LiveLayers& layers) {
     const ImagePlane& plane = layers.surface.plane();
+    // Indirect light is learned about true points: others may lie behind a wall.
+    const bool updates = layers.updatesLight && !frame.matter.empty();
     forEachPixel(area, [&](int x, int y) {
         const std::size_t i = layers.surface.index(x, y);
         const SeenPoint& seen = frame.seen[i];
+        const Vec3 towards = towardsMiddle(plane, x, y);
         setSamples(layers, i, seen,
-                   {.position = seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
+                   {.position = !seen.any ? towards
+                                : updates ? seen.position
+                                          : positionInMiddle(plane, seen, x, y),
                     .light = frame.radiance.pixels[i],
                     .lights = {},
                     .age = age});
+        if (updates) layers.surface.matter[i] = frame.matter[i];
     });
 }
 
@@ -124,6 +130,7 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     frame.statistics = {};
     frame.aovs.clear();
     frame.seen.clear();
+    frame.matter.clear();
     selector_.begin(present_.surface.plane());
     reprojection_.reproject(past_, present_, threads,
                             [&](int first, int last) { selector_.look(present_, first, last); });
@@ -154,7 +161,8 @@ void LiveRenderer::seed(const ImagePlane& plane, const Frame& frame, int threads
     });
     past_.mirrors = anyMirrors;
     if (past_.mirrors) past_.resizeSpecular(plane);
-    past_.updatesLight = false; // whole frames do not tell what surfaces scatter
+    past_.updatesLight = !frame.matter.empty();
+    if (past_.updatesLight) past_.surface.matter.resize(past_.surface.size());
     forEachPart([&](int first, int last) {
         setSamplesOf(frame, {0, first, plane.width, last - first}, age, past_);
     });
@@ -166,6 +174,7 @@ void LiveRenderer::seedParts(const View& view, const Frame& frame, std::span<con
     present_.updatesLight = past_.updatesLight;
     present_.resize(planeOf(view));
     reprojection_.reproject(past_, present_, threadsFor(threads), [](int, int) {});
+    if (!frame.matter.empty() && !present_.updatesLight) present_.beginUpdating();
     const auto mirrorsIn = [&](const PixelArea& part) {
         bool any = false;
         forEachPixel(part, [&](int x, int y) { any |= mirrors(frame.seen[present_.surface.index(x, y)]); });

@@ -42,13 +42,13 @@ class LiveRenderer {
     bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
 
     /// Frames to come are lit by what this learns: each gives it the work of a step. Samples follow what is
-    /// learned later in so many turns of frames, at least 1. Null: not any more. Samples stay as they are;
-    /// those of whole frames do not follow.
+    /// learned later in so many turns of frames, at least 1. Null: not any more, and samples stay as they
+    /// are.
     void lightIndirectly(IndirectLight* light, const GatherBudget& budget, int turns);
 
-    /// Takes the samples of a whole frame, which has Frame::seen, of a view on that plane. It may have any
-    /// number of samples per pixel. `age`: its samples count as so many frames old; those of a rough preview
-    /// are replaced soon.
+    /// Takes the samples of a whole frame, which has Frame::seen, and with indirect light Frame::matter, of a
+    /// view on that plane. It may have any number of samples per pixel. `age`: its samples count as so many
+    /// frames old; those of a rough preview are replaced soon.
     void seed(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age = 0);
 
     /// Takes the samples of the finished parts of a frame of that view, in place of those that are known

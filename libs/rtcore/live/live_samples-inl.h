@@ -1,6 +1,6 @@
 // Samples in vectors. Included once for each instruction set, inside the loop of foreach_target.h.
 #include "rtcore/live/live_samples.h"
-#include "rtcore/live/packed_light-inl.h"
+#include "rtcore/math/packed_light-inl.h"
 
 #if defined(RTCORE_LIVE_LIVE_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_LIVE_LIVE_SAMPLES_INL_H_

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "rtcore/live/image_plane.h"
-#include "rtcore/live/packed_light.h"
+#include "rtcore/math/packed_light.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/platform/large_vector.h"
+#include "rtcore/render/seen_point.h"
 #include "rtcore/sampling/pixel_turn.h"
 #include "rtcore/shading/light/light_visibility.h"
 
@@ -60,12 +61,7 @@ class LiveSamples {
         std::uint32_t radiance = 0; ///< packLight()
         LightVisibility lights;
     };
-    /// By which the light of a sample follows what is learned of indirect light: its radiance without that,
-    /// what it scatters of it, its shading normal and that of its face. Packed; no albedo: it does not
-    /// follow.
-    struct Matter {
-        std::uint32_t direct = 0, albedo = 0, normal = 0, face = 0;
-    };
+    using Matter = SeenMatter;
     static_assert(sizeof(Point) == 16 && sizeof(Light) == 12 && sizeof(Matter) == 16);
 
     // Bits of Point::state.

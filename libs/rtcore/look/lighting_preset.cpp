@@ -76,12 +76,18 @@ Sky skyOfView(const KdTree& tree, const Mesh& mesh, const Survey& survey, const 
     return sky;
 }
 
+/// How an image is exposed, and what is made of it.
 std::vector<SettingAssignment> exposureBy(const char* mode, const char* toneMapping, float contrast,
                                           int filterPasses) {
     return {{"exposure.mode", mode},
             {"toneMapping", toneMapping},
             {"toneContrast", contrast},
             {"path.filter", filterPasses}};
+}
+
+std::vector<SettingAssignment> trueLight(std::vector<SettingAssignment> exposure) {
+    exposure.push_back({"indirect.mode", "live"});
+    return exposure;
 }
 
 } // namespace
@@ -135,9 +141,10 @@ void lightBy(Scene& scene, const PresetLighting& preset) {
 
 // Light that surfaces send to each other reaches what the sky does not: no room that one walks into is black.
 std::vector<SettingAssignment> settingsOf(LightingPreset preset, const Survey& survey) {
-    std::vector<SettingAssignment> settings = exposureOf(preset);
+    std::vector<SettingAssignment> settings = settingsOf(preset);
     if (preset == LightingPreset::Headlight) {
-        settings.insert(settings.end(), {{"skyLight.on", false}, {"ambientOcclusion.on", false}});
+        settings.insert(settings.end(),
+                        {{"indirect.mode", "off"}, {"skyLight.on", false}, {"ambientOcclusion.on", false}});
         return settings;
     }
     // The diagonal of the subject: wide ground does not make its rooms dark.
@@ -151,12 +158,12 @@ std::vector<SettingAssignment> settingsOf(LightingPreset preset, const Survey& s
 
 // Out of doors and in rooms there is a wide range of light, for which film is made; an object in a studio
 // keeps its colours.
-std::vector<SettingAssignment> exposureOf(LightingPreset preset) {
+std::vector<SettingAssignment> settingsOf(LightingPreset preset) {
     switch (preset) {
     case LightingPreset::Sky:
-        return exposureBy("incident", "agx", kContrast, kFilterPasses);
+        return trueLight(exposureBy("incident", "agx", kContrast, kFilterPasses));
     case LightingPreset::Studio:
-        return exposureBy("incident", "neutral", 0, kFilterPasses);
+        return trueLight(exposureBy("incident", "neutral", 0, kFilterPasses));
     case LightingPreset::Headlight:
         break;
     }

@@ -43,8 +43,9 @@ void lightBy(Scene& scene, const PresetLighting& preset);
 
 /// Settings for it, in the walk and in stills.
 std::vector<SettingAssignment> settingsOf(LightingPreset preset, const Survey& survey);
-/// Those of them that suit other light of its kind, too: how it is exposed, and what is made of it.
-std::vector<SettingAssignment> exposureOf(LightingPreset preset);
+/// Those of them that suit other light of its kind, too: how it is exposed, what is made of it, and whether
+/// surfaces light each other.
+std::vector<SettingAssignment> settingsOf(LightingPreset preset);
 
 /// Whether the scene is lit by that: nothing was edited but what is switched on.
 bool isLitBy(const Scene& scene, const PresetLighting& preset);

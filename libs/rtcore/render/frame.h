@@ -25,7 +25,8 @@ struct Frame {
         covered;   ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
     Aovs aovs;     ///< empty unless they were asked for
     Guides guides; ///< the same
-    std::vector<SeenPoint> seen; ///< per pixel; empty unless they were asked for
+    std::vector<SeenPoint> seen;    ///< per pixel; empty unless they were asked for
+    std::vector<SeenMatter> matter; ///< of the same points; empty also where there is no indirect light
     /// Per pixel, the luminance that decides the exposure; at most 0: none does. Empty: that of radiance.
     std::vector<float> metered;
     /// Pixels traced for comparison in a frame that reuses samples: they stand for all of its pixels.

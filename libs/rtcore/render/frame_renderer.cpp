@@ -80,6 +80,11 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     } else {
         frame.seen = {};
     }
+    if (collectSeen_ && indirect_ != nullptr) {
+        frame.matter.resize(frame.seen.size()); // the same
+    } else {
+        frame.matter = {};
+    }
     frame.guides = {};
     frame.metered.clear();
     frame.checked.clear();
@@ -200,6 +205,7 @@ void FrameRenderer::renderParts(const Work& work, int parts, Render&& render) {
                         .measureStages = measureStages_,
                         .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs,
                         .seen = work.frame.seen.empty() ? nullptr : &work.frame.seen,
+                        .matter = work.frame.matter.empty() ? nullptr : &work.frame.matter,
                         .normals = work.normals});
         // In the order of the image: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait

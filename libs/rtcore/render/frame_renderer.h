@@ -71,7 +71,7 @@ class FrameRenderer {
 
     /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }
-    /// Whether frames to come tell what each pixel sees, in Frame::seen.
+    /// Whether frames to come tell what each pixel sees, in Frame::seen and Frame::matter.
     void collectSeen(bool on) { collectSeen_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }

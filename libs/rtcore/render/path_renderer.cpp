@@ -280,6 +280,7 @@ void PathRenderer::develop(Frame& frame) const {
     }
     frame.aovs.clear();
     frame.seen = {};
+    frame.matter = {};
     frame.metered.clear();
     frame.checked.clear();
     frame.statistics = statistics_;

@@ -17,10 +17,14 @@ class RayImages : public ImageRenderer {
     std::vector<PixelArea> takeFinishedTiles() override { return refinement_.finishedTiles().take(); }
 
   private:
+    bool learn(const View& view, RenderControl& control);
+
     FrameRenderer renderer_;
     ViewLight light_;
     Refinement refinement_;
-    std::atomic<bool> refines_{false}; ///< the image is shown meanwhile
+    std::atomic<bool> refines_{false};      ///< the image is shown meanwhile
+    std::atomic<bool> learns_{false};       ///< indirect light, before the image is rendered
+    std::atomic<double> learningPart_{0.0}; ///< of the work: 0..1
 };
 
 } // namespace rtcore

@@ -1,5 +1,8 @@
 #include "rtcore/render/seen_point.h"
 
+#include "rtcore/math/packed_direction.h"
+#include "rtcore/math/packed_light.h"
+
 namespace rtcore {
 
 namespace {
@@ -22,5 +25,9 @@ SeenPoint::SeenPoint(const PrimaryHit& hit, Colour radiance) {
     surfaceFraction = {partOf(hit.surfaceLight.r, radiance.r), partOf(hit.surfaceLight.g, radiance.g),
                        partOf(hit.surfaceLight.b, radiance.b)};
 }
+
+SeenMatter::SeenMatter(Colour surface, Colour indirect, const IndirectTap& tap)
+    : direct(packLight(surface - indirect)), albedo(packLight(tap.factor)),
+      normal(packDirection(tap.receiver.normal)), face(packDirection(tap.receiver.face)) {}
 
 } // namespace rtcore

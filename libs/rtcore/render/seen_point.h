@@ -5,6 +5,8 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/shading/primary_hits.h"
 
+#include <cstdint>
+
 namespace rtcore {
 
 /// The primary hit of one of the pixel's samples, near its middle.
@@ -19,6 +21,17 @@ struct SeenPoint {
     SeenPoint() = default;
     /// `radiance` of the sample.
     SeenPoint(const PrimaryHit& hit, Colour radiance);
+};
+
+/// By which the light of a surface that a pixel sees follows what is learned of indirect light: the radiance
+/// of the surface without that, the fraction of it that is scattered, the shading normal and that of the
+/// face. Packed by packLight() and packDirection(); no albedo: it does not follow.
+struct SeenMatter {
+    std::uint32_t direct = 0, albedo = 0, normal = 0, face = 0;
+
+    SeenMatter() = default;
+    /// `indirect`: the part of the surface's radiance that this tap adds.
+    SeenMatter(Colour surface, Colour indirect, const IndirectTap& tap);
 };
 
 } // namespace rtcore

@@ -13,6 +13,7 @@ namespace {
 
 /// Samples in a row of a tile.
 constexpr int kSamples = 64;
+constexpr std::uint32_t kNoTap = 0xFFFFFFFFU;
 constexpr int kMaxSamples = 2 * kSamples; ///< where they are not all taken at once
 
 /// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
@@ -108,6 +109,7 @@ void TileRenderer::begin(const FrameTask& task) {
     integrator_.stopWhen(&task.cancel);
     aovs_ = task.aovs;
     seen_ = task.seen;
+    matter_ = task.matter;
     normals_ = task.normals;
     integrator_.collectNormals(normals_ != nullptr);
     integrator_.collectPrimaryHits(aovs_ != nullptr   ? PrimaryHitParts::All
@@ -178,11 +180,31 @@ void TileRenderer::keepHits() {
     const std::uint32_t middle = n / 2 * n + n / 2;
     const std::span<const PrimaryHit> hits = integrator_.primaryHits();
     const auto width = static_cast<std::size_t>(settings_->width);
+    if (matter_ != nullptr) findTaps();
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-        SeenPoint& seen = (*seen_)[samples_[i].y * width + samples_[i].x];
-        if (samples_[i].sub == middle || !seen.any)
-            seen = SeenPoint(hits[i], integrator_.radiance().colourAt(i));
+        const std::size_t pixel = samples_[i].y * width + samples_[i].x;
+        SeenPoint& seen = (*seen_)[pixel];
+        if (samples_[i].sub != middle && seen.any) continue;
+        seen = SeenPoint(hits[i], integrator_.radiance().colourAt(i));
+        if (matter_ != nullptr) (*matter_)[pixel] = matterOf(i, seen);
     }
+}
+
+void TileRenderer::findTaps() {
+    tapOf_.assign(samples_.size(), kNoTap);
+    const std::span<const IndirectTap> taps = integrator_.taps();
+    for (std::uint32_t k = 0; k < taps.size(); ++k) {
+        std::uint32_t& first = tapOf_[taps[k].sample];
+        if (taps[k].primary && first == kNoTap) first = k;
+    }
+}
+
+SeenMatter TileRenderer::matterOf(std::size_t sample, const SeenPoint& seen) const {
+    const std::uint32_t k = tapOf_[sample];
+    if (k == kNoTap) return {};
+    const IndirectTap& tap = integrator_.taps()[k];
+    const Colour surface = integrator_.radiance().colourAt(sample) * seen.surfaceFraction;
+    return {surface, tap.light(arriving_[k].irradiance), tap};
 }
 
 /// Before the first samples of a tile.

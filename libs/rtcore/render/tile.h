@@ -44,8 +44,9 @@ class TileRenderer {
         const IrradianceCache* indirect; ///< indirect light is looked up there; may be null
         const std::atomic<bool>& cancel;
         bool measureStages;
-        Aovs* aovs;                   ///< gets what samples see first; may be null
-        std::vector<SeenPoint>* seen; ///< the same of each pixel of the frame; may be null
+        Aovs* aovs;                      ///< gets what samples see first; may be null
+        std::vector<SeenPoint>* seen;    ///< the same of each pixel of the frame; may be null
+        std::vector<SeenMatter>* matter; ///< of the same points, with `indirect`; may be null
         std::vector<Vec3>*
             normals; ///< gets means of WhittedIntegrator::normals(), begins with 0; may be null
     };
@@ -73,6 +74,8 @@ class TileRenderer {
     void traceSamples();
     void traceRays();
     void addIndirect();
+    void findTaps();
+    SeenMatter matterOf(std::size_t sample, const SeenPoint& seen) const;
     void clearSums(const PixelArea& area);
     void addToSums(const PixelArea& area);
     template <typename Count>
@@ -93,6 +96,8 @@ class TileRenderer {
     std::vector<ArrivingLight> arriving_;       ///< the same
     Aovs* aovs_ = nullptr;                      ///< that samples are added to; null: not asked for
     std::vector<SeenPoint>* seen_ = nullptr;    ///< the same
+    std::vector<SeenMatter>* matter_ = nullptr; ///< the same
+    std::vector<std::uint32_t> tapOf_;          ///< by sample of a wave: that of its primary hit, or kNoTap
     std::vector<Vec3>* normals_ = nullptr;      ///< the same
     std::vector<SampleId> samples_;             ///< of rays_, where sample ids are needed
     bool sameOrigin_ = false;                   ///< all of rays_ begin at the eye already

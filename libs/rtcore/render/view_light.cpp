@@ -8,10 +8,20 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::uint32_t kSteps = 48, kSweep = 16; ///< steps in which all pixels have their turn
-constexpr std::uint32_t kStepsOfSmall = 16;       ///< of images that are measured, not seen
-constexpr int kSmall = 64 * 64;                   ///< pixels
+/// Steps, and those in which all pixels have their turn; of images that are measured, not seen, too.
+constexpr std::uint32_t kSteps = 48, kSweep = 16, kStepsOfSmall = 8;
+constexpr int kSmall = 64 * 64; ///< pixels
+/// Of a step of an image of kUsual pixels; of others by their size, within bounds.
 constexpr GatherBudget kBudget{65536, 6144};
+constexpr GatherBudget kOfSmall{16384, 1536};
+constexpr double kUsual = 1024 * 621, kMinOfUsual = 0.25, kMaxOfUsual = 4;
+
+GatherBudget budgetOf(const RenderSettings& settings) {
+    const double pixels = double{static_cast<float>(settings.width)} * settings.height;
+    const double times = std::clamp(pixels / kUsual, kMinOfUsual, kMaxOfUsual);
+    return {static_cast<std::uint32_t>(kBudget.rays * times),
+            static_cast<std::uint32_t>(kBudget.paths * times)};
+}
 
 /// The view whose points alone are wanted, not their light.
 Scene unlit(const Scene& scene) {
@@ -29,7 +39,7 @@ RenderSettings oneSample(const RenderSettings& settings) {
 }
 
 /// Those of an image whose turn it is, square by square: what is near follows each other.
-std::vector<SampleId> pixelsOfTurn(const RenderSettings& settings, std::uint32_t turn) {
+std::vector<SampleId> pixelsOfTurn(const RenderSettings& settings, std::uint32_t turn, std::uint32_t turns) {
     constexpr int kSide = 8;
     std::vector<SampleId> pixels;
     const int width = settings.width, height = settings.height;
@@ -37,7 +47,7 @@ std::vector<SampleId> pixelsOfTurn(const RenderSettings& settings, std::uint32_t
         for (int left = 0; left < width; left += kSide) {
             for (int y = top; y < std::min(top + kSide, height); ++y) {
                 for (int x = left; x < std::min(left + kSide, width); ++x) {
-                    if (turnOf(x, y) * kSweep / kTurns == turn)
+                    if (turnOf(x, y) * turns / kTurns == turn)
                         pixels.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
                 }
             }
@@ -66,14 +76,15 @@ bool ViewSteps::step(const View& view, std::span<const SampleId> pixels, const G
 }
 
 bool ViewLight::learn(const View& view, RenderControl& control) {
+    done_ = 0;
     light_.begin(view.scene, view.tracer, view.settings);
     const bool small = view.settings.width * static_cast<std::int64_t>(view.settings.height) <= kSmall;
-    const std::uint32_t steps = small ? kStepsOfSmall : kSteps;
+    const std::uint32_t steps = small ? kStepsOfSmall : kSteps, sweep = std::min(steps, kSweep);
+    const GatherBudget budget = small ? kOfSmall : budgetOf(view.settings);
     for (std::uint32_t step = 0; step < steps; ++step) {
-        const std::vector<SampleId> pixels = pixelsOfTurn(view.settings, step % kSweep);
-        if (!steps_.step(view, pixels, kBudget, control, light_)) return false;
-        control.tiles = steps;
-        control.tilesDone = step + 1;
+        const std::vector<SampleId> pixels = pixelsOfTurn(view.settings, step % sweep, sweep);
+        if (!steps_.step(view, pixels, budget, control, light_)) return false;
+        done_ = static_cast<float>(step + 1) / static_cast<float>(steps);
     }
     return true;
 }

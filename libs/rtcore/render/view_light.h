@@ -5,6 +5,7 @@
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/view.h"
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,11 +34,14 @@ class ViewLight {
     /// The same bits for any number of threads. Returns false when control.cancel was set: only a
     /// part is known then. Takes some seconds of two processors.
     bool learn(const View& view, RenderControl& control);
+    /// Progress of learn(), 0..1. Any thread.
+    float fraction() const { return done_; }
     const IrradianceCache& cache() const { return light_.cache(); }
 
   private:
     ViewSteps steps_;
     IndirectLight light_;
+    std::atomic<float> done_ = 0;
 };
 
 } // namespace rtcore

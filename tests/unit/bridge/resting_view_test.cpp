@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace {
 
 using test::PageOutlet;
@@ -15,6 +17,7 @@ class RestingViews : public testing::Test {
         world.byPaths = true;
         room = std::make_unique<bridge::Room>("hall", limits, bridge::StreamOptions{}, world.services());
         server().events.server(bridge::ServerLink::There, "");
+        told = std::exchange(server().requests, {});
         page = std::make_shared<PageOutlet>();
         room->join({1, "Anna", true, {.visible = true}, page, {{"event", "welcome"}}});
     }
@@ -56,10 +59,16 @@ class RestingViews : public testing::Test {
     bridge::Limits limits;
     std::unique_ptr<bridge::Room> room;
     std::shared_ptr<PageOutlet> page;
+    std::vector<test::PlayedServer::Request> told; ///< what a server is asked for when it is found
 
   private:
     std::size_t answered_ = 0;
 };
+
+TEST_F(RestingViews, NeedNoLightThatTheServerLearnsForThemAlone) {
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].line, "rest-light walk");
+}
 
 TEST_F(RestingViews, AreRenderedAQuarterOfASecondAfterTheLastMovement) {
     status(1);

@@ -3,7 +3,7 @@
 #include "rtcore/live/live_renderer.h"
 
 #include "rtcore/gathering/indirect_light.h"
-#include "rtcore/live/packed_direction.h"
+#include "rtcore/math/packed_direction.h"
 #include "rtcore/render/path_renderer.h"
 #include "rtcore/render/view_light.h"
 
@@ -19,8 +19,15 @@ namespace {
 
 constexpr int kWidth = 128, kHeight = 96;
 
-/// A closed room of albedo 0.7 with a block, a mirror and a pane, seen from inside.
-Scene room() {
+Scene lit(Scene scene) {
+    scene.lights = {test::pointLight({2, 2.6F, 2}, 4)};
+    scene.ambient = {5, 5, 5}; // gives way
+    return scene;
+}
+
+/// A closed room of albedo 0.7 with a block and, unless it is to be matte, a mirror and a pane, seen from
+/// inside.
+Scene room(bool matte = false) {
     test::SceneBuilder b;
     const auto white = b.material(test::matte(0.7F)), mirror = b.material(test::mirror(0.8F));
     Material pane = test::glass();
@@ -33,12 +40,10 @@ Scene room() {
     b.quad({0, 0, 0}, {0, 3, 0}, {0, 3, 4}, {0, 0, 4}, white);
     b.quad({4, 0, 0}, {4, 0, 4}, {4, 3, 4}, {4, 3, 0}, white);
     b.box({1.2F, 0, 0.6F}, {2, 1, 1.4F}, white);
+    if (matte) return lit(b.finish());
     b.quad({2.6F, 0.4F, 0.3F}, {3.6F, 0.4F, 0.3F}, {3.6F, 1.8F, 0.3F}, {2.6F, 1.8F, 0.3F}, mirror);
     b.quad({0.2F, 0.2F, 1.8F}, {1, 0.2F, 1.8F}, {1, 1.4F, 1.8F}, {0.2F, 1.4F, 1.8F}, glass);
-    Scene scene = b.finish();
-    scene.lights = {test::pointLight({2, 2.6F, 2}, 4)};
-    scene.ambient = {5, 5, 5}; // gives way
-    return scene;
+    return lit(b.finish());
 }
 
 Camera cameraAt(int step) {
@@ -71,6 +76,14 @@ class IndirectFrames : public testing::Test {
         Frame frame;
         renderer.render({traced.scene, traced.tracer, camera, paths}, control, frame);
         return frame.radiance;
+    }
+    /// Without indirect light, or anything in its place.
+    RenderSettings plain() const {
+        RenderSettings plain = settings;
+        plain.indirect.mode = IndirectMode::Off;
+        plain.ambientOcclusion.on = true;
+        plain.ambientOcclusion.light = 1e-9F;
+        return plain;
     }
     /// So many frames of a walk, a twentieth of their pixels new.
     Frame walk(int frames, int threads, IndirectLight& light) const {
@@ -123,6 +136,45 @@ TEST_F(IndirectFrames, SamplesFollowALightThatIsSwitchedOff) {
     for (int step = 0; step < 20; ++step)
         live.render({dark, traced.tracer, cameraAt(0), settings}, step == 0 ? 1 : 0.01, control, frame);
     EXPECT_LT(mean(frame.radiance), 0.02 * before);
+}
+
+/// After the light of a whole frame, of one sample per pixel or more, is switched off: without any new sample
+/// what is left is direct light.
+TEST_F(IndirectFrames, SamplesOfWholeFramesFollow) {
+    constexpr double kNone = 1e-9; // new samples
+    const test::TracedScene matte{room(true)};
+    const View view{matte.scene, matte.tracer, cameraAt(0), settings};
+    Scene dark = matte.scene;
+    dark.lights[0].light.on = 0;
+    for (const int antialiasing : {1, 2}) {
+        RenderSettings finer = settings;
+        finer.antialiasing = antialiasing;
+        IndirectLight light;
+        ViewSteps steps;
+        RenderControl control;
+        light.begin(matte.scene, matte.tracer, settings);
+        std::vector<SampleId> pixels;
+        for (std::uint16_t y = 0; y < kHeight; ++y)
+            for (std::uint16_t x = 0; x < kWidth; ++x) pixels.push_back({x, y, 0});
+        for (int step = 0; step < 4; ++step) steps.step(view, pixels, {16384, 1536}, control, light);
+        FrameRenderer renderer;
+        renderer.collectSeen(true);
+        Frame direct, whole;
+        renderer.render({matte.scene, matte.tracer, cameraAt(0), plain()}, control, direct);
+        EXPECT_TRUE(direct.matter.empty()) << "there is no indirect light";
+        renderer.lightIndirectlyFrom(&light.cache());
+        renderer.render({matte.scene, matte.tracer, cameraAt(0), finer}, control, whole);
+        LiveRenderer live;
+        live.lightIndirectly(&light, {16384, 1536}, 4);
+        live.seed(LiveRenderer::planeOf(view), whole, 0);
+        Frame frame;
+        live.render(view, kNone, control, frame);
+        EXPECT_NEAR(mean(frame.radiance) / mean(whole.radiance), 1, 0.03) << antialiasing;
+        light.changeLight(dark, matte.tracer, settings);
+        for (int step = 0; step < 16; ++step) live.render(view, kNone, control, frame);
+        EXPECT_NEAR(mean(frame.radiance) / mean(direct.radiance), 1, 0.06) << antialiasing;
+        EXPECT_LT(mean(direct.radiance), 0.7 * mean(whole.radiance));
+    }
 }
 
 TEST_F(IndirectFrames, WholeFramesOfAViewHaveItsLightAndTheSameBits) {

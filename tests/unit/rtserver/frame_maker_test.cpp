@@ -292,6 +292,27 @@ TEST_F(FramesOfAState, AreShownAtOnceWhileTheirIndirectLightIsLearned) {
     EXPECT_EQ(frames.radiance().pixels, alone.pixels);
 }
 
+/// In the light that the walk knows a whole frame is not that of its view alone, and comes much sooner.
+TEST_F(FramesOfAState, RestInTheLightOfTheWalkWhereThatIsEnough) {
+    document.assign({{"width", 120}, {"height", 80}, {"indirect.mode", "live"}});
+    state.frameSeconds = 0.03;
+    for (int i = 0; i < 8; ++i) test::draw(frames, state, rtserver::kCoarsest);
+    rtserver::FrameDetail detail;
+    detail.inWalkLight = true;
+    test::draw(frames, state, detail);
+    EXPECT_TRUE(frames.whole());
+    EXPECT_FALSE(frames.exact());
+    const auto meanOf = [](const rtcore::HdrImage& image) {
+        double sum = 0;
+        for (const rtcore::Colour& pixel : image.pixels) sum += rtcore::luminance(pixel);
+        return sum / static_cast<double>(image.pixels.size());
+    };
+    const double known = meanOf(frames.radiance());
+    test::draw(frames, state);
+    EXPECT_TRUE(frames.exact());
+    EXPECT_NEAR(known / meanOf(frames.radiance()), 1, 0.05);
+}
+
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     state.frameSeconds = 0.03;
     EXPECT_FALSE(frames.drawsLive(document)) << "there was none";

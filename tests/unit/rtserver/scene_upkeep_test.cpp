@@ -69,6 +69,24 @@ TEST_F(SceneUpkeepTest, ShowsAnotherSceneWhenItIsLoaded) {
     EXPECT_FALSE(upkeep.loads());
 }
 
+TEST_F(SceneUpkeepTest, FillLightsAreNamedOnceIndirectLightIsSwitchedOn) {
+    rtcore::Scene lit = *document.scene();
+    ASSERT_FALSE(lit.lights.empty());
+    lit.lights[0].name = "fill by the door";
+    document.publish(lit);
+    upkeep.advance({});
+    EXPECT_EQ(messages.since(0), "");
+    document.assign({{"indirect.mode", "live"}});
+    upkeep.advance({});
+    const std::string told = messages.since(0);
+    EXPECT_NE(told.find(" offer "), std::string::npos) << told;
+    EXPECT_NE(told.find("'fill by the door'"), std::string::npos) << told;
+    EXPECT_NE(told.find("light 1 off"), std::string::npos) << told;
+    document.assign({{"exposure.key", 0.3F}});
+    upkeep.advance({});
+    EXPECT_EQ(messages.since(0), told) << "once";
+}
+
 TEST_F(SceneUpkeepTest, ASceneThatCannotBeLoadedLeavesTheLast) {
     const auto last = document.scene();
     upkeep.load(folder / "none.bsp", std::nullopt);

@@ -30,7 +30,7 @@ class FirstLight {
         }
         if (lighting.preset) return lightByPreset(*lighting.preset, true);
         if (hasLight() || (surrounded && out_.sceneFile)) {
-            if (!out_.sceneFile) loading_.take(exposureOf(lighting.usual));
+            if (!out_.sceneFile) loading_.take(settingsOf(lighting.usual));
             if (surrounded) loading_.take({{"skyLight.on", true}});
             if (!surrounded && !out_.sceneFile) fillTheDark();
         } else if (surrounded) {

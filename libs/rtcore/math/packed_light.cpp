@@ -1,6 +1,6 @@
-#include "rtcore/live/packed_light.h"
+#include "rtcore/math/packed_light.h"
 
-#include "rtcore/live/packed_light-inl.h"
+#include "rtcore/math/packed_light-inl.h"
 
 #include <algorithm>
 #include <bit>
