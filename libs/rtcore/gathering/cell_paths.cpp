@@ -25,7 +25,11 @@ bool CellPaths::fill(const PathFrame& paths, const GatherHits& hits, std::span<c
                      OutgoingCells& cells) {
     choose(hits, cells, budget, frame, threads);
     if (!trace(paths, hits, passes, threads, stop)) return false;
-    for (std::size_t i = 0; i < chosen_.size(); ++i) cells.add(hits.site(chosen_[i]), radiance_[i], frame);
+    constexpr std::size_t kAhead = 4; // adding waits for memory most of all
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+        if (i + kAhead < chosen_.size()) cells.prefetch(hits.site(chosen_[i + kAhead]));
+        cells.add(hits.site(chosen_[i]), radiance_[i], frame);
+    }
     return true;
 }
 
@@ -33,14 +37,16 @@ bool CellPaths::fill(const PathFrame& paths, const GatherHits& hits, std::span<c
 /// them.
 void CellPaths::choose(const GatherHits& hits, const OutgoingCells& cells, std::size_t budget,
                        std::uint32_t frame, int threads) {
-    constexpr std::size_t kPart = 4096, kMinOfGroup = 64;
+    constexpr std::size_t kPart = 2048, kMinOfGroup = 64;
     knowledge_.resize(hits.size());
     forEachPart((hits.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
-        const std::size_t last = std::min((part + 1) * kPart, hits.size());
-        for (std::size_t i = part * kPart; i < last; ++i)
-            knowledge_[i] = hits.isHit(i)
-                                ? static_cast<std::uint8_t>(std::bit_width(cells.samples(hits.site(i))))
-                                : kNoCell;
+        const std::size_t first = part * kPart, count = std::min(kPart, hits.size() - first);
+        std::array<std::uint32_t, kPart> samples;
+        cells.samples(hits.sites().subspan(first, count), samples);
+        for (std::size_t i = 0; i < count; ++i)
+            knowledge_[first + i] = hits.isHit(first + i)
+                                        ? static_cast<std::uint8_t>(std::bit_width(samples[i]))
+                                        : kNoCell;
     });
     std::array<std::size_t, kDigits> sizes{};
     for (const std::uint8_t digits : knowledge_)

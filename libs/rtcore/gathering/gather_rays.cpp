@@ -96,17 +96,19 @@ OutgoingCells::Site siteOf(const GatherScene& in, const Ray& ray, const Hit& hit
 
 } // namespace
 
-void GatherHits::trace(const GatherScene& in, std::span<const GatherPass> passes, int threads) {
+bool GatherHits::trace(const GatherScene& in, std::span<const GatherPass> passes, int threads,
+                       const std::atomic<bool>* stop) {
     constexpr std::size_t kPasses = 128; // of a wave
     const std::size_t count = passes.size() * kPassRays;
     sites_.resize(count);
-    hit_.resize(count);
     directions_.resize(count);
+    const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
     struct Scratch {
         RayWave rays;
         HitWave hits;
     };
     forEachPart((passes.size() + kPasses - 1) / kPasses, threadsFor(threads), [&](std::size_t part) {
+        if (stopped()) return;
         thread_local Scratch scratch;
         const std::size_t first = part * kPasses, last = std::min(first + kPasses, passes.size());
         scratch.rays.clear();
@@ -116,11 +118,12 @@ void GatherHits::trace(const GatherScene& in, std::span<const GatherPass> passes
             const std::size_t to = first * kPassRays + i;
             const Ray ray = scratch.rays.ray(i);
             directions_[to] = ray.direction;
-            hit_[to] = scratch.hits.isHit(i) ? 1 : 0;
-            sites_[to] = isHit(to) ? siteOf(in, ray, scratch.hits.hit(i))
-                                   : OutgoingCells::Site{0, {}, {}, kEndlessLength, 0};
+            sites_[to] = scratch.hits.isHit(i)
+                             ? siteOf(in, ray, scratch.hits.hit(i))
+                             : OutgoingCells::Site{OutgoingCells::kNowhere, {}, {}, kEndlessLength, 0};
         }
     });
+    return !stopped();
 }
 
 Ray GatherHits::ray(std::size_t ray, std::span<const GatherPass> passes) const {

@@ -8,6 +8,7 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/scene.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -42,19 +43,20 @@ struct GatherScene {
 class GatherHits {
   public:
     /// Traces the rays of passes, in several threads: those of passes[i] are from i * kPassRays on. The same
-    /// for any number of them.
-    void trace(const GatherScene& in, std::span<const GatherPass> passes, int threads);
+    /// for any number of them. Returns false when `stop` (may be null) became true: some were left then.
+    bool trace(const GatherScene& in, std::span<const GatherPass> passes, int threads,
+               const std::atomic<bool>* stop = nullptr);
 
     std::size_t size() const { return sites_.size(); }
-    bool isHit(std::size_t ray) const { return hit_[ray] != 0; }
-    /// With a length of 1e15 where nothing is hit, and no more than that.
+    bool isHit(std::size_t ray) const { return sites_[ray].level != OutgoingCells::kNowhere; }
+    /// Nowhere, with a length of 1e15, where nothing is hit, and no longer than that.
     const OutgoingCells::Site& site(std::size_t ray) const { return sites_[ray]; }
+    std::span<const OutgoingCells::Site> sites() const { return sites_; }
     Vec3 direction(std::size_t ray) const { return directions_[ray]; }
     Ray ray(std::size_t ray, std::span<const GatherPass> passes) const;
 
   private:
     std::vector<OutgoingCells::Site> sites_;
-    std::vector<std::uint8_t> hit_;
     std::vector<Vec3> directions_;
 };
 

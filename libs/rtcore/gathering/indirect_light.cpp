@@ -8,6 +8,7 @@
 #include "rtcore/scene/part_list.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -203,8 +204,7 @@ void IndirectLight::orderChosen() {
 bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     passes_.clear();
     for (const std::uint32_t number : chosen_) passes_.push_back(records_.next(cache_, number));
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return false;
-    hits_.trace({*scene_, *tracer_, surfaces_, cells_}, passes_, threads);
+    if (!hits_.trace({*scene_, *tracer_, surfaces_, cells_}, passes_, threads, stop)) return false;
     if (!cellPaths_.fill(paths(), hits_, passes_, budget.paths, frame_, threads, stop, cells_)) return false;
     emitted_.assign(passes_.size(), {});
     emitterRays_.add(paths(), passes_, threads, emitted_);
@@ -217,9 +217,8 @@ bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::a
     return true;
 }
 
-/// Radiance that comes along a ray, but emission; nothing where it is not known yet.
-std::optional<Colour> IndirectLight::arrivingAlong(std::size_t ray, Vec3 normal) const {
-    if (hits_.isHit(ray)) return cells_.radiance(hits_.site(ray));
+/// Radiance of the surroundings that comes along a ray.
+Colour IndirectLight::fromSurroundings(std::size_t ray, Vec3 normal) const {
     const Vec3 direction = hits_.direction(ray);
     const float left =
         fog_.on ? fogTransmittance(fog_, passes_[ray / kPassRays].origin, direction, kEndless) : 1;
@@ -235,10 +234,14 @@ PassResult IndirectLight::resultOf(std::size_t pass) const {
     PassResult result;
     PassLight gathered;
     std::size_t known = 0;
-    for (std::size_t ray = pass * kPassRays; ray < (pass + 1) * kPassRays; ++ray) {
+    std::array<std::optional<Colour>, kPassRays> arriving; // but emission; nothing where it is not known yet
+    cells_.radiance(hits_.sites().subspan(pass * kPassRays, kPassRays), arriving);
+    for (std::size_t i = 0; i < kPassRays; ++i) {
+        const std::size_t ray = pass * kPassRays + i;
         const OutgoingCells::Site& site = hits_.site(ray);
         const Vec3 direction = hits_.direction(ray);
-        if (const std::optional<Colour> radiance = arrivingAlong(ray, normal)) {
+        if (!hits_.isHit(ray)) arriving[i] = fromSurroundings(ray, normal);
+        if (const std::optional<Colour>& radiance = arriving[i]) {
             gathered.add(*radiance, direction, dot(direction, normal), kPi);
             ++known;
         }

@@ -18,7 +18,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -82,7 +81,7 @@ class IndirectLight {
                      std::size_t max);
     void chooseRecords(std::size_t max);
     void orderChosen();
-    std::optional<Colour> arrivingAlong(std::size_t ray, Vec3 normal) const;
+    Colour fromSurroundings(std::size_t ray, Vec3 normal) const;
     PassResult resultOf(std::size_t pass) const;
     void enterResults();
     bool gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop);

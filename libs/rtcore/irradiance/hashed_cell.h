@@ -1,7 +1,6 @@
 /// Numbers of cells of a grid, and hashes of their keys.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace rtcore {
@@ -10,7 +9,9 @@ namespace rtcore {
 inline std::int32_t cellCoordinate(float at) {
     constexpr float kMax = 0x1p29F;
     if (!(at > -kMax)) return -(1 << 29); // NaN, too
-    return static_cast<std::int32_t>(std::floor(at < kMax ? at : kMax));
+    if (!(at < kMax)) return 1 << 29;
+    const auto towardsZero = static_cast<std::int32_t>(at); // floor() is a call on old processors
+    return towardsZero - (static_cast<float>(towardsZero) > at ? 1 : 0);
 }
 
 /// (Stafford's mix of MurmurHash3's finalizer)

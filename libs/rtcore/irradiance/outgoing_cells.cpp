@@ -2,7 +2,10 @@
 
 #include "rtcore/irradiance/hashed_cell.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rtcore {
@@ -10,6 +13,7 @@ namespace rtcore {
 namespace {
 
 constexpr std::size_t kMinSlots = 4096;
+constexpr std::size_t kSitesAtOnce = 64; ///< memory is fetched for all of them first
 constexpr float kOfLength = 1.0F / 8; ///< side of the cells that a ray reads
 constexpr std::uint32_t kEnough = 8;  ///< samples of a cell
 /// Finer cells straddle fewer walls and edges of shadows: they are read once they know so much, and where
@@ -50,30 +54,43 @@ int OutgoingCells::levelOf(float length) const {
     return level;
 }
 
-/// Of all that a cell is told apart by: there are so many keys that none is met twice.
-std::uint64_t OutgoingCells::keyOf(int level, const Site& site) const {
-    const float side = finest_ * static_cast<float>(1 << level);
-    const Vec3 at = (site.point - origin_) / side;
-    const auto bits = [](float x) {
-        return std::uint64_t{static_cast<std::uint32_t>(cellCoordinate(x)) & 0x3FFFFU};
-    };
-    const std::uint64_t cell = sideOf(site.normal) << 58 | static_cast<std::uint64_t>(level) << 54 |
-                               bits(at.z) << 36 | bits(at.y) << 18 | bits(at.x);
-    return hashOfCell(cell + hashOfCell(site.surface)) | 1U;
+OutgoingCells::Place OutgoingCells::placeOf(const Site& site) const {
+    const Vec3 at = (site.point - origin_) / finest_;
+    return {cellCoordinate(at.x), cellCoordinate(at.y), cellCoordinate(at.z),
+            (sideOf(site.normal) << 58) + hashOfCell(site.surface)};
 }
 
-const OutgoingCells::Slot* OutgoingCells::find(int level, const Site& site) const {
-    const std::uint64_t key = keyOf(level, site);
+/// Of all that a cell is told apart by: there are so many keys that none is met twice.
+std::uint64_t OutgoingCells::Place::keyOf(int level) const {
+    const auto bits = [&](std::int32_t at) {
+        return std::uint64_t{static_cast<std::uint32_t>(at >> level) & 0x3FFFFU};
+    };
+    const std::uint64_t cell =
+        static_cast<std::uint64_t>(level) << 54 | bits(z) << 36 | bits(y) << 18 | bits(x);
+    return hashOfCell(cell + kind) | 1U;
+}
+
+const OutgoingCells::Slot* OutgoingCells::find(std::uint64_t key) const {
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t i = key >> 1 & mask; slots_[i].key != 0; i = (i + 1) & mask)
         if (slots_[i].key == key) return &slots_[i];
     return nullptr;
 }
 
+void OutgoingCells::prefetch(std::uint64_t key) const {
+    hwy::Prefetch(&slots_[key >> 1 & (slots_.size() - 1)]);
+}
+
+void OutgoingCells::prefetch(const Site& site) const {
+    const Place place = placeOf(site);
+    for (int level = std::max(site.level - kFiner, 0); level < kLevels; ++level) prefetch(place.keyOf(level));
+}
+
 void OutgoingCells::add(const Site& site, Colour radiance, std::uint32_t frame) {
+    const Place place = placeOf(site);
     for (int level = std::max(site.level - kFiner, 0); level < kLevels; ++level) {
         if (2 * (used_ + 1) > slots_.size()) rehash(2 * slots_.size(), 0);
-        const std::uint64_t key = keyOf(level, site);
+        const std::uint64_t key = place.keyOf(level);
         Slot& slot = slotFor(key);
         if (slot.key == 0) ++used_;
         slot.key = key;
@@ -123,28 +140,78 @@ bool OutgoingCells::samplesDiffer(const Slot& slot) {
 }
 
 std::uint32_t OutgoingCells::samples(const Site& site) const {
-    if (empty()) return 0;
-    const Slot* const found = find(site.level, site);
-    return found != nullptr ? found->count : 0;
+    std::uint32_t found = 0;
+    samples({&site, 1}, {&found, 1});
+    return found;
 }
 
 std::optional<Colour> OutgoingCells::radiance(const Site& site) const {
-    if (empty()) return std::nullopt;
-    const auto meanOf = [](const Slot& slot) { return slot.sum / static_cast<float>(slot.count); };
-    const Slot* const own = find(site.level, site);
-    if (own != nullptr && own->count >= kEnough) {
-        const std::uint32_t enough = samplesDiffer(*own) ? kSomeOfFiner : kEnoughOfFiner;
-        for (int level = std::max(site.level - kFiner, 0); level < site.level; ++level) {
-            const Slot* const finer = find(level, site);
-            if (finer != nullptr && finer->count >= enough) return meanOf(*finer);
-        }
-        return meanOf(*own);
+    std::optional<Colour> found;
+    radiance({&site, 1}, {&found, 1});
+    return found;
+}
+
+void OutgoingCells::samples(std::span<const Site> sites, std::span<std::uint32_t> found) const {
+    if (empty()) {
+        std::ranges::fill(found, 0U);
+        return;
     }
+    std::array<std::uint64_t, kSitesAtOnce> keys;
+    for (std::size_t first = 0; first < sites.size(); first += kSitesAtOnce) {
+        const std::size_t count = std::min(kSitesAtOnce, sites.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Site& site = sites[first + i];
+            if (site.level == kNowhere) continue;
+            keys[i] = placeOf(site).keyOf(site.level);
+            prefetch(keys[i]);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const Slot* const own = sites[first + i].level != kNowhere ? find(keys[i]) : nullptr;
+            found[first + i] = own != nullptr ? own->count : 0;
+        }
+    }
+}
+
+void OutgoingCells::radiance(std::span<const Site> sites, std::span<std::optional<Colour>> found) const {
+    if (empty()) {
+        std::ranges::fill(found, std::nullopt);
+        return;
+    }
+    std::array<Place, kSitesAtOnce> places;
+    for (std::size_t first = 0; first < sites.size(); first += kSitesAtOnce) {
+        const std::size_t count = std::min(kSitesAtOnce, sites.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Site& site = sites[first + i];
+            if (site.level == kNowhere) continue;
+            places[i] = placeOf(site);
+            for (int level = site.level; level >= std::max(site.level - kFiner, 0); --level)
+                prefetch(places[i].keyOf(level));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const Site& site = sites[first + i];
+            found[first + i] = site.level != kNowhere ? radianceAt(places[i], site) : std::nullopt;
+        }
+    }
+}
+
+std::optional<Colour> OutgoingCells::radianceAt(const Place& place, const Site& site) const {
+    const Slot* const own = find(place.keyOf(site.level));
+    if (own == nullptr || own->count < kEnough) return coarserAt(place, site, own);
+    const std::uint32_t enough = samplesDiffer(*own) ? kSomeOfFiner : kEnoughOfFiner;
+    for (int level = std::max(site.level - kFiner, 0); level < site.level; ++level) {
+        const Slot* const finer = find(place.keyOf(level));
+        if (finer != nullptr && finer->count >= enough) return meanOf(*finer);
+    }
+    return meanOf(*own);
+}
+
+/// Where the cell of the site's level (may be null) does not know enough.
+std::optional<Colour> OutgoingCells::coarserAt(const Place& place, const Site& site, const Slot* own) const {
     const Slot* best = own;
     for (int level = site.level + 1; level < kLevels; ++level) {
         const float side = finest_ * static_cast<float>(1 << level);
         if (best != nullptr && best->count >= kSome && side > kMaxSideOfSome * site.length) break;
-        const Slot* const found = find(level, site);
+        const Slot* const found = find(place.keyOf(level));
         if (found == nullptr) continue;
         best = found; // coarser cells know as much at least
         if (found->count >= kEnough) break;

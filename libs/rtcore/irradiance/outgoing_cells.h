@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -19,10 +20,11 @@ namespace rtcore {
 class OutgoingCells {
   public:
     static constexpr int kLevels = 9;
+    static constexpr int kNowhere = -1; ///< level of a ray that meets nothing
     /// Where light leaves: the level that a ray of this length reads, the point and the normal of the face,
     /// of unit length, on the side of the ray.
     struct Site {
-        int level = 0;
+        int level = kNowhere;
         Vec3 point;
         Vec3 normal;
         float length = 0;
@@ -36,6 +38,8 @@ class OutgoingCells {
     /// Adds a sample of the radiance to the cells of its level, of two finer and of all coarser ones.
     /// `frame`: does not descend.
     void add(const Site& site, Colour radiance, std::uint32_t frame = 0);
+    /// Begins to fetch the cells that add() will change from memory.
+    void prefetch(const Site& site) const;
     /// Where there are more than so many cells, forgets about half of them: those that no sample was added to
     /// for longest.
     void bound(std::size_t max);
@@ -44,6 +48,9 @@ class OutgoingCells {
     /// The mean of the cell of the site's level; of a finer one where that knows enough, or of a coarser one
     /// where it does not. Nothing where none knows anything.
     std::optional<Colour> radiance(const Site& site) const;
+    /// The same of several sites, which is quicker. Nowhere there is nothing.
+    void samples(std::span<const Site> sites, std::span<std::uint32_t> found) const;
+    void radiance(std::span<const Site> sites, std::span<std::optional<Colour>> found) const;
 
     bool empty() const { return used_ == 0; }
     std::size_t size() const { return used_; } ///< cells
@@ -58,9 +65,19 @@ class OutgoingCells {
         std::uint32_t frame = 0; ///< of the last sample
     };
     static_assert(sizeof(Slot) == 32);
+    /// What the keys of a site's cells are made of.
+    struct Place {
+        std::int32_t x = 0, y = 0, z = 0; ///< of the finest cell; of level n it is at these shifted by n
+        std::uint64_t kind = 0;           ///< added to the key: side and surface
+        std::uint64_t keyOf(int level) const;
+    };
     static bool samplesDiffer(const Slot& slot);
-    std::uint64_t keyOf(int level, const Site& site) const;
-    const Slot* find(int level, const Site& site) const;
+    static Colour meanOf(const Slot& slot) { return slot.sum / static_cast<float>(slot.count); }
+    Place placeOf(const Site& site) const;
+    const Slot* find(std::uint64_t key) const;
+    void prefetch(std::uint64_t key) const;
+    std::optional<Colour> radianceAt(const Place& place, const Site& site) const;
+    std::optional<Colour> coarserAt(const Place& place, const Site& site, const Slot* own) const;
     void clearCells();
     Slot& slotFor(std::uint64_t key);
     void rehash(std::size_t slots, std::uint32_t fromFrame);
