@@ -44,9 +44,8 @@ void CellPaths::choose(const GatherHits& hits, const OutgoingCells& cells, std::
         std::array<std::uint32_t, kPart> samples;
         cells.samples(hits.sites().subspan(first, count), samples);
         for (std::size_t i = 0; i < count; ++i)
-            knowledge_[first + i] = hits.isHit(first + i)
-                                        ? static_cast<std::uint8_t>(std::bit_width(samples[i]))
-                                        : kNoCell;
+            knowledge_[first + i] =
+                hits.isHit(first + i) ? static_cast<std::uint8_t>(std::bit_width(samples[i])) : kNoCell;
     });
     std::array<std::size_t, kDigits> sizes{};
     for (const std::uint8_t digits : knowledge_)

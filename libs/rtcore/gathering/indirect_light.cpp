@@ -19,18 +19,6 @@ namespace {
 /// Records that were of no use for so many steps get no rays.
 constexpr std::uint32_t kRecentSteps = 24;
 
-/// 10 bits of each coordinate in turns. (Morton 1966)
-std::uint32_t alongCurve(Vec3 p, const Box3& bounds) {
-    const Vec3 size = bounds.size();
-    std::uint32_t code = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float at = size[axis] > 0 ? (p[axis] - bounds.lo[axis]) / size[axis] : 0;
-        const auto cell = static_cast<std::uint32_t>(at > 0 ? std::min(at, 0.9995F) * 1024 : 0);
-        for (int bit = 0; bit < 10; ++bit) code |= (cell >> bit & 1U) << (3 * bit + axis);
-    }
-    return code;
-}
-
 /// The spread light of an environment from a direction.
 Colour spreadRadiance(const EnvironmentLight& light, Vec3 direction) {
     const auto texel =
@@ -70,13 +58,13 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     ++frame_;
     forgetUnused();
-    lookUp(receivers, arriving, frame_, threads);
+    lookUp(curve_.of(receivers, tracer_->bounds()), receivers, arriving, frame_, threads);
     findLacking(arriving);
     const auto begun = std::chrono::steady_clock::now();
     if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
     learned_ = {chosen_.size() * kPassRays, lasted.count()};
-    lookUpLacking(receivers, arriving, threads);
+    lookUp(lacking_, receivers, arriving, 0, threads);
     return true;
 }
 
@@ -85,15 +73,17 @@ bool IndirectLight::learn(std::span<const Receiver> receivers, std::span<const A
     const std::size_t passes = budget.rays / kPassRays;
     const std::size_t before = cache_.size();
     chosen_.clear();
-    makeRecords(receivers, arriving, passes);
-    chooseRecords(passes - (cache_.size() - before));
-    orderChosen();
-    if (!gather(budget, threads, stop)) {
-        undo(before);
-        return false;
+    bool done = makeRecords(receivers, arriving, passes, stop);
+    if (done) {
+        chooseRecords(passes - (cache_.size() - before));
+        orderChosen();
+        done = gather(budget, threads, stop);
     }
-    enterResults();
-    return true;
+    if (done)
+        enterResults();
+    else
+        undo(before);
+    return done;
 }
 
 /// The half of the records that was not used for longest, once there are too many.
@@ -127,8 +117,8 @@ void IndirectLight::undo(std::size_t records) {
 /// Receivers that fine records alone are missing for are as right as they were.
 void IndirectLight::findLacking(std::span<const ArrivingLight> arriving) {
     lacking_.clear();
-    for (std::size_t i = 0; i < arriving.size(); ++i)
-        if (arriving[i].lacking > 0) lacking_.push_back(static_cast<std::uint32_t>(i));
+    for (const std::uint32_t i : curve_.last())
+        if (arriving[i].lacking > 0) lacking_.push_back(i);
 }
 
 /// More where little is known of what is seen.
@@ -141,38 +131,44 @@ GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, std::size_t re
             static_cast<std::uint32_t>(budget.paths * times)};
 }
 
-void IndirectLight::lookUpLacking(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
-                                  int threads) {
-    again_.resize(lacking_.size());
-    arrivingAgain_.resize(lacking_.size());
-    for (std::size_t i = 0; i < lacking_.size(); ++i) again_[i] = receivers[lacking_[i]];
-    lookUp(again_, arrivingAgain_, 0, threads);
-    for (std::size_t i = 0; i < lacking_.size(); ++i) arriving[lacking_[i]] = arrivingAgain_[i];
-}
-
-void IndirectLight::lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
-                           std::uint32_t frame, int threads) const {
+/// For the receivers of these numbers: groups of those that follow each other are looked up together.
+void IndirectLight::lookUp(std::span<const std::uint32_t> numbers, std::span<const Receiver> receivers,
+                           std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const {
     constexpr std::size_t kPart = 512;
-    forEachPart((receivers.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
-        const std::size_t first = part * kPart, count = std::min(kPart, receivers.size() - first);
-        cache_.lookUp(receivers.subspan(first, count), arriving.subspan(first, count), frame);
+    forEachPart((numbers.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
+        const auto some = numbers.subspan(part * kPart, std::min(kPart, numbers.size() - part * kPart));
+        std::array<Receiver, kPart> asking;
+        std::array<ArrivingLight, kPart> found;
+        for (std::size_t i = 0; i < some.size(); ++i) asking[i] = receivers[some[i]];
+        cache_.lookUp({asking.data(), some.size()}, {found.data(), some.size()}, frame);
+        for (std::size_t i = 0; i < some.size(); ++i) arriving[some[i]] = found[i];
     });
 }
 
 /// Where records lack, coarse ones first; fine ones leave half of the passes to records that know something.
-void IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
-                                std::size_t max) {
+/// A receiver is looked up again only where records that were made since reach it.
+bool IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
+                                std::size_t max, const std::atomic<bool>* stop) {
+    fresh_.begin(cache_, tracer_->bounds());
+    latest_.assign(arriving.begin(), arriving.end());
+    asOf_.assign(arriving.size(), static_cast<std::uint32_t>(cache_.size()));
     for (int density = kDensities - 1; density >= 0; --density) {
         const std::size_t limit = density > 0 ? max : std::max(chosen_.size(), (max + 1) / 2);
         for (std::size_t i = 0; i < receivers.size() && chosen_.size() < limit; ++i) {
             if (arriving[i].lacking < density) continue;
-            ArrivingLight now; // others have been made since
-            cache_.lookUp({&receivers[i], 1}, {&now, 1}, 0);
+            if (stop != nullptr && stop->load(std::memory_order_relaxed)) return false;
+            ArrivingLight& now = latest_[i];
+            if (fresh_.change(receivers[i].position, asOf_[i])) {
+                cache_.lookUp({&receivers[i], 1}, {&now, 1}, 0);
+                asOf_[i] = static_cast<std::uint32_t>(cache_.size());
+            }
             if (now.lacking != density) continue;
             chosen_.push_back(records_.add(cache_, receivers[i], now, density));
+            fresh_.add(cache_);
             cache_.use(chosen_.back(), frame_);
         }
     }
+    return true;
 }
 
 /// Of the records that were used lately those with the fewest passes. Coarse ones count less: fine ones take

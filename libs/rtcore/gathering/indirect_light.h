@@ -6,7 +6,9 @@
 
 #include "rtcore/gathering/cell_paths.h"
 #include "rtcore/gathering/connected_surfaces.h"
+#include "rtcore/gathering/curve_order.h"
 #include "rtcore/gathering/emitter_rays.h"
+#include "rtcore/gathering/fresh_records.h"
 #include "rtcore/gathering/gather_rays.h"
 #include "rtcore/gathering/record_passes.h"
 #include "rtcore/irradiance/irradiance_cache.h"
@@ -68,17 +70,16 @@ class IndirectLight {
   private:
     void prepare(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
     PathFrame paths() const { return {*scene_, *tracer_, settings_, materials_, lights_}; }
-    void lookUp(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, std::uint32_t frame,
-                int threads) const;
+    void lookUp(std::span<const std::uint32_t> numbers, std::span<const Receiver> receivers,
+                std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const;
     bool learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
     void forgetUnused();
     void undo(std::size_t records);
     void findLacking(std::span<const ArrivingLight> arriving);
     GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
-    void lookUpLacking(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving, int threads);
-    void makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
-                     std::size_t max);
+    bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
+                     std::size_t max, const std::atomic<bool>* stop);
     void chooseRecords(std::size_t max);
     void orderChosen();
     Colour fromSurroundings(std::size_t ray, Vec3 normal) const;
@@ -101,11 +102,13 @@ class IndirectLight {
     bool guesses_ = false; ///< the cache's guess is of this light
     Learned learned_;
 
-    std::vector<std::uint32_t> lacking_;       ///< receivers that coarse records are missing for, too
-    std::vector<Receiver> again_;              ///< these
-    std::vector<ArrivingLight> arrivingAgain_; ///< the same
-    std::vector<std::uint32_t> chosen_;        ///< records that get a pass
-    std::vector<GatherPass> passes_;           ///< theirs
+    CurveOrder curve_;
+    std::vector<std::uint32_t> lacking_; ///< receivers that coarse records are missing for, too
+    std::vector<ArrivingLight> latest_;  ///< by receiver: what was looked up last, while records are made
+    std::vector<std::uint32_t> asOf_;    ///< the same: the size of the cache then
+    FreshRecords fresh_;
+    std::vector<std::uint32_t> chosen_; ///< records that get a pass
+    std::vector<GatherPass> passes_;    ///< theirs
     GatherHits hits_;
     CellPaths cellPaths_;
     EmitterRays emitterRays_;

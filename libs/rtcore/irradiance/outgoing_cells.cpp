@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kMinSlots = 4096;
 constexpr std::size_t kSitesAtOnce = 64; ///< memory is fetched for all of them first
-constexpr float kOfLength = 1.0F / 8; ///< side of the cells that a ray reads
-constexpr std::uint32_t kEnough = 8;  ///< samples of a cell
+constexpr float kOfLength = 1.0F / 8;    ///< side of the cells that a ray reads
+constexpr std::uint32_t kEnough = 8;     ///< samples of a cell
 /// Finer cells straddle fewer walls and edges of shadows: they are read once they know so much, and where
 /// samples of the coarser one differ as those of lit and dark surfaces do, once they know something.
 constexpr int kFiner = 2; ///< levels

@@ -164,11 +164,20 @@ bool closes(const LookupGroup& group, std::size_t i, float side) {
     return false;
 }
 
+HWY_INLINE bool areOneCell(int level, RecordIndex::Cell a, RecordIndex::Cell b) {
+    return (((a.x ^ b.x) | (a.y ^ b.y) | (a.z ^ b.z)) >> level) == 0;
+}
+
 void visitLevel(const LookupTask& task, int level, LookupGroup& group) {
     std::array<std::uint32_t, kLookupGroup> lists;
-    std::size_t count = 0;
+    std::size_t count = 0, last = group.count; // the receiver that was asked for last
     for (std::size_t i = 0; i < group.count; ++i) {
-        group.list[i] = group.open[i] ? task.index.firstOf(level, group.cells[i]) : RecordIndex::kNone;
+        group.list[i] = RecordIndex::kNone;
+        if (!group.open[i]) continue;
+        group.list[i] = last < i && areOneCell(level, group.cells[last], group.cells[i])
+                            ? group.list[last]
+                            : task.index.firstOf(level, group.cells[i]);
+        last = i;
         const std::uint32_t list = group.list[i];
         if (list == RecordIndex::kNone || (count > 0 && lists[count - 1] == list)) continue;
         if (std::find(lists.begin(), lists.begin() + count, list) == lists.begin() + count)
