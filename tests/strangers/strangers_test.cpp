@@ -215,13 +215,14 @@ Shown shown(const rtcore::LoadedScene& loaded) {
 }
 
 /// In the light of the first minute. Surfaces that are white themselves are shown lighter: plaster, and parts
-/// without a material. Those that are black themselves are shown black, too.
+/// without a material, the more so as light from surface to surface reaches their shadows. Those that are
+/// black themselves are shown black, too.
 void expectGoodLight(const Shown& seen, bool inside) {
     EXPECT_GE(seen.mean, seen.albedo < 0.1 ? 20 : 70) << "albedo " << seen.albedo;
-    EXPECT_LE(seen.mean, seen.albedo > 0.4 ? 236 : 190) << "albedo " << seen.albedo;
+    EXPECT_LE(seen.mean, seen.albedo > 0.4 ? 240 : 192) << "albedo " << seen.albedo;
     EXPECT_LE(seen.black, seen.albedo < 0.1 ? 1 : 0.03);
     // Lights under ceilings have bright pools of light above them.
-    EXPECT_LE(seen.white, inside ? 0.05 : 0.03);
+    EXPECT_LE(seen.white, inside ? 0.05 : 0.04);
 }
 
 /// The folder with the models; empty where they cannot be made.

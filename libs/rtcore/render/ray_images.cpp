@@ -16,6 +16,13 @@ double learningPartOf(const RenderSettings& settings) {
 bool RayImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
     renderer_.collectAovs(request.aovs);
     refines_ = false;
+    const bool done = learnAndRender(view, control, request, frame);
+    learningPart_ = 0; // nothing is learned until the next image
+    return done;
+}
+
+bool RayImages::learnAndRender(const View& view, RenderControl& control, const ImageRequest& request,
+                               Frame& frame) {
     const bool indirect = view.settings.indirect.mode == IndirectMode::Live;
     learningPart_ = indirect ? learningPartOf(view.settings) : 0;
     if (indirect && !learn(view, control)) return false;

@@ -17,6 +17,7 @@ class RayImages : public ImageRenderer {
     std::vector<PixelArea> takeFinishedTiles() override { return refinement_.finishedTiles().take(); }
 
   private:
+    bool learnAndRender(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
     bool learn(const View& view, RenderControl& control);
 
     FrameRenderer renderer_;
