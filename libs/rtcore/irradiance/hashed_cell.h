@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 namespace rtcore {
 
@@ -20,5 +21,9 @@ constexpr std::uint64_t hashOfCell(std::uint64_t key) {
     key = (key ^ key >> 27) * 0x94D049BB133111EBU;
     return key ^ key >> 31;
 }
+
+/// Whether a table with two slots or more for each of these hashes, which all differ, finds them quickly: as
+/// those of honest keys, but not those that were chosen to collide.
+bool areSpread(std::span<const std::uint64_t> hashes);
 
 } // namespace rtcore

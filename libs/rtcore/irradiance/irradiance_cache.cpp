@@ -36,7 +36,19 @@ void IrradianceCache::clear(const Box3& bounds) {
     guess_ = {};
 }
 
-/// Backwards, so that the lists of the index are in their old order.
+IrradianceState IrradianceCache::state() const { return {records_, indexed_, lastUse_, guess_}; }
+
+void IrradianceCache::restore(const Box3& bounds, const IrradianceState& kept) {
+    clear(bounds);
+    records_ = kept.records;
+    indexed_ = kept.indexed;
+    lastUse_ = kept.lastUse;
+    guess_ = kept.guess;
+    for (std::size_t number = 0; number < records_.size(); ++number)
+        index_.add(static_cast<std::uint32_t>(number), records_[number].position, indexed_[number]);
+}
+
+/// Backwards: the last ones of lists are quickly taken out.
 void IrradianceCache::removeLast(std::size_t count) {
     for (; count > 0; --count) {
         const auto number = static_cast<std::uint32_t>(records_.size() - 1);

@@ -12,12 +12,26 @@
 
 namespace rtcore {
 
+/// All that an IrradianceCache remembers.
+struct IrradianceState {
+    std::vector<IrradianceRecord> records;
+    std::vector<float> indexed;         ///< by record: the radius that the index knows, not below its own
+    std::vector<std::uint32_t> lastUse; ///< by record
+    Colour guess;
+
+    friend bool operator==(const IrradianceState&, const IrradianceState&) = default;
+};
+
 /// Looking up is safe from many threads, while none changes the cache. Throws std::bad_alloc. About 400 bytes
 /// for each record, by the lists that it is in.
 class IrradianceCache {
   public:
     /// Forgets all; records to come lie in these bounds, or near them.
     void clear(const Box3& bounds);
+    IrradianceState state() const;
+    /// Becomes the cache with these bounds that the state was of, to the bit.
+    void restore(const Box3& bounds, const IrradianceState& kept);
+    const Box3& bounds() const { return bounds_; }
 
     std::size_t size() const { return records_.size(); }
     const IrradianceRecord& record(std::uint32_t number) const { return records_[number]; }

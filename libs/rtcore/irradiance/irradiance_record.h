@@ -37,6 +37,7 @@ struct RecordWall {
     float offset = -std::numeric_limits<float>::max();
 
     bool isBefore(Vec3 point) const { return dot(normal, point) >= offset; }
+    friend bool operator==(const RecordWall&, const RecordWall&) = default;
 };
 
 /// All lengths are in scene units.
@@ -52,6 +53,8 @@ struct IrradianceRecord {
     float distance = 0; ///< the harmonic mean of how far rays go from here, as far as its neighbours allow
     /// The nearest one, and the nearest of those that face elsewhere: a corner has two.
     std::array<RecordWall, 2> walls;
+
+    friend bool operator==(const IrradianceRecord&, const IrradianceRecord&) = default;
 };
 
 /// A point of a surface that asks for its irradiance.

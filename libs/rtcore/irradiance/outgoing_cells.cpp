@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <iterator>
 
 namespace rtcore {
 
@@ -45,6 +47,32 @@ void OutgoingCells::clear(const Box3& bounds) {
 void OutgoingCells::clearCells() {
     slots_.assign(kMinSlots, {});
     used_ = 0;
+}
+
+std::vector<OutgoingCells::Cell> OutgoingCells::state() const {
+    std::vector<Cell> cells;
+    cells.reserve(used_);
+    std::ranges::copy_if(slots_, std::back_inserter(cells), [](const Slot& slot) { return slot.key != 0; });
+    std::ranges::sort(cells, {}, &Cell::key);
+    return cells;
+}
+
+void OutgoingCells::restore(const Box3& bounds, std::span<const Cell> cells) {
+    clear(bounds);
+    rehash(std::max(kMinSlots, std::bit_ceil(2 * cells.size())), 0);
+    for (const Cell& cell : cells) slotFor(cell.key) = cell;
+    used_ = cells.size();
+}
+
+bool OutgoingCells::areKeys(std::span<const Cell> cells) {
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(cells.size());
+    for (const Cell& cell : cells) {
+        const std::uint64_t hash = cell.key >> 1;
+        if ((cell.key & 1U) == 0 || (!hashes.empty() && hash <= hashes.back())) return false;
+        hashes.push_back(hash);
+    }
+    return areSpread(hashes);
 }
 
 int OutgoingCells::levelOf(float length) const {

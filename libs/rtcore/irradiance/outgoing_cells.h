@@ -31,8 +31,26 @@ class OutgoingCells {
         std::uint32_t surface = 0; ///< its number: light of one is not taken for that of another
     };
 
+    /// A cell that has samples.
+    struct Cell {
+        std::uint64_t key = 0;
+        Colour sum;
+        float squares = 0;       ///< sum of those of luminances
+        std::uint32_t count = 0; ///< of samples
+        std::uint32_t frame = 0; ///< of the last sample
+
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+    static_assert(sizeof(Cell) == 32);
+
     /// Forgets all cells; those to come lie within the bounds, or not far from them.
     void clear(const Box3& bounds);
+    /// All cells, ascending by key.
+    std::vector<Cell> state() const;
+    /// Becomes what had these cells and bounds, to the bit.
+    void restore(const Box3& bounds, std::span<const Cell> cells);
+    /// Whether these may be keys of cells: ascending, and spread so evenly that they are quickly found.
+    static bool areKeys(std::span<const Cell> cells);
     /// The level whose cells are about an eighth of the length, but not finer than the finest.
     int levelOf(float length) const;
     /// Adds a sample of the radiance to the cells of its level, of two finer and of all coarser ones.
@@ -57,14 +75,7 @@ class OutgoingCells {
     std::size_t memory() const { return slots_.capacity() * sizeof(Slot); }
 
   private:
-    struct Slot {
-        std::uint64_t key = 0;
-        Colour sum;
-        float squares = 0; ///< sum of those of luminances
-        std::uint32_t count = 0;
-        std::uint32_t frame = 0; ///< of the last sample
-    };
-    static_assert(sizeof(Slot) == 32);
+    using Slot = Cell; ///< with the key 0: free
     /// What the keys of a site's cells are made of.
     struct Place {
         std::int32_t x = 0, y = 0, z = 0; ///< of the finest cell; of level n it is at these shifted by n

@@ -11,6 +11,55 @@ namespace {
 
 constexpr std::size_t kFirstSlots = 1024;
 
+/// A record in a list.
+struct Entry {
+    float x, y, z, radius;
+    std::uint32_t record;
+};
+
+Entry entryOf(const RecordIndex::Chunk& chunk, std::size_t i) {
+    return {chunk.x[i], chunk.y[i], chunk.z[i], chunk.radius[i], chunk.record[i]};
+}
+
+void put(const Entry& entry, RecordIndex::Chunk& chunk, std::size_t i) {
+    chunk.x[i] = entry.x;
+    chunk.y[i] = entry.y;
+    chunk.z[i] = entry.z;
+    chunk.radius[i] = entry.radius;
+    chunk.record[i] = entry.record;
+}
+
+using Chunks = std::vector<RecordIndex::Chunk>;
+
+/// Puts it into the list whose last place is free: those of higher numbers move up by one.
+void insert(const Entry& added, std::uint32_t first, Chunks& chunks) {
+    RecordIndex::Chunk* at = &chunks[first];
+    std::size_t i = at->count - 1;
+    while (i > 0 || at->next != RecordIndex::kNone) {
+        RecordIndex::Chunk& below = i > 0 ? *at : chunks[at->next];
+        const std::size_t last = i > 0 ? i - 1 : RecordIndex::kChunk - 1;
+        if (below.record[last] < added.record) break;
+        put(entryOf(below, last), *at, i);
+        at = &below;
+        i = last;
+    }
+    put(added, *at, i);
+}
+
+/// Takes it out of the list that it is in: those of higher numbers move down by one.
+void takeOut(std::uint32_t record, std::uint32_t first, Chunks& chunks) {
+    RecordIndex::Chunk* at = &chunks[first];
+    std::size_t i = --at->count;
+    Entry moved = entryOf(*at, i);
+    while (moved.record != record) {
+        if (i == 0) at = &chunks[at->next];
+        i = i > 0 ? i - 1 : RecordIndex::kChunk - 1;
+        const Entry next = entryOf(*at, i);
+        put(moved, *at, i);
+        moved = next;
+    }
+}
+
 } // namespace
 
 void RecordIndex::clear(const Box3& bounds) {
@@ -18,6 +67,7 @@ void RecordIndex::clear(const Box3& bounds) {
     origin_ = diagonal > 0 ? bounds.lo : Vec3{};
     finest_ = diagonal > 0 ? diagonal / 65536 : 1;
     levels_ = 0;
+    records_ = {};
     slots_.assign(kFirstSlots, {});
     used_ = 0;
     chunks_.clear();
@@ -81,50 +131,44 @@ void RecordIndex::forEachCell(int level, Vec3 position, float radius, Use&& use)
 void RecordIndex::add(std::uint32_t record, Vec3 position, float radius) {
     const int level = levelOf(radius);
     levels_ |= 1U << level;
+    ++records_[static_cast<std::size_t>(level)];
     forEachCell(level, position, radius, [&](std::uint64_t key) {
         if (2 * (used_ + 1) > slots_.size()) grow();
         Slot& slot = slots_[slotOf(key)];
         if (slot.key == 0) ++used_;
         slot.key = key;
-        if (slot.first == kNone || chunks_[slot.first].count == kChunk) {
-            const std::uint32_t added = newChunk();
-            chunks_[added].next = slot.first;
-            slot.first = added;
-        }
-        Chunk& chunk = chunks_[slot.first];
-        chunk.x[chunk.count] = position.x;
-        chunk.y[chunk.count] = position.y;
-        chunk.z[chunk.count] = position.z;
-        chunk.radius[chunk.count] = radius;
-        chunk.record[chunk.count++] = record;
+        append(slot);
+        insert({position.x, position.y, position.z, radius, record}, slot.first, chunks_);
     });
 }
 
-/// The last of the first chunk takes its position.
 void RecordIndex::remove(std::uint32_t record, Vec3 position, float radius) {
-    forEachCell(levelOf(radius), position, radius, [&](std::uint64_t key) {
+    const int level = levelOf(radius);
+    if (--records_[static_cast<std::size_t>(level)] == 0) levels_ &= ~(1U << level);
+    forEachCell(level, position, radius, [&](std::uint64_t key) {
         Slot& slot = slots_[slotOf(key)];
-        for (std::uint32_t number = slot.first; number != kNone; number = chunks_[number].next) {
-            Chunk& chunk = chunks_[number];
-            const auto end = chunk.record.begin() + chunk.count;
-            const auto found = std::find(chunk.record.begin(), end, record);
-            if (found == end) continue;
-            const auto at = static_cast<std::size_t>(found - chunk.record.begin());
-            Chunk& first = chunks_[slot.first];
-            const std::size_t last = --first.count;
-            chunk.x[at] = first.x[last];
-            chunk.y[at] = first.y[last];
-            chunk.z[at] = first.z[last];
-            chunk.radius[at] = first.radius[last];
-            chunk.record[at] = first.record[last];
-            if (first.count > 0) return;
-            const std::uint32_t freed = slot.first;
-            slot.first = first.next;
-            first.next = free_;
-            free_ = freed;
-            return;
-        }
+        takeOut(record, slot.first, chunks_);
+        Chunk& first = chunks_[slot.first];
+        if (first.count > 0) return;
+        const std::uint32_t freed = slot.first;
+        slot.first = first.next;
+        first.next = free_;
+        free_ = freed;
     });
+}
+
+void RecordIndex::appendKeys(Vec3 position, float radius, std::vector<std::uint64_t>& keys) const {
+    forEachCell(levelOf(radius), position, radius, [&](std::uint64_t key) { keys.push_back(key); });
+}
+
+/// Makes room for one more record in a list.
+void RecordIndex::append(Slot& slot) {
+    if (slot.first == kNone || chunks_[slot.first].count == kChunk) {
+        const std::uint32_t added = newChunk();
+        chunks_[added].next = slot.first;
+        slot.first = added;
+    }
+    ++chunks_[slot.first].count;
 }
 
 std::uint32_t RecordIndex::newChunk() {

@@ -44,9 +44,12 @@ class RecordIndex {
     float maxRadius() const { return side(kLevels - 1) / 2; }
     Cell cellOf(Vec3 point) const;
     /// The first chunk of the list of that cell; kNone: it has none. It has all records of the level that
-    /// reach into the cell, and others, in an order that depends on nothing but what was added and removed.
+    /// reach into the cell, and others, in an order that depends on nothing but what is in it: by number, the
+    /// highest ones in the first chunk, of 1 to kChunk, and as many as fit in all others.
     std::uint32_t firstOf(int level, Cell cell) const;
     const Chunk& chunk(std::uint32_t number) const { return chunks_[number]; }
+    /// Appends the keys of all lists that such a record is in, or would be.
+    void appendKeys(Vec3 position, float radius, std::vector<std::uint64_t>& keys) const;
 
     std::size_t memory() const; ///< bytes
 
@@ -62,11 +65,13 @@ class RecordIndex {
     void forEachCell(int level, Vec3 position, float radius, Use&& use) const;
     void grow();
     std::uint32_t newChunk();
+    void append(Slot& slot);
 
     Vec3 origin_;
     float finest_ = 1; ///< side of a cell
     std::uint32_t levels_ = 0;
-    std::vector<Slot> slots_; ///< hashed, a power of two
+    std::array<std::uint32_t, kLevels> records_{}; ///< by level
+    std::vector<Slot> slots_;                      ///< hashed, a power of two
     std::size_t used_ = 0;
     std::vector<Chunk> chunks_;
     std::uint32_t free_ = kNone; ///< the first of the chunks that are not used

@@ -357,6 +357,34 @@ TEST(IrradianceCache, IsAsRightWhereRadiiHaveShrunk) {
     }
 }
 
+TEST(IrradianceCache, HasTheSameBitsHoweverItCameAbout) {
+    // Radii have shrunk in another order, records came and went, and all was restored.
+    Crowd crowd(1500), other(1500);
+    const auto count = static_cast<std::uint32_t>(crowd.cache.size());
+    const auto shrink = [](IrradianceCache& cache, std::uint32_t number) {
+        cache.shrink(number, cache.record(number).radius * (0.2F + 0.1F * static_cast<float>(number % 8)));
+    };
+    for (std::uint32_t number = 0; number < count; ++number) shrink(crowd.cache, number);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t number = i * 7 % count;
+        if (i % 3 == 0) other.cache.add(recordAt({other.number(), other.number(), 0}, 30, 1));
+        shrink(other.cache, number);
+        if (i % 3 == 0) other.cache.removeLast(1);
+    }
+    IrradianceCache restored;
+    restored.restore(kBounds, crowd.cache.state());
+    EXPECT_EQ(restored.state(), crowd.cache.state());
+    EXPECT_EQ(other.cache.state(), crowd.cache.state());
+    EXPECT_EQ(other.cache.index().levels(), crowd.cache.index().levels());
+    EXPECT_EQ(restored.index().levels(), crowd.cache.index().levels());
+    for (int i = 0; i < 1000; ++i) {
+        const Receiver receiver = crowd.receiver();
+        const ArrivingLight light = lightAt(crowd.cache, receiver);
+        EXPECT_TRUE(sameBits(light, lightAt(other.cache, receiver)));
+        EXPECT_TRUE(sameBits(light, lightAt(restored, receiver)));
+    }
+}
+
 TEST(IrradianceCache, KeepsSomeRecordsAsTheyAre) {
     Crowd crowd(1500);
     std::vector<std::uint8_t> kept;

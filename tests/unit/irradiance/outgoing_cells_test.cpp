@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace rtcore {
 namespace {
@@ -142,6 +144,53 @@ TEST(OutgoingCells, ForgetThoseThatAreOldest) {
     cells.bound(10);
     cells.bound(10);
     EXPECT_LE(cells.size(), before / 3);
+}
+
+TEST(OutgoingCells, GoOnAfterTheyWereRestored) {
+    constexpr Box3 kBounds{{0, 0, 0}, {10.24F, 0, 0}};
+    OutgoingCells cells = emptyCells(), restored;
+    const auto addSome = [](OutgoingCells& to, int seed) {
+        for (int i = 0; i < 3000; ++i) {
+            const float x = 0.01F * static_cast<float>(i * seed % 997), light = static_cast<float>(i % 13);
+            to.add(siteAt({x, x / 3, 1}, 0.1F + x, to), {light, 1, 2}, static_cast<std::uint32_t>(i));
+        }
+    };
+    addSome(cells, 7);
+    const std::vector<OutgoingCells::Cell> state = cells.state();
+    EXPECT_TRUE(OutgoingCells::areKeys(state));
+    restored.restore(kBounds, state);
+    EXPECT_EQ(restored.state(), state);
+    EXPECT_EQ(restored.size(), cells.size());
+    addSome(cells, 5);
+    addSome(restored, 5);
+    EXPECT_EQ(restored.state(), cells.state());
+    cells.bound(cells.size() - 1);
+    restored.bound(restored.size() - 1);
+    EXPECT_EQ(restored.state(), cells.state());
+    restored.restore(kBounds, {});
+    EXPECT_TRUE(restored.empty());
+}
+
+TEST(OutgoingCells, TakeNoKeysThatAreNone) {
+    const auto areKeys = [](const std::vector<std::uint64_t>& keys) {
+        std::vector<OutgoingCells::Cell> cells;
+        for (const std::uint64_t key : keys) cells.push_back({key, {1, 1, 1}, 1, 1});
+        return OutgoingCells::areKeys(cells);
+    };
+    EXPECT_TRUE(areKeys({}));
+    EXPECT_TRUE(areKeys({1, 3, 5, 1001, ~std::uint64_t{0}}));
+    EXPECT_FALSE(areKeys({1, 5, 3}));
+    EXPECT_FALSE(areKeys({1, 3, 3}));
+    EXPECT_FALSE(areKeys({0, 1}));
+    EXPECT_FALSE(areKeys({1, 4}));
+    std::vector<std::uint64_t> same; // all for one slot of a table of 2^20
+    for (std::uint64_t i = 0; i < 100'000; ++i) same.push_back(i << 21 | 1);
+    EXPECT_FALSE(areKeys(same));
+    for (std::uint64_t& key : same) key |= (std::uint64_t{1} << 21) - 1; // the last one
+    EXPECT_FALSE(areKeys(same));
+    std::vector<std::uint64_t> beside;
+    for (std::uint64_t i = 0; i < 100'000; ++i) beside.push_back(i << 1 | 1);
+    EXPECT_TRUE(areKeys(beside));
 }
 
 TEST(OutgoingCells, TakeAnyNumbers) {
