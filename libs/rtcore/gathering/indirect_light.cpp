@@ -54,6 +54,27 @@ void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, con
     guesses_ = false;
 }
 
+IndirectState IndirectLight::state() const {
+    return {cache_.bounds(), cache_.state(), records_.state(), cells_.state(), frame_, guesses_};
+}
+
+void IndirectLight::restore(const IndirectState& kept) {
+    cache_.restore(kept.bounds, kept.irradiance);
+    cells_.restore(kept.bounds, kept.cells);
+    records_.restore(kept.passes);
+    frame_ = kept.frame;
+    guesses_ = kept.guesses;
+}
+
+void IndirectLight::restoreSurfaces(const IndirectState& kept) {
+    restore(kept);
+    cells_.clear(kept.bounds);
+    records_.forgetLight();
+    for (std::uint32_t number = 0; number < cache_.size(); ++number) cache_.values(number).confidence = 0;
+    cache_.setGuess({});
+    guesses_ = false;
+}
+
 bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     ++frame_;

@@ -10,6 +10,7 @@
 #include "rtcore/gathering/emitter_rays.h"
 #include "rtcore/gathering/fresh_records.h"
 #include "rtcore/gathering/gather_rays.h"
+#include "rtcore/gathering/indirect_state.h"
 #include "rtcore/gathering/record_passes.h"
 #include "rtcore/irradiance/irradiance_cache.h"
 #include "rtcore/irradiance/outgoing_cells.h"
@@ -41,6 +42,15 @@ class IndirectLight {
     /// Takes a scene in which lights, materials or surroundings differ, but no surface: positions and radii
     /// of records stay, and each shows what it knew until its next pass.
     void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+
+    /// All that was learned since begin(), between two steps; as much memory as memory() tells, or less.
+    IndirectState state() const;
+    /// Goes on where the light was that the state is of: its surfaces and all that lights them are those of
+    /// the last begin(), and checkIndirectState() has nothing against it. Then all to come has the same bits.
+    void restore(const IndirectState& kept);
+    /// Takes only what holds by any light of the same surfaces: positions and radii of records, which tell
+    /// nothing before their next pass.
+    void restoreSurfaces(const IndirectState& kept);
 
     /// Takes another tracer of the same surfaces.
     void rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {

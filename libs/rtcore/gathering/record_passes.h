@@ -31,9 +31,17 @@ class NearestWalls {
             if (other.distances_[i] < kNone) meet(other.walls_[i], other.distances_[i]);
     }
     const std::array<RecordWall, 2>& walls() const { return walls_; }
+    const std::array<float, 2>& distances() const { return distances_; } ///< kNone: there is none
+    static NearestWalls from(const std::array<RecordWall, 2>& walls, const std::array<float, 2>& distances) {
+        NearestWalls nearest;
+        nearest.walls_ = walls;
+        nearest.distances_ = distances;
+        return nearest;
+    }
+    static constexpr float kNone = std::numeric_limits<float>::max();
+    friend bool operator==(const NearestWalls&, const NearestWalls&) = default;
 
   private:
-    static constexpr float kNone = std::numeric_limits<float>::max();
     void set(std::size_t i, const RecordWall& wall, float distance) {
         walls_[i] = wall;
         distances_[i] = distance;
@@ -49,12 +57,41 @@ struct PassResult {
     NearestWalls walls;
 };
 
-/// One for each record of a cache, by number.
+/// What a record learned from its passes.
+struct RecordHistory {
+    Colour irradiance; ///< running means
+    Vec3 vector;
+    float pixel = 0; ///< size of one where it was made
+    float shrink = 1;
+    std::uint32_t passes = 0; ///< since light was forgotten
+    std::uint32_t allPasses = 0;
+    float inverseLengths = 0; ///< sum over all rays
+    NearestWalls walls;
+    std::uint8_t density = 0;
+    std::uint32_t name = 0; ///< of its random numbers
+
+    friend bool operator==(const RecordHistory&, const RecordHistory&) = default;
+};
+
+/// All that RecordPasses remember.
+struct PassesState {
+    std::vector<RecordHistory> histories; ///< by record
+    std::uint32_t names = 0;              ///< of records so far
+
+    friend bool operator==(const PassesState&, const PassesState&) = default;
+};
+
+/// One history for each record of a cache, by number.
 class RecordPasses {
   public:
     void clear() {
         histories_.clear();
         names_ = 0;
+    }
+    PassesState state() const { return {histories_, names_}; }
+    void restore(const PassesState& kept) {
+        histories_ = kept.histories;
+        names_ = kept.names;
     }
     std::size_t size() const { return histories_.size(); }
     std::size_t memory() const { return histories_.capacity() * sizeof(History); }
@@ -80,18 +117,7 @@ class RecordPasses {
     void forgetLight();
 
   private:
-    struct History {
-        Colour irradiance; ///< running means
-        Vec3 vector;
-        float pixel = 0; ///< size of one where it was made
-        float shrink = 1;
-        std::uint32_t passes = 0; ///< since light was forgotten
-        std::uint32_t allPasses = 0;
-        float inverseLengths = 0; ///< sum over all rays
-        NearestWalls walls;
-        std::uint8_t density = 0;
-        std::uint32_t name = 0; ///< of its random numbers
-    };
+    using History = RecordHistory;
 
     void learnDistance(IrradianceCache& cache, std::uint32_t number);
     void adapt(IrradianceCache& cache, std::uint32_t number);

@@ -87,4 +87,26 @@ inline void addRoom(SceneBuilder& b, rtcore::Vec3 lo, rtcore::Vec3 hi, std::uint
     b.quad({hi.x, lo.y, lo.z}, {hi.x, lo.y, hi.z}, {hi.x, hi.y, hi.z}, {hi.x, hi.y, lo.z}, material);
 }
 
+/// A furnished room under a sky that a window shows, with a pane, a mirror, an emitter and a light.
+inline rtcore::Scene furnishedRoom() {
+    SceneBuilder b;
+    const auto white = b.material(matte(0.7F)), mirrored = b.material(mirror(0.9F));
+    rtcore::Material pane = glass();
+    pane.opacity = 0.1F;
+    const auto window = b.material(pane), shining = b.material(emitter({3, 2, 1}));
+    b.quad({0, 0, 0}, {0, 0, 4}, {4, 0, 4}, {4, 0, 0}, white);
+    b.quad({0, 3, 0}, {4, 3, 0}, {4, 3, 4}, {0, 3, 4}, white);
+    b.quad({0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, white);
+    b.quad({0, 0, 4}, {0, 3, 4}, {4, 3, 4}, {4, 0, 4}, mirrored);
+    b.quad({0, 0, 0}, {0, 3, 0}, {0, 3, 4}, {0, 0, 4}, white);
+    b.quad({4, 0, 0}, {4, 0, 4}, {4, 1, 4}, {4, 1, 0}, white);
+    b.quad({4, 1, 0}, {4, 1, 4}, {4, 3, 4}, {4, 3, 0}, window);
+    b.box({1, 0, 1}, {2, 1, 2}, white);
+    b.box({2.5F, 0, 2.5F}, {2.8F, 0.3F, 2.8F}, shining);
+    rtcore::Scene scene = b.finish();
+    scene.background = {0.4F, 0.6F, 1};
+    scene.lights = {pointLight({2, 2.5F, 2}, 2)};
+    return scene;
+}
+
 } // namespace test

@@ -12,28 +12,6 @@
 namespace rtcore {
 namespace {
 
-/// A furnished room under a sky that a window shows, with a pane, a mirror, an emitter and a light.
-Scene furnished() {
-    test::SceneBuilder b;
-    const auto white = b.material(test::matte(0.7F)), mirror = b.material(test::mirror(0.9F));
-    Material pane = test::glass();
-    pane.opacity = 0.1F;
-    const auto glass = b.material(pane), shining = b.material(test::emitter({3, 2, 1}));
-    b.quad({0, 0, 0}, {0, 0, 4}, {4, 0, 4}, {4, 0, 0}, white);
-    b.quad({0, 3, 0}, {4, 3, 0}, {4, 3, 4}, {0, 3, 4}, white);
-    b.quad({0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, white);
-    b.quad({0, 0, 4}, {0, 3, 4}, {4, 3, 4}, {4, 0, 4}, mirror);
-    b.quad({0, 0, 0}, {0, 3, 0}, {0, 3, 4}, {0, 0, 4}, white);
-    b.quad({4, 0, 0}, {4, 0, 4}, {4, 1, 4}, {4, 1, 0}, white);
-    b.quad({4, 1, 0}, {4, 1, 4}, {4, 3, 4}, {4, 3, 0}, glass);
-    b.box({1, 0, 1}, {2, 1, 2}, white);
-    b.box({2.5F, 0, 2.5F}, {2.8F, 0.3F, 2.8F}, shining);
-    Scene scene = b.finish();
-    scene.background = {0.4F, 0.6F, 1};
-    scene.lights = {test::pointLight({2, 2.5F, 2}, 2)};
-    return scene;
-}
-
 std::uint64_t hashOf(const IrradianceCache& cache) {
     std::uint64_t hash = cache.size();
     const auto add = [&](float x) { hash = (hash ^ std::bit_cast<std::uint32_t>(x)) * 1099511628211U; };
@@ -47,7 +25,7 @@ std::uint64_t hashOf(const IrradianceCache& cache) {
 }
 
 std::uint64_t hashAfter(int steps, int threads) {
-    test::GatheringScene room(furnished());
+    test::GatheringScene room(test::furnishedRoom());
     room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 400, 0.006F);
     room.budget = {4096, 700};
     room.learn(steps, 600, threads);
@@ -66,7 +44,7 @@ TEST(Steps, TheSameBitsForAllThreadsAndInstructionSets) {
 
 TEST(Steps, TheFirstHasTheRightMean) {
     // No dark youth: the cells are filled before they are read.
-    test::GatheringScene room(furnished());
+    test::GatheringScene room(test::furnishedRoom());
     room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 1000, 0.006F);
     room.budget = {65536, 6000};
     room.learn(1);
@@ -77,7 +55,7 @@ TEST(Steps, TheFirstHasTheRightMean) {
 }
 
 TEST(Steps, SettleAtRest) {
-    test::GatheringScene room(furnished());
+    test::GatheringScene room(test::furnishedRoom());
     room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 600, 0.003F);
     room.budget = {16384, 1536};
     room.learn(64);
@@ -113,7 +91,7 @@ TEST(Steps, ForgetLightThatIsSwitchedOff) {
 }
 
 TEST(Steps, RememberNoMoreRecordsThanTheyMay) {
-    test::GatheringScene room(furnished());
+    test::GatheringScene room(test::furnishedRoom());
     room.light.boundRecords(500);
     room.budget = {8192, 512};
     for (int k = 0; k < 8; ++k) { // from corner to corner
@@ -128,7 +106,7 @@ TEST(Steps, RememberNoMoreRecordsThanTheyMay) {
 }
 
 TEST(Steps, StopSoon) {
-    test::GatheringScene room(furnished());
+    test::GatheringScene room(test::furnishedRoom());
     room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 100, 0.006F);
     std::vector<ArrivingLight> arriving(room.receivers.size());
     const std::atomic<bool> stop{true};
@@ -136,14 +114,14 @@ TEST(Steps, StopSoon) {
     EXPECT_EQ(room.light.cache().size(), 0U);
     EXPECT_TRUE(room.light.step(room.receivers, arriving, room.budget, 2));
     EXPECT_GT(room.mean().g, 0.1);
-    test::GatheringScene other(furnished());
+    test::GatheringScene other(test::furnishedRoom());
     other.receivers = room.receivers;
     other.light.step(other.receivers, arriving, other.budget, 2);
     EXPECT_EQ(hashOf(other.light.cache()), hashOf(room.light.cache()));
 }
 
 TEST(Steps, GoOnAfterOneThatWasStoppedAsIfItHadNotBeen) {
-    test::GatheringScene stopped(furnished()), other(furnished());
+    test::GatheringScene stopped(test::furnishedRoom()), other(test::furnishedRoom());
     stopped.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 300, 0.006F);
     other.receivers = stopped.receivers;
     std::vector<ArrivingLight> arriving(stopped.receivers.size()), expected = arriving;
@@ -171,7 +149,7 @@ TEST(Steps, TakeLightThatIsNoNumberForDarkness) {
 }
 
 TEST(Steps, WithoutReceiversOrRaysDoNothing) {
-    test::GatheringScene room(furnished());
+    test::GatheringScene room(test::furnishedRoom());
     EXPECT_TRUE(room.light.step({}, {}, {0, 0}, 2));
     EXPECT_TRUE(room.light.step({}, {}, room.budget, 2));
     EXPECT_EQ(room.light.cache().size(), 0U);
