@@ -752,6 +752,10 @@
         <translation>obrazy s touto příponou nelze zapsat, jen {0}</translation>
     </message>
     <message>
+        <source>cell {0} makes no sense</source>
+        <translation>buňka {0} nedává smysl</translation>
+    </message>
+    <message>
         <source>check its permissions, or name another place</source>
         <translation>zkontrolujte její oprávnění, nebo zvolte jiné místo</translation>
     </message>
@@ -1064,6 +1068,10 @@
         <translation>není soubor .bsp této sady programů (stejnou příponu používají i jiné)</translation>
     </message>
     <message>
+        <source>is no file of indirect light of this suite</source>
+        <translation>není soubor nepřímého světla této sady programů</translation>
+    </message>
+    <message>
         <source>it ends after {0} of the {1} elements '{2}' that its head promises</source>
         <translation>končí po {0} z {1} prvků '{2}', které slibuje hlavička</translation>
     </message>
@@ -1320,6 +1328,10 @@
         <translation>jeho kamery {0} ukazují z modelu málo nebo nic; zůstávají jako záložky</translation>
     </message>
     <message>
+        <source>its cells are not in order</source>
+        <translation>jeho buňky nejsou seřazené</translation>
+    </message>
+    <message>
         <source>its copy does not find {0}; make a .bsp of it by BSPBuilder and pack that</source>
         <translation>jeho kopie nenajde {0}; udělejte z něj programem BSPBuilder .bsp a zabalte ten</translation>
     </message>
@@ -1360,6 +1372,10 @@
         <translation>jeho geometrie je v souboru {0}, který chybí; dejte ho vedle souboru modelu</translation>
     </message>
     <message>
+        <source>its guess or its steps make no sense</source>
+        <translation>jeho odhad nebo počet kroků nedává smysl</translation>
+    </message>
+    <message>
         <source>its head does not end within {0} bytes</source>
         <translation>jeho hlavička ani po {0} bajtech nekončí</translation>
     </message>
@@ -1390,6 +1406,10 @@
     <message>
         <source>its node graph has no end; repair the file</source>
         <translation>graf jeho uzlů nemá konec; opravte soubor</translation>
+    </message>
+    <message>
+        <source>its numbers of records differ</source>
+        <translation>jeho počty záznamů se liší</translation>
     </message>
     <message>
         <source>its output, {0}, lies outside of the scene's folder; name it by -o if it is to be written</source>
@@ -1708,6 +1728,10 @@
         <translation>nezapsáno: model nelze použít ({0}); opravte soubor modelu</translation>
     </message>
     <message>
+        <source>not written: {0}</source>
+        <translation>nezapsáno: {0}</translation>
+    </message>
+    <message>
         <source>nothing is being recorded</source>
         <translation>nic se nenahrává</translation>
     </message>
@@ -1822,6 +1846,10 @@
     <message>
         <source>ready: instance '{0}', {1}, {2} x {3}</source>
         <translation>připraven: instance '{0}', {1}, {2} x {3}</translation>
+    </message>
+    <message>
+        <source>record {0} makes no sense</source>
+        <translation>záznam {0} nedává smysl</translation>
     </message>
     <message>
         <source>recording ended: {0}</source>
@@ -2124,12 +2152,20 @@
         <translation>soubor je neúplný</translation>
     </message>
     <message>
+        <source>the file is damaged (its checksum differs)</source>
+        <translation>soubor je poškozený (nesouhlasí kontrolní součet)</translation>
+    </message>
+    <message>
         <source>the file is empty</source>
         <translation>soubor je prázdný</translation>
     </message>
     <message>
         <source>the file is longer than it should be</source>
         <translation>soubor je delší, než má být</translation>
+    </message>
+    <message>
+        <source>the file is of another version of this suite</source>
+        <translation>soubor je z jiné verze této sady programů</translation>
     </message>
     <message>
         <source>the file is too short for the {0} pixels that its header names</source>
@@ -2468,6 +2504,10 @@
         <translation>argumentů je příliš mnoho</translation>
     </message>
     <message>
+        <source>there are too many records or cells</source>
+        <translation>záznamů nebo buněk je příliš mnoho</translation>
+    </message>
+    <message>
         <source>there are {0} lights, the most that pages may have</source>
         <translation>světel je už {0}, víc jich stránky mít nesmějí</translation>
     </message>
@@ -2658,6 +2698,10 @@
     <message>
         <source>too many keys with dots</source>
         <translation>příliš mnoho klíčů s tečkami</translation>
+    </message>
+    <message>
+        <source>too many of its records are in one place</source>
+        <translation>příliš mnoho jeho záznamů je na jednom místě</translation>
     </message>
     <message>
         <source>too many requests at once</source>
@@ -3134,6 +3178,10 @@
     <message>
         <source>{0}; choose another name, or remove it</source>
         <translation>{0}; zvolte jiné jméno, nebo ho odstraňte</translation>
+    </message>
+    <message>
+        <source>{0}; delete it, and its light is learned anew</source>
+        <translation>{0}; smažte ho, světlo se pak zjistí znovu</translation>
     </message>
     <message>
         <source>{0}; free some space there</source>

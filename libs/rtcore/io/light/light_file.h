@@ -1,0 +1,40 @@
+/// Files of indirect light that was learned, NAME.light, so that a second visit begins with what the first
+/// one ended with. Caches: they may be deleted at any time.
+#pragma once
+
+#include "rtcore/gathering/indirect_state.h"
+#include "rtcore/io/light/light_key.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace rtcore {
+
+/// How much of a file holds for a scene.
+enum class LightMatch {
+    None,     ///< other surfaces: nothing
+    Surfaces, ///< the same surfaces by another light: IndirectLight::restoreSurfaces()
+    All       ///< IndirectLight::restore()
+};
+
+struct LightFile {
+    LightMatch match = LightMatch::None;
+    IndirectState light; ///< empty where nothing matches
+};
+
+/// Writes by writeFileAtomically(): a reader sees the old file or all of the new one, whenever the writer is
+/// killed. 145 bytes for each record and 32 for each cell. The same light gives the same bytes.
+/// Throws FileError: CannotWrite, and BadData where readLightFile() would refuse the file.
+void writeLightFile(const std::filesystem::path& path, const LightKey& key, const IndirectState& light);
+
+/// Reads what was learned of the scene of that key. All of the file is checked: its size before anything is
+/// allocated, its checksum, each number, and what checkIndirectState() asks. Throws FileError: NoInput, and
+/// BadData that tells to delete the file.
+LightFile readLightFile(const std::filesystem::path& path, const LightKey& key);
+
+/// The same for bytes that are in memory; `name` stands for the file in messages.
+LightFile readLightFile(std::span<const std::byte> bytes, const LightKey& key, const std::string& name);
+
+} // namespace rtcore
