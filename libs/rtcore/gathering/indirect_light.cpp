@@ -50,7 +50,13 @@ void IndirectLight::begin(const Scene& scene, const RayTracer& tracer, const Ren
 void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
     prepare(scene, tracer, settings);
     cells_.clear(tracer.bounds());
+    forgetValues();
+}
+
+/// Positions and radii of records stay.
+void IndirectLight::forgetValues() {
     records_.forgetLight();
+    for (std::uint32_t number = 0; number < cache_.size(); ++number) cache_.values(number).confidence = 0;
     guesses_ = false;
 }
 
@@ -69,10 +75,8 @@ void IndirectLight::restore(const IndirectState& kept) {
 void IndirectLight::restoreSurfaces(const IndirectState& kept) {
     restore(kept);
     cells_.clear(kept.bounds);
-    records_.forgetLight();
-    for (std::uint32_t number = 0; number < cache_.size(); ++number) cache_.values(number).confidence = 0;
+    forgetValues();
     cache_.setGuess({});
-    guesses_ = false;
 }
 
 bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
@@ -80,7 +84,7 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
     ++frame_;
     forgetUnused();
     lookUp(curve_.of(receivers, tracer_->bounds()), receivers, arriving, frame_, threads);
-    findLacking(arriving);
+    findLacking(receivers, arriving);
     const auto begun = std::chrono::steady_clock::now();
     if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
@@ -136,10 +140,13 @@ void IndirectLight::undo(std::size_t records) {
 }
 
 /// Receivers that fine records alone are missing for are as right as they were.
-void IndirectLight::findLacking(std::span<const ArrivingLight> arriving) {
+void IndirectLight::findLacking(std::span<const Receiver> receivers,
+                                std::span<const ArrivingLight> arriving) {
     lacking_.clear();
-    for (const std::uint32_t i : curve_.last())
-        if (arriving[i].lacking > 0) lacking_.push_back(i);
+    for (const std::uint32_t i : curve_.last()) {
+        const bool unknown = receivers[i].pixel > 0 && !(arriving[i].weight > 0);
+        if (arriving[i].lacking > 0 || unknown) lacking_.push_back(i);
+    }
 }
 
 /// More where little is known of what is seen.
@@ -193,15 +200,18 @@ bool IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<c
 }
 
 /// Of the records that were used lately those with the fewest passes. Coarse ones count less: fine ones take
-/// their part.
+/// their part; but before the first pass they come first, since few of them tell of all that is seen.
 void IndirectLight::chooseRecords(std::size_t max) {
     const auto old = static_cast<std::uint32_t>(cache_.size() - chosen_.size());
     order_.clear();
     for (std::uint32_t number = 0; number < old; ++number) {
         const std::uint32_t used = cache_.lastUse(number);
         if (used == 0 || used + kRecentSteps < frame_) continue;
-        const std::uint64_t passes = records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U);
-        order_.push_back(passes << 32 | number);
+        const std::uint32_t passes = records_.passes(number);
+        const int density = records_.density(number);
+        const auto turn = passes == 0 ? static_cast<std::uint64_t>(kDensities - 1 - density)
+                                      : kDensities + std::uint64_t{passes * (density > 0 ? 4U : 1U)};
+        order_.push_back(turn << 32 | number);
     }
     const std::size_t taken = std::min(max, order_.size());
     std::ranges::nth_element(order_, order_.begin() + static_cast<std::ptrdiff_t>(taken));

@@ -40,7 +40,7 @@ class IndirectLight {
     /// settings count `path`, textures, shadows, reflections, refractions, maxDepth, fog.
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
     /// Takes a scene in which lights, materials or surroundings differ, but no surface: positions and radii
-    /// of records stay, and each shows what it knew until its next pass.
+    /// of records stay, and each tells nothing until its next pass; coarse ones have theirs first.
     void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
 
     /// All that was learned since begin(), between two steps; as much memory as memory() tells, or less.
@@ -84,9 +84,10 @@ class IndirectLight {
                 std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const;
     bool learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
+    void forgetValues();
     void forgetUnused();
     void undo(std::size_t records);
-    void findLacking(std::span<const ArrivingLight> arriving);
+    void findLacking(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving);
     GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
