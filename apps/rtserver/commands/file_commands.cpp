@@ -30,8 +30,7 @@ bool frameSuits(const Call& call) {
     const FrameMaker& frames = call.host.frames();
     const bool drawn = !frames.image().empty();
     if (call.state.paused && !drawn) throw rtcore::Refusal("there is no frame yet, and the server is paused");
-    if (!drawn) return false;
-    return call.state.paused ? frames.whole() : frames.exact() && !frames.stale(call.document());
+    return drawn && frames.whole() && (call.state.paused || !frames.stale(call.document()));
 }
 
 Result loadCamera(const Call& call) {
@@ -135,8 +134,10 @@ std::string liveFrameText(const auto& frame) {
 
 Result screenshot(const Call& call) {
     const std::filesystem::path path = pathOf(call[0]);
-    if (!frameSuits(call)) return {.when = ReplyWhen::Again};
     const FrameMaker& frames = call.host.frames();
+    call.state.wantsExact = !call.state.paused;
+    if (!frameSuits(call) || (call.state.wantsExact && !frames.exact())) return {.when = ReplyWhen::Again};
+    call.state.wantsExact = false;
     const std::vector<rtcore::ImageText> texts = app::imageTexts(call.document().settings());
     if (rtcore::isHdrFormat(path)) {
         if (!frames.hasRadiance())

@@ -45,7 +45,8 @@ bool FrameDrawing::wantsFrame(bool waitedFor) const {
 
 // All pixels for an unchanged view, and for commands that write the frame to a file.
 bool FrameDrawing::wantsWholeFrame(bool waitedFor) const {
-    return waitedFor ? !frames_.exact() : !frames_.whole() && standsStill();
+    if (waitedFor && state_.wantsExact && !frames_.exact()) return true;
+    return !frames_.whole() && (standsStill() || waitedFor);
 }
 
 bool FrameDrawing::idle() const {
@@ -131,7 +132,7 @@ FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
     noticeScene();
     const rtcore::ShadowMaps* const maps = upkeep_.shadowMaps();
     FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
-    detail.inWalkLight = detail.whole() && !waitedFor && state_.restsInWalkLight && learnsWalkLight();
+    detail.inWalkLight = detail.whole() && !state_.wantsExact && state_.restsInWalkLight && learnsWalkLight();
     begun_ = Clock::now();
     tracesWhole_ = detail.whole();
     stepDue_ = begun_ + pacer_.interval();

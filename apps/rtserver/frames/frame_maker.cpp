@@ -113,19 +113,22 @@ bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const r
     return true;
 }
 
-/// Exact frames show what their view alone decides, as Renderer does, others what the walk has learned.
+/// Exact frames show what their view alone decides, as Renderer does, others what the walk has learned. What
+/// rests is shown at once, while more is learned.
 bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& detail,
                                  const rtcore::View& view, rtcore::RenderControl& control) {
     const rtcore::IrradianceCache* cache = nullptr;
     if (view.settings.indirect.mode == rtcore::IndirectMode::Live) {
+        if (control.finished != nullptr && !showAtOnce(document, control, whole_)) return false;
         if (detail.exact()) {
-            if (control.finished != nullptr && !showAtOnce(document, control, whole_)) return false;
             if (!viewLight_) viewLight_.emplace();
             if (!viewLight_->learn(view, control)) return false;
             cache = &viewLight_->cache();
         } else {
             walkLight_->follow(document);
-            if (!walkLight_->learn(view, control)) return false;
+            const bool learned =
+                detail.whole() ? walkLight_->learnRest(view, control) : walkLight_->learn(view, control);
+            if (!learned) return false;
             cache = &walkLight_->light().cache();
         }
     }
@@ -133,15 +136,15 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
     return true;
 }
 
-/// The whole size, lit by what the walk has learned: to be seen while the light of the view is learned anew.
+/// The whole size, lit by what the walk has learned.
 bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& control, rtcore::Frame& frame) {
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
+    const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     walkLight_->follow(document);
-    if (!walkLight_->learn({*scene, *document.tracer(), document.camera(), settings}, control)) return false;
+    if (!walkLight_->learn(view, control)) return false;
     renderer_->lightIndirectlyFrom(&walkLight_->light().cache());
-    if (!renderer_->render({*scene, *document.tracer(), document.camera(), settings}, control, frame))
-        return false;
+    if (!renderer_->render(view, control, frame)) return false;
     gradual_.beginAgain(frame, document.frameSettings(), threads_);
     return true;
 }

@@ -26,9 +26,14 @@ class WalkLight {
     void follow(const Document& document);
     /// Learns about some of the pixels of a frame that is not live.
     bool learn(const rtcore::View& view, rtcore::RenderControl& control);
+    /// Goes on until the view that rests is known about as well as one whose light is learned for it alone.
+    bool learnRest(const rtcore::View& view, rtcore::RenderControl& control);
     rtcore::IndirectLight& light() { return *light_; }
 
   private:
+    bool learn(const rtcore::View& view, rtcore::RenderControl& control, int step,
+               const rtcore::GatherBudget& budget);
+
     std::unique_ptr<rtcore::IndirectLight> light_;
     rtcore::ViewSteps steps_;
     std::shared_ptr<const rtcore::Scene> scene_; ///< whose light is known

@@ -77,8 +77,8 @@ void ServerLoop::turn() {
     if (quit_) return;
     // A command that writes the frame to a file gets the whole frame of what is shown.
     const bool changed = drawing_.takeChange();
-    const bool holdsStill =
-        commands_.waits() && !changed && !frames().stale(state_.document) && !frames().exact();
+    const bool there = state_.wantsExact ? frames().exact() : frames().whole();
+    const bool holdsStill = commands_.waits() && !changed && !frames().stale(state_.document) && !there;
     if (!holdsStill) move();
     drawing_.noticePause(commands_.waits());
     const bool due = drawing_.wantsFrame(commands_.waits()) && Clock::now() >= drawing_.due();

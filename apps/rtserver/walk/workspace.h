@@ -22,7 +22,8 @@ struct Workspace {
     double frameSeconds; ///< what a frame may take while something moves: fewer pixels then; 0: any time
     /// The indirect light of whole frames that nothing is written from is what the walk has learned.
     bool restsInWalkLight = false;
-    bool idles = true; ///< false: every frame is drawn, though it equals the last
+    bool wantsExact = false; ///< a frame is to be written: it depends on the state alone
+    bool idles = true;       ///< false: every frame is drawn, though it equals the last
     std::shared_ptr<PackProgress> packing = nullptr; ///< of the pack that is being made; null: none is
 };
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace rtcore {
 
@@ -88,7 +89,7 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
     const auto begun = std::chrono::steady_clock::now();
     if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
-    learned_ = {chosen_.size() * kPassRays, lasted.count()};
+    learned_ = {chosen_.size() * kPassRays, lasted.count(), leastPasses()};
     lookUp(lacking_, receivers, arriving, 0, threads);
     return true;
 }
@@ -216,6 +217,14 @@ void IndirectLight::chooseRecords(std::size_t max) {
     const std::size_t taken = std::min(max, order_.size());
     std::ranges::nth_element(order_, order_.begin() + static_cast<std::ptrdiff_t>(taken));
     for (std::size_t i = 0; i < taken; ++i) chosen_.push_back(static_cast<std::uint32_t>(order_[i]));
+}
+
+/// Records with the fewest have just had one more.
+std::uint32_t IndirectLight::leastPasses() const {
+    std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+    for (const std::uint32_t number : chosen_)
+        least = std::min(least, records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U));
+    return least;
 }
 
 /// Records that lie together follow each other: their rays meet the same nodes.

@@ -61,10 +61,12 @@ class IndirectLight {
     /// (may be null) became true: then all is as before, but for which records were of use lately.
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
-    /// Learning in the last step: rays from records, and the seconds that all of it took.
+    /// Learning in the last step: rays from records, the seconds that all of it took, and the fewest passes
+    /// of a record that was of use lately; those of coarse ones count four times.
     struct Learned {
         std::size_t rays = 0;
         double seconds = 0;
+        std::uint32_t leastPasses = 0;
     };
     const Learned& learned() const { return learned_; }
     /// Looks up what is known. From many threads, while none learns.
@@ -92,6 +94,7 @@ class IndirectLight {
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
     void chooseRecords(std::size_t max);
+    std::uint32_t leastPasses() const;
     void orderChosen();
     Colour fromSurroundings(std::size_t ray, Vec3 normal) const;
     PassResult resultOf(std::size_t pass) const;

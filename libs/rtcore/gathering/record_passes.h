@@ -112,7 +112,7 @@ class RecordPasses {
     }
     /// As IrradianceCache::keep().
     void keep(std::span<const std::uint8_t> kept);
-    /// Forgets what records know of light; they keep their positions and radii, and show what they knew until
+    /// Forgets what records know of light; they keep their positions and radii, and tell nothing until
     /// their next pass.
     void forgetLight();
 
