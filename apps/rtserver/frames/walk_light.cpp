@@ -58,7 +58,7 @@ bool WalkLight::learnRest(const rtcore::View& view, rtcore::RenderControl& contr
     constexpr std::uint32_t kEnough = 4; // passes of each record
     for (int step = 0; step < kMaxSteps; ++step) {
         if (!learn(view, control, step, kOfRest)) return false;
-        if (light_->learned().leastPasses >= kEnough) return true;
+        if (light_->learned().minPasses >= kEnough) return true;
     }
     return true;
 }

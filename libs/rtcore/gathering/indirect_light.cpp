@@ -89,7 +89,7 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
     const auto begun = std::chrono::steady_clock::now();
     if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
-    learned_ = {chosen_.size() * kPassRays, lasted.count(), leastPasses()};
+    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses()};
     lookUp(lacking_, receivers, arriving, 0, threads);
     return true;
 }
@@ -220,11 +220,11 @@ void IndirectLight::chooseRecords(std::size_t max) {
 }
 
 /// Records with the fewest have just had one more.
-std::uint32_t IndirectLight::leastPasses() const {
-    std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+std::uint32_t IndirectLight::minPasses() const {
+    std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
     for (const std::uint32_t number : chosen_)
-        least = std::min(least, records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U));
-    return least;
+        fewest = std::min(fewest, records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U));
+    return fewest;
 }
 
 /// Records that lie together follow each other: their rays meet the same nodes.

@@ -66,7 +66,7 @@ class IndirectLight {
     struct Learned {
         std::size_t rays = 0;
         double seconds = 0;
-        std::uint32_t leastPasses = 0;
+        std::uint32_t minPasses = 0;
     };
     const Learned& learned() const { return learned_; }
     /// Looks up what is known. From many threads, while none learns.
@@ -94,7 +94,7 @@ class IndirectLight {
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
     void chooseRecords(std::size_t max);
-    std::uint32_t leastPasses() const;
+    std::uint32_t minPasses() const;
     void orderChosen();
     Colour fromSurroundings(std::size_t ray, Vec3 normal) const;
     PassResult resultOf(std::size_t pass) const;
