@@ -147,7 +147,7 @@ TEST(OutgoingCells, ForgetThoseThatAreOldest) {
 }
 
 TEST(OutgoingCells, GoOnAfterTheyWereRestored) {
-    constexpr Box3 kBounds{{0, 0, 0}, {10.24F, 0, 0}};
+    constexpr Box3 kFlat{{0, 0, 0}, {10.24F, 0, 0}};
     OutgoingCells cells = emptyCells(), restored;
     const auto addSome = [](OutgoingCells& to, int seed) {
         for (int i = 0; i < 3000; ++i) {
@@ -158,7 +158,7 @@ TEST(OutgoingCells, GoOnAfterTheyWereRestored) {
     addSome(cells, 7);
     const std::vector<OutgoingCells::Cell> state = cells.state();
     EXPECT_TRUE(OutgoingCells::areKeys(state));
-    restored.restore(kBounds, state);
+    restored.restore(kFlat, state);
     EXPECT_EQ(restored.state(), state);
     EXPECT_EQ(restored.size(), cells.size());
     addSome(cells, 5);
@@ -167,7 +167,7 @@ TEST(OutgoingCells, GoOnAfterTheyWereRestored) {
     cells.bound(cells.size() - 1);
     restored.bound(restored.size() - 1);
     EXPECT_EQ(restored.state(), cells.state());
-    restored.restore(kBounds, {});
+    restored.restore(kFlat, {});
     EXPECT_TRUE(restored.empty());
 }
 
