@@ -11,6 +11,7 @@ namespace rtcore {
 namespace {
 
 constexpr std::array<std::string_view, 4> kWords{"fill", "filllight", "bounce", "bounced"};
+constexpr std::string_view kOfStudio = "fill"; ///< the name of one of LightingPreset::Studio
 
 /// Whether one of the words stands alone in the name, in whatever case.
 bool saysSo(std::string_view name) {
@@ -33,7 +34,8 @@ bool saysSo(std::string_view name) {
 std::vector<const SceneLight*> fillLights(const Scene& scene) {
     std::vector<const SceneLight*> found;
     for (const SceneLight& each : scene.lights)
-        if (each.light.on != 0 && !each.ofSky && saysSo(each.name)) found.push_back(&each);
+        if (each.light.on != 0 && !each.ofSky && each.name != kOfStudio && saysSo(each.name))
+            found.push_back(&each);
     return found;
 }
 

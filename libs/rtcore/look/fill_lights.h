@@ -8,7 +8,8 @@
 namespace rtcore {
 
 /// Those that are on and say so by their names, as "fill light west" or "bounce" do: where indirect light is
-/// rendered, they count twice. Pointers into scene.lights.
+/// rendered, they count twice. Not one that is called "fill": studios have it beside that light. Pointers
+/// into scene.lights.
 std::vector<const SceneLight*> fillLights(const Scene& scene);
 
 } // namespace rtcore

@@ -7,7 +7,8 @@ namespace {
 
 TEST(FillLights, AreThoseThatAreOnAndSaySo) {
     Scene scene;
-    for (const char* name : {"fill light west", "window", "Bounce", "filling station", "sky-fill", ""})
+    for (const char* name :
+         {"fill light west", "window", "Bounce", "filling station", "sky-fill", "", "fill"})
         scene.lights.emplace_back(Light{}, name);
     scene.lights.emplace_back(Light{}, "FILL");
     scene.lights.back().light.on = 0;
