@@ -30,7 +30,7 @@ bool frameSuits(const Call& call) {
     const FrameMaker& frames = call.host.frames();
     const bool drawn = !frames.image().empty();
     if (call.state.paused && !drawn) throw rtcore::Refusal("there is no frame yet, and the server is paused");
-    return drawn && frames.whole() && (call.state.paused || !frames.stale(call.document()));
+    return drawn && frames.complete() && (call.state.paused || !frames.stale(call.document()));
 }
 
 Result loadCamera(const Call& call) {

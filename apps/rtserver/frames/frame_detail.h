@@ -6,6 +6,13 @@
 
 namespace rtserver {
 
+/// Whose indirect light a whole frame shows; others show what the walk has learned.
+enum class IndirectOf {
+    View, ///< what the view alone decides
+    Rest, ///< what the walk knows, once that is much about this view
+    Walk  ///< what the walk knows by now, while the camera moves
+};
+
 struct FrameDetail {
     double scale = 1; ///< times the width and the height that are asked for: 1/8 to 1
     bool cut = false; ///< few samples in place of those that are asked for
@@ -14,12 +21,13 @@ struct FrameDetail {
     double newSamples = 0;
     /// The fraction of WalkLight::kBudget by which a live frame learns indirect light.
     double learning = 1;
-    /// The indirect light of a whole frame is what the walk has learned, as that of the others.
-    bool inWalkLight = false;
+    IndirectOf indirect = IndirectOf::View;
 
     bool whole() const { return scale == 1 && !cut; }
+    /// Whether it shows a view that stands as well as it will be shown.
+    bool complete() const { return whole() && indirect != IndirectOf::Walk; }
     /// Whether it depends on the state alone, not on what was drawn before.
-    bool exact() const { return whole() && !inWalkLight; }
+    bool exact() const { return whole() && indirect == IndirectOf::View; }
     bool live() const { return newSamples > 0; }
     friend bool operator==(const FrameDetail&, const FrameDetail&) = default;
 };

@@ -46,12 +46,12 @@ bool FrameDrawing::wantsFrame(bool waitedFor) const {
 // All pixels for an unchanged view, and for commands that write the frame to a file.
 bool FrameDrawing::wantsWholeFrame(bool waitedFor) const {
     if (waitedFor && state_.wantsExact && !frames_.exact()) return true;
-    return !frames_.whole() && (standsStill() || waitedFor);
+    return !frames_.complete() && (standsStill() || waitedFor);
 }
 
 bool FrameDrawing::idle() const {
     return state_.document.ready() && state_.idles && !frames_.stale(state_.document) && frames_.settled() &&
-           frames_.whole() && state_.walk.atRest() && !upkeep_.loads();
+           frames_.complete() && state_.walk.atRest() && !upkeep_.loads();
 }
 
 double FrameDrawing::wholeSeconds() const {
@@ -65,7 +65,7 @@ SceneUpkeep::Pace FrameDrawing::pace() {
     noticeScene();
     const bool current = !frames_.stale(state_.document);
     return {.current = current,
-            .complete = current && frames_.whole(),
+            .complete = current && frames_.complete(),
             .idle = idle(),
             .seconds = frames_.seconds(),
             .coarsest = schedule_.coarsest(),
@@ -124,15 +124,19 @@ FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowM
             .liveRays = liveRays(settings, scene)};
 }
 
-bool FrameDrawing::learnsWalkLight() const {
-    return state_.frameSeconds > 0 && state_.document.settings().indirect.mode == rtcore::IndirectMode::Live;
+/// Of a whole frame. Where all frames are whole, those of a moving camera show what the walk knows.
+IndirectOf FrameDrawing::indirectLight(bool waitedFor) const {
+    const bool live = state_.document.settings().indirect.mode == rtcore::IndirectMode::Live;
+    if (!live || state_.wantsExact) return IndirectOf::View;
+    if (!standsStill() && !waitedFor) return IndirectOf::Walk;
+    return state_.restsInWalkLight && state_.frameSeconds > 0 ? IndirectOf::Rest : IndirectOf::View;
 }
 
 FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
     noticeScene();
     const rtcore::ShadowMaps* const maps = upkeep_.shadowMaps();
     FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
-    detail.inWalkLight = detail.whole() && !state_.wantsExact && state_.restsInWalkLight && learnsWalkLight();
+    if (detail.whole()) detail.indirect = indirectLight(waitedFor);
     begun_ = Clock::now();
     tracesWhole_ = detail.whole();
     stepDue_ = begun_ + pacer_.interval();

@@ -89,7 +89,7 @@ class FrameDrawing {
     Drawn goBack();
     bool standsStill() const { return state_.paused || state_.walk.atRest(); }
     bool wantsWholeFrame(bool waitedFor) const;
-    bool learnsWalkLight() const;
+    IndirectOf indirectLight(bool waitedFor) const;
 
     Workspace& state_;
     SceneUpkeep& upkeep_;

@@ -126,8 +126,9 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
             cache = &viewLight_->cache();
         } else {
             walkLight_->follow(document);
+            const bool rests = detail.complete();
             const bool learned =
-                detail.whole() ? walkLight_->learnRest(view, control) : walkLight_->learn(view, control);
+                rests ? walkLight_->learnRest(view, control) : walkLight_->learn(view, control);
             if (!learned) return false;
             cache = &walkLight_->light().cache();
         }

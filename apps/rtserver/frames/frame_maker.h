@@ -55,7 +55,9 @@ class FrameMaker {
     bool hasRadiance() const { return seen_ != nullptr; }
     /// Whether the last frame has all the pixels and samples that the state asks for.
     bool whole() const { return detail_.whole(); }
-    /// Whether it depends on that alone, too.
+    /// Whether a view that stands is shown no better.
+    bool complete() const { return detail_.complete(); }
+    /// Whether it depends on the state alone.
     bool exact() const { return detail_.exact(); }
     const FrameDetail& detail() const { return detail_; } ///< of the last frame
     /// The image of the frame that was traced last, at the exposure of this moment. Needs hasRadiance().

@@ -77,7 +77,7 @@ void ServerLoop::turn() {
     if (quit_) return;
     // A command that writes the frame to a file gets the whole frame of what is shown.
     const bool changed = drawing_.takeChange();
-    const bool there = state_.wantsExact ? frames().exact() : frames().whole();
+    const bool there = state_.wantsExact ? frames().exact() : frames().complete();
     const bool holdsStill = commands_.waits() && !changed && !frames().stale(state_.document) && !there;
     if (!holdsStill) move();
     drawing_.noticePause(commands_.waits());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -132,6 +133,26 @@ TEST_F(FrameDrawingTest, ACoarseFrameComesFirstWhereTheWholeOneTakesLong) {
     EXPECT_EQ(published.back().samples, 9U);
     document.show(test::worldOf(test::makeRoom()));
     EXPECT_EQ(drawing.pace().coarsest, 0) << "nothing is known of another scene";
+}
+
+/// Where frames may take any time, a moving camera does not wait for the light of each of its views.
+TEST_F(FrameDrawingTest, WhileTheCameraMovesWholeFramesShowTheLightOfTheWalk) {
+    fixExposure();
+    document.assign({{"indirect.mode", "live"}});
+    state.walk.keyboard().press('W');
+    state.walk.move(std::chrono::milliseconds(10), {}, [](const rtcore::ActionTap&) {});
+    ASSERT_FALSE(state.walk.atRest());
+    draw();
+    EXPECT_EQ(published.back().samples, 1U);
+    EXPECT_EQ(drawing.frames().detail().indirect, IndirectOf::Walk);
+    EXPECT_FALSE(drawing.wantsFrame(false)) << "until it has moved";
+    state.walk.keyboard().releaseAll();
+    while (!state.walk.atRest())
+        state.walk.move(std::chrono::milliseconds(100), {}, [](const rtcore::ActionTap&) {});
+    EXPECT_FALSE(drawing.idle());
+    draw();
+    EXPECT_TRUE(drawing.frames().exact());
+    EXPECT_TRUE(drawing.idle());
 }
 
 TEST_F(FrameDrawingTest, TheImageGoesOverToAWholeFrameInSteps) {

@@ -298,7 +298,7 @@ TEST_F(FramesOfAState, RestInTheLightOfTheWalkWhereThatIsEnough) {
     state.frameSeconds = 0.03;
     for (int i = 0; i < 8; ++i) test::draw(frames, state, rtserver::kCoarsest);
     rtserver::FrameDetail detail;
-    detail.inWalkLight = true;
+    detail.indirect = rtserver::IndirectOf::Rest;
     test::draw(frames, state, detail);
     EXPECT_TRUE(frames.whole());
     EXPECT_FALSE(frames.exact());
