@@ -4,6 +4,7 @@
 #include "rtcore/post/develop.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/ground_tracer.h"
+#include "rtcore/render/image_renderer.h"
 #include "rtcore/render/light_meter.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/up_axis.h"
@@ -176,8 +177,8 @@ struct Shown {
 Shown shown(const rtcore::LoadedScene& loaded) {
     rtcore::RenderSettings settings;
     rtcore::applySettings(settings, loaded.live);
-    settings.width = 128;
-    settings.height = 72;
+    settings.width = 80; // as its light is measured: an image of more pixels takes seconds to light
+    settings.height = 45;
     settings.antialiasing = 1;
     const rtcore::KdTree tree = rtcore::visibleTree(loaded.tree, loaded.scene);
     const auto surfaces = std::make_shared<const rtcore::KdRayTracer>(tree, loaded.scene.model.mesh);
@@ -185,9 +186,8 @@ Shown shown(const rtcore::LoadedScene& loaded) {
     const rtcore::View view{loaded.scene, *tracer, loaded.camera, settings};
     rtcore::RenderControl control{.threads = 1};
     rtcore::Frame frame;
-    rtcore::FrameRenderer renderer;
-    renderer.collectAovs(true);
-    EXPECT_TRUE(renderer.render(view, control, frame));
+    rtcore::ImageRenderers renderers;
+    EXPECT_TRUE(renderers.of(settings.integrator).render(view, control, {.aovs = true}, frame));
     rtcore::PictureDeveloper developer;
     rtcore::LdrImage image;
     const float exposure = developer.exposure(frame, settings, rtcore::LightMeter().white(view, control), 1);
@@ -215,14 +215,13 @@ Shown shown(const rtcore::LoadedScene& loaded) {
 }
 
 /// In the light of the first minute. Surfaces that are white themselves are shown lighter: plaster, and parts
-/// without a material, the more so as light from surface to surface reaches their shadows. Those that are
-/// black themselves are shown black, too.
+/// without a material. Those that are black themselves are shown black, too.
 void expectGoodLight(const Shown& seen, bool inside) {
     EXPECT_GE(seen.mean, seen.albedo < 0.1 ? 20 : 70) << "albedo " << seen.albedo;
-    EXPECT_LE(seen.mean, seen.albedo > 0.4 ? 240 : 192) << "albedo " << seen.albedo;
+    EXPECT_LE(seen.mean, seen.albedo > 0.4 ? 236 : 190) << "albedo " << seen.albedo;
     EXPECT_LE(seen.black, seen.albedo < 0.1 ? 1 : 0.03);
     // Lights under ceilings have bright pools of light above them.
-    EXPECT_LE(seen.white, inside ? 0.05 : 0.04);
+    EXPECT_LE(seen.white, inside ? 0.05 : 0.03);
 }
 
 /// The folder with the models; empty where they cannot be made.
