@@ -37,7 +37,7 @@ class ListRun {
     app::ExitCode run(const Paths& cameras, const std::optional<std::filesystem::path>& ffmpeg) {
         std::vector<FrameTask> frames;
         if (!options_.follow) {
-            maker_.setFirstOfList(cameras.front());
+            maker_.setList(cameras);
             frames = framesOfChunk(framesOfList(cameras, options_.frames, patterns_), options_.chunk);
             if (frames.empty()) {
                 progress_.tell(rtcore::form("there are more chunks than frames; this one is empty"));

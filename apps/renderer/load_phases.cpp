@@ -100,7 +100,8 @@ void tellOpenGlass(const std::vector<rtcore::OpenGlass>& open, app::Progress& pr
 } // namespace
 
 std::uint64_t knownRays(const RendererOptions& options) {
-    if (options.list || options.camera || options.settingsFile || options.scene.extension() == ".scn")
+    if (options.makeLight || options.list || options.camera || options.settingsFile ||
+        options.scene.extension() == ".scn")
         return 0;
     const rtcore::RenderSettings s = app::mergeSettings({.commandLine = options.settings});
     if (rtcore::traitsOf(s.integrator).samplesAllLight) return 0; // the rays from the camera are the fewest

@@ -4,6 +4,7 @@
 #include "common/settings/settings_merge.h"
 #include "renderer/aov_file.h"
 #include "renderer/exposure_scale.h"
+#include "renderer/light_making.h"
 #include "renderer/load_phases.h"
 #include "renderer/unused_settings.h"
 
@@ -15,6 +16,7 @@
 
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/look/walk_grid.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
@@ -66,7 +68,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tree_(visibleTreeOf(loaded_, options)),
+      sharedLight_(options, progress), tree_(visibleTreeOf(loaded_, options)),
       surfaces_(std::make_shared<const rtcore::KdRayTracer>(tree_, loaded_.scene.model.mesh,
                                                             chooseLeafRecords(tree_, knownRays(options)))),
       nets_(options.nets) {}
@@ -77,6 +79,7 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::RenderSettings& settings = shot.settings;
     focus(camera, settings);
     chooseNet(settings);
+    shareLight(task, settings);
 
     FrameReport report{
         .width = settings.width, .height = settings.height, .rays = {}, .net = {}, .settings = settings};
@@ -103,6 +106,68 @@ void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
     const Shot shot = prepare(cameraFile);
     rtcore::writeDebugScene(path, loaded_.scene, tree_, *surfaces_, shot.camera, shot.settings.width,
                             shot.settings.height);
+}
+
+void PictureMaker::shareLight(const FrameTask& task, const rtcore::RenderSettings& settings) {
+    if (!SharedLight::lights(settings)) return;
+    const rtcore::Scene lit = loaded_.scene;
+    const auto tracer = rtcore::withGround(surfaces_, lit);
+    const auto kept = sharedLight_.of({lit, *tracer, settings}, [&] {
+        std::vector<LightView> views = viewsOfList(lit);
+        prepare(task.camera); // its lights, in place of those of the last
+        return views;
+    });
+    images_.beginWith(kept);
+    meter_.beginWith(kept);
+}
+
+/// Those in the light of `lit`, as evenly spread as there are too many. A .cam that is bad is told of when
+/// its frame comes.
+std::vector<LightView> PictureMaker::viewsOfList(const rtcore::Scene& lit) {
+    constexpr std::size_t kMax = 500;
+    const std::size_t taken = std::min(list_.size(), kMax);
+    std::vector<LightView> views;
+    for (std::size_t i = 0; i < taken; ++i) {
+        try {
+            const Shot shot = prepare(list_[i * list_.size() / taken]);
+            if (loaded_.scene.lights == lit.lights &&
+                loaded_.scene.activeEnvironment == lit.activeEnvironment)
+                views.push_back({shot.camera, shot.settings.width, shot.settings.height});
+        } catch (const rtcore::FileError& error) {
+            const bool ofThisFrame =
+                error.kind == rtcore::FailureKind::BadData || error.kind == rtcore::FailureKind::NoInput;
+            if (!ofThisFrame) throw;
+        }
+    }
+    return views;
+}
+
+/// The view that is shown first, then those of a walk, whose images are square and of larger pixels: one who
+/// walks there finds all light, if not all of its details.
+std::vector<LightView> PictureMaker::viewsAllOver(const rtcore::RenderSettings& settings) const {
+    constexpr int kCoarser = 2;
+    std::vector<LightView> views{{loaded_.camera, settings.width, settings.height}};
+    const rtcore::Scene& scene = loaded_.scene;
+    const rtcore::Survey survey = rtcore::survey(tree_, scene.model.mesh, rtcore::axesOf(scene));
+    for (const rtcore::Camera& camera : rtcore::walkGrid(tree_, scene.model.mesh, survey))
+        views.push_back({camera, settings.width / kCoarser, settings.width / kCoarser});
+    return views;
+}
+
+void PictureMaker::makeLight(const std::filesystem::path& camera, const std::filesystem::path& path) {
+    const Shot shot = prepare(list_.empty() ? camera : list_.front());
+    const rtcore::Scene lit = loaded_.scene;
+    const auto tracer = rtcore::withGround(surfaces_, lit);
+    std::vector<LightView> views;
+    if (!list_.empty()) {
+        views = viewsOfList(lit);
+    } else if (!camera.empty()) {
+        views = {{shot.camera, shot.settings.width, shot.settings.height}};
+    } else {
+        views = viewsAllOver(shot.settings);
+    }
+    renderer::makeLight(path, {lit, *tracer, shot.settings}, views, options_.lightBounds, options_.threads,
+                        progress_);
 }
 
 PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile) {
@@ -165,7 +230,8 @@ rtcore::ExposureMode PictureMaker::measured() const {
 /// The scale of the list's first frame, also where another machine renders that frame.
 float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
     if (scale_) return *scale_;
-    const std::filesystem::path& first = firstOfList_.empty() ? cameraFile : firstOfList_;
+    const std::filesystem::path& last = firstOfList_.empty() ? cameraFile : firstOfList_;
+    const std::filesystem::path& first = list_.empty() ? last : list_.front();
     const Shot shot = prepare(first);
     rtcore::RenderControl control{.threads = options_.threads};
     const app::ProgressScope scope(

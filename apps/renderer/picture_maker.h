@@ -4,6 +4,7 @@
 #include "renderer/frame_list.h"
 #include "renderer/preview.h"
 #include "renderer/renderer_options.h"
+#include "renderer/shared_light.h"
 
 #include "common/progress/progress.h"
 
@@ -40,9 +41,16 @@ class PictureMaker {
     /// Images rendered from now on are shown there while they refine; null: nowhere.
     void showOn(Preview* preview) { preview_ = preview; }
 
-    /// The first camera of the list whose frames are rendered, whichever of them: by it the exposures of a
-    /// recording are scaled. Without one, each camera stands for itself.
+    /// The list whose frames are rendered, whichever of them: by its first camera the exposures of a
+    /// recording are scaled, and the light that its images share is learned of all. Without one, each camera
+    /// stands for itself.
+    void setList(std::vector<std::filesystem::path> cameras) { list_ = std::move(cameras); }
+    /// The first camera of a list that still grows.
     void setFirstOfList(const std::filesystem::path& camera) { firstOfList_ = camera; }
+
+    /// makeLight() of the views of the list; without one, of that .cam file, or, if it is "", of views from
+    /// all over the model.
+    void makeLight(const std::filesystem::path& camera, const std::filesystem::path& path);
 
     /// Reads the net that denoises, if any, before a list is begun: each of its frames needs the same. Throws
     /// what Nets::of() throws; UsageError for a list that leaves the choice to the machine.
@@ -84,6 +92,11 @@ class PictureMaker {
     void chooseNetByItself(rtcore::RenderSettings& settings);
     void useNet(const std::shared_ptr<const rtcore::UNet>& net);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
+    /// Light that the images of the run share goes into the renderers. `task`, whose lights are on, is of the
+    /// image at hand.
+    void shareLight(const FrameTask& task, const rtcore::RenderSettings& settings);
+    std::vector<LightView> viewsOfList(const rtcore::Scene& lit);
+    std::vector<LightView> viewsAllOver(const rtcore::RenderSettings& settings) const;
     /// The frame with its effects, which take long where a net is among them.
     const rtcore::HdrImage& finish(const rtcore::RenderSettings& settings, int index, int count);
     void tell(const std::vector<rtcore::ImageRemark>& remarks);
@@ -100,7 +113,9 @@ class PictureMaker {
     const RendererOptions& options_;
     app::Progress& progress_;
     Preview* preview_ = nullptr;
+    std::vector<std::filesystem::path> list_;
     std::filesystem::path firstOfList_;
+    SharedLight sharedLight_;
     std::optional<float> white_;  ///< the light on what the frame shows, where its exposure is by that
     std::optional<float> scale_;  ///< of recorded exposures, once it is known
     bool toldOfScene_ = false;    ///< what there is to tell in detail

@@ -108,6 +108,22 @@ std::optional<std::filesystem::path> readPath(const app::Arguments& arguments, c
     return text ? std::optional<std::filesystem::path>(*text) : std::nullopt;
 }
 
+void checkLight(const RendererOptions& options, const app::Arguments& arguments) {
+    for (const char* ofMaking : {"light-time", "light-size"}) {
+        if (!options.makeLight && arguments.has(ofMaking))
+            throw app::UsageError("--" + std::string(ofMaking) + " needs --make-light");
+    }
+    if (!options.makeLight) return;
+    if (options.makeLight->extension() != ".light")
+        throw app::UsageError("--make-light writes a file of light; give a name that ends in .light");
+    for (const char* ofImages :
+         {"output", "light", "video", "follow", "verify", "preview", "report", "debug-scene", "chunk"}) {
+        if (arguments.has(ofImages))
+            throw app::UsageError("--make-light learns light and renders nothing; leave out --" +
+                                  std::string(ofImages));
+    }
+}
+
 void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
@@ -154,6 +170,7 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.debugScene && options.debugScene->extension() != ".obj") {
         throw app::UsageError("--debug-scene writes Wavefront OBJ; give a name that ends in .obj");
     }
+    checkLight(options, arguments);
     const bool toStandardOutput =
         std::any_of(options.outputs.begin(), options.outputs.end(), isStandardOutput);
     if (arguments.has("format") && !toStandardOutput) {
@@ -198,10 +215,15 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.verbose = arguments.has("verbose");
     options.report = readPath(arguments, "report");
     options.debugScene = readPath(arguments, "debug-scene");
+    options.light = readPath(arguments, "light");
+    options.makeLight = readPath(arguments, "make-light");
+    options.lightBounds.seconds = arguments.number("light-time").value_or(options.lightBounds.seconds);
+    options.lightBounds.megabytes = arguments.number("light-size").value_or(options.lightBounds.megabytes);
     checkCombinations(options, arguments);
     for (const std::filesystem::path& output : options.outputs) checkOutput(output, options.missingFolder());
     if (options.video) checkFilm(*options.video);
     if (options.report) checkPlace(*options.report);
+    if (options.makeLight) checkPlace(*options.makeLight);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;
 }

@@ -1,6 +1,7 @@
 /// The Renderer's command line, read.
 #pragma once
 
+#include "renderer/light_bounds.h"
 #include "renderer/output_names.h"
 #include "renderer/preview_options.h"
 #include "renderer/renderer_spec.h"
@@ -50,6 +51,9 @@ struct RendererOptions {
     bool verbose = false;
     std::optional<std::filesystem::path> report;     ///< what was made, for programs
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
+    std::optional<std::filesystem::path> light;      ///< a file of indirect light that images begin with
+    std::optional<std::filesystem::path> makeLight;  ///< such a file to make; nothing is rendered
+    LightBounds lightBounds;                         ///< of that
     app::ProgressStyle progress = app::ProgressStyle::None;
 
     /// Frames of a list may go into a folder that is not there yet.

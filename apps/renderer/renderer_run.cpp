@@ -42,7 +42,7 @@ app::InputFiles inputsOf(const RendererOptions& options, const rtcore::LoadedSce
     app::InputFiles inputs;
     inputs.add(loaded.files);
     inputs.add(cameras);
-    for (const auto& named : {options.camera, options.list, options.settingsFile}) {
+    for (const auto& named : {options.camera, options.list, options.settingsFile, options.light}) {
         if (named) inputs.add(*named);
     }
     return inputs;
@@ -82,6 +82,12 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.debugScene) {
         drawDebugScene(*options.debugScene, camera, inputs, maker);
+        return app::ExitCode::Done;
+    }
+    if (options.makeLight) {
+        inputs.refuse(*options.makeLight);
+        maker.setList(cameras);
+        maker.makeLight(options.camera.value_or(""), *options.makeLight);
         return app::ExitCode::Done;
     }
     if (options.report) inputs.refuse(*options.report);

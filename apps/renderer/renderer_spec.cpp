@@ -228,6 +228,37 @@ OptionGroup previewOptions() {
                   "being rendered, as does an empty line. What has not changed is not loaded again"}}};
 }
 
+OptionGroup lightOptions() {
+    return {"Kept light",
+            {{.name = "light",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "with indirect.mode=live: images begin with the indirect light of this file, so that "
+                      "they come sooner and those of a list do not flicker [a list learns it of its views]",
+              .more = "A file of another scene, or of the same by other light, is refused",
+              .files = {"light"}},
+             {.name = "make-light",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "learn the indirect light of the list's views, of --camera, or of views from all over "
+                      "the floors, write it to this .light file, and exit",
+              .more = "A run that was stopped keeps what it has learned; the same command goes on",
+              .files = {"light"}},
+             {.name = "light-time",
+              .value = ValueKind::Number,
+              .argument = "S",
+              .help = "with --make-light: learn for S seconds at most, about [no bound]",
+              .minimum = 0.1,
+              .maximum = 1e7},
+             {.name = "light-size",
+              .value = ValueKind::Number,
+              .argument = "MB",
+              .help = "with --make-light: learn no more once the file has so many megabytes [no bound]",
+              .more = "It is never larger than some 60 MB",
+              .minimum = 0.1,
+              .maximum = 1000}}};
+}
+
 OptionGroup runOptions() {
     return {
         "Running",
@@ -268,15 +299,18 @@ const app::ProgramSpec& rendererSpec() {
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
-        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), previewOptions(), runOptions(),
-                   app::lightingOptionGroup(), app::selectionOptionGroup(), app::importOptionGroup()},
+        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), lightOptions(), previewOptions(),
+                   runOptions(), app::lightingOptionGroup(), app::selectionOptionGroup(),
+                   app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
                       "one image, 3 x 3 samples per pixel"},
                      {"Renderer cow.obj -o cow.png -o cow.exr",
                       "a model by itself, as it is shown and as linear radiance"},
                      {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
                       "a part of a video; frames that are there already are skipped"},
-                     {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"}},
+                     {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"},
+                     {"Renderer house.glb --make-light house.light",
+                      "its indirect light, for --light and for walks"}},
         .environment = app::importEnvironmentNotes(app::HelpWord{
             "RT_NETS", "the folder of the weights of nets that denoise, where --nets names none"}),
         .files = app::sceneFileNotes(),

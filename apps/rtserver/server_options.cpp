@@ -51,6 +51,19 @@ OptionGroup viewOptions() {
                       "model keeps its name",
               .more = "The model is imported, with a warning, when the `.bsp` cannot be read",
               .files = {"bsp"}},
+             {.name = "light",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "a file of indirect light that Renderer --make-light made of the scene: walks begin "
+                      "with it",
+              .files = {"light"}},
+             {.name = "light-cache",
+              .value = ValueKind::Text,
+              .argument = "DIR",
+              .help = "keep the indirect light that walks learn in this folder, so that the next visit of a "
+                      "scene begins with it",
+              .more = "A file for each scene, some 10 to 60 MB; beyond 500 MB the oldest go. That of edits "
+                      "that are not saved is not kept"},
              {.name = "set",
               .value = ValueKind::Text,
               .argument = "FILE",
@@ -156,6 +169,8 @@ Options readOptions(const app::Arguments& arguments) {
     options.settingsFile = readPath(arguments, "set");
     options.path = readPath(arguments, "play");
     options.cachedModel = readPath(arguments, "cached-model");
+    options.light = readPath(arguments, "light");
+    options.lightCache = readPath(arguments, "light-cache");
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
         if (given.name == "setting") readSetting(given.value, options.settings);

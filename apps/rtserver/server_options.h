@@ -21,6 +21,7 @@ struct Options {
     std::filesystem::path scene; ///< absolute, as all paths here
     std::string instance = "default";
     std::optional<std::filesystem::path> camera, settingsFile, path, cachedModel;
+    std::optional<std::filesystem::path> light, lightCache; ///< indirect light, of the first scene; of all
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     double framesPerSecond = 0;                      ///< at most; 0 = as many as there can be

@@ -71,6 +71,8 @@ class FrameDrawing {
     void prepareToMove() { frames_.seedLive(state_.document); }
 
     const FrameMaker& frames() const { return frames_; }
+    const rtcore::IndirectLight* walkLight() const { return frames_.walkLight(); }
+    void beginLightWith(const rtcore::IndirectState& kept) { frames_.beginLightWith(state_.document, kept); }
     /// Time for a frame of all pixels and samples: of the last one, or of the one being traced if that has
     /// taken longer already. 0: there was none of this scene. May be called by Outlets::poll.
     double wholeSeconds() const;

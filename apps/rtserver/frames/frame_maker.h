@@ -69,6 +69,12 @@ class FrameMaker {
     static std::size_t bytesOf(const rtcore::RenderSettings& settings, bool live);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
     static void requireMemory(const rtcore::RenderSettings& settings, bool live);
+    /// The light that walks learn; null: none yet.
+    const rtcore::IndirectLight* walkLight() const { return walkLight_->known(); }
+    /// Walks go on from what is kept of the light of the state.
+    void beginLightWith(const Document& document, const rtcore::IndirectState& kept) {
+        walkLight_->beginWith(document, kept);
+    }
     /// Gives its memory back; there is no frame then.
     void drop();
 

@@ -49,32 +49,20 @@ int WalkLight::turns() const {
 
 bool WalkLight::learn(const rtcore::View& view, rtcore::RenderControl& control) {
     constexpr rtcore::GatherBudget kOfCoarse{4 * kBudget.rays, 4 * kBudget.paths};
-    return learn(view, control, 0, kOfCoarse);
-}
-
-bool WalkLight::learnRest(const rtcore::View& view, rtcore::RenderControl& control) {
-    constexpr rtcore::GatherBudget kOfRest{8 * kBudget.rays, 8 * kBudget.paths};
-    constexpr int kMaxSteps = 32;
-    constexpr std::uint32_t kEnough = 4; // passes of each record
-    for (int step = 0; step < kMaxSteps; ++step) {
-        if (!learn(view, control, step, kOfRest)) return false;
-        if (light_->learned().minPasses >= kEnough) return true;
-    }
-    return true;
-}
-
-/// Steps are about other pixels.
-bool WalkLight::learn(const rtcore::View& view, rtcore::RenderControl& control, int step,
-                      const rtcore::GatherBudget& budget) {
     constexpr int kMaxPixels = 1 << 16;
     int apart = 1; // pixels each way
     while (view.settings.width / apart * (view.settings.height / apart) > kMaxPixels) ++apart;
     std::vector<rtcore::SampleId> pixels;
-    for (int y = step / apart % apart; y < view.settings.height; y += apart) {
-        for (int x = step % apart; x < view.settings.width; x += apart)
+    for (int y = 0; y < view.settings.height; y += apart) {
+        for (int x = 0; x < view.settings.width; x += apart)
             pixels.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
     }
-    return steps_.step(view, pixels, budget, control, *light_);
+    return steps_.step(view, pixels, kOfCoarse, control, *light_);
+}
+
+bool WalkLight::learnRest(const rtcore::View& view, rtcore::RenderControl& control) {
+    constexpr rtcore::GatherBudget kOfRest{8 * kBudget.rays, 8 * kBudget.paths, 4};
+    return steps_.learnEnough(view, kOfRest, control, *light_);
 }
 
 } // namespace rtserver

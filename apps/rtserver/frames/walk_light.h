@@ -5,7 +5,7 @@
 #include "rtserver/document/document.h"
 
 #include "rtcore/gathering/indirect_light.h"
-#include "rtcore/render/view_light.h"
+#include "rtcore/render/view_steps.h"
 
 #include <memory>
 
@@ -29,11 +29,15 @@ class WalkLight {
     /// Goes on until the view that rests is known about as well as one whose light is learned for it alone.
     bool learnRest(const rtcore::View& view, rtcore::RenderControl& control);
     rtcore::IndirectLight& light() { return *light_; }
+    /// Null before the first follow().
+    const rtcore::IndirectLight* known() const { return light_.get(); }
+    /// Goes on from what is kept of the light of the state.
+    void beginWith(const Document& document, const rtcore::IndirectState& kept) {
+        follow(document);
+        light_->restore(kept);
+    }
 
   private:
-    bool learn(const rtcore::View& view, rtcore::RenderControl& control, int step,
-               const rtcore::GatherBudget& budget);
-
     std::unique_ptr<rtcore::IndirectLight> light_;
     rtcore::ViewSteps steps_;
     std::shared_ptr<const rtcore::Scene> scene_; ///< whose light is known

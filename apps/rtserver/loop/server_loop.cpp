@@ -51,6 +51,7 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
                {.poll = [this] { return lookDuringFrame(); },
                 .publish = [this](const auto& info, const auto& image) { publish(info, image); }},
                options.threads, options.framesPerSecond),
+      keptLight_(options, state_.document, drawing_, messages_),
       commands_(state_, messages_,
                 {.host = *this, .replies = *this, .publishStatus = [this] { publishStatus(); }}) {}
 
@@ -58,7 +59,7 @@ app::ExitCode ServerLoop::run() {
     setParent(options_.parent);
     upkeep_.load(options_.scene, options_.cachedModel);
     while (!quit_) {
-        if (app::stopRequested()) return app::stopExitCode();
+        if (app::stopRequested()) break;
         if (orphaned()) {
             Messages::print(rtcore::form(
                 "the process that started this server is gone, and no client is connected: it ends"));
@@ -66,12 +67,14 @@ app::ExitCode ServerLoop::run() {
         }
         turn();
     }
-    return app::ExitCode::Done;
+    keptLight_.leave(true);
+    return app::stopRequested() ? app::stopExitCode() : app::ExitCode::Done;
 }
 
 void ServerLoop::turn() {
     takeLoadedScene();
     upkeep_.advance(drawing_.pace());
+    keptLight_.advance(drawing_.idle());
     commands_.finishSideWork();
     commands_.serve(takeCommands());
     if (quit_) return;
@@ -95,6 +98,7 @@ void ServerLoop::takeLoadedScene() {
     const std::optional<SceneUpkeep::Loaded> loaded = upkeep_.takeLoaded();
     if (!loaded) return;
     if (!loaded->failure) {
+        keptLight_.sceneShown();
         moved_ = Clock::now(); // loading was no time to move in
         untidy_ = true;
     }

@@ -5,6 +5,7 @@
 #include "rtserver/commands/commands.h"
 #include "rtserver/commands/requests.h"
 #include "rtserver/frames/frame_drawing.h"
+#include "rtserver/frames/kept_light.h"
 #include "rtserver/frames/scene_upkeep.h"
 #include "rtserver/loop/state_revision.h"
 #include "rtserver/messages.h"
@@ -44,6 +45,7 @@ class ServerLoop : private Host, private Replies {
     using Clock = std::chrono::steady_clock;
 
     void load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) override {
+        keptLight_.leave(false);
         upkeep_.load(path, std::move(cachedModel));
     }
     void quit() override { quit_ = true; }
@@ -81,6 +83,7 @@ class ServerLoop : private Host, private Replies {
     Workspace state_;
     SceneUpkeep upkeep_;
     FrameDrawing drawing_;
+    KeptLight keptLight_;
     CommandService commands_;
     KeyInbox keys_;
     std::optional<app::ProcessWatch> parent_;

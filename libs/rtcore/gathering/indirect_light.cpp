@@ -73,13 +73,6 @@ void IndirectLight::restore(const IndirectState& kept) {
     guesses_ = kept.guesses;
 }
 
-void IndirectLight::restoreSurfaces(const IndirectState& kept) {
-    restore(kept);
-    cells_.clear(kept.bounds);
-    forgetValues();
-    cache_.setGuess({});
-}
-
 bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     ++frame_;
@@ -101,7 +94,7 @@ bool IndirectLight::learn(std::span<const Receiver> receivers, std::span<const A
     chosen_.clear();
     bool done = makeRecords(receivers, arriving, passes, stop);
     if (done) {
-        chooseRecords(passes - (cache_.size() - before));
+        chooseRecords(passes - (cache_.size() - before), budget.enough);
         orderChosen();
         done = gather(budget, threads, stop);
     }
@@ -156,8 +149,8 @@ GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, std::size_t re
     const double unknown =
         receivers > 0 ? static_cast<double>(lacking_.size()) / static_cast<double>(receivers) : 0;
     const double times = 1 + (kMaxTimes - 1) * unknown;
-    return {static_cast<std::uint32_t>(budget.rays * times),
-            static_cast<std::uint32_t>(budget.paths * times)};
+    return {static_cast<std::uint32_t>(budget.rays * times), static_cast<std::uint32_t>(budget.paths * times),
+            budget.enough};
 }
 
 /// For the receivers of these numbers: groups of those that follow each other are looked up together.
@@ -202,7 +195,7 @@ bool IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<c
 
 /// Of the records that were used lately those with the fewest passes. Coarse ones count less: fine ones take
 /// their part; but before the first pass they come first, since few of them tell of all that is seen.
-void IndirectLight::chooseRecords(std::size_t max) {
+void IndirectLight::chooseRecords(std::size_t max, std::uint32_t enough) {
     const auto old = static_cast<std::uint32_t>(cache_.size() - chosen_.size());
     order_.clear();
     for (std::uint32_t number = 0; number < old; ++number) {
@@ -210,8 +203,10 @@ void IndirectLight::chooseRecords(std::size_t max) {
         if (used == 0 || used + kRecentSteps < frame_) continue;
         const std::uint32_t passes = records_.passes(number);
         const int density = records_.density(number);
+        const std::uint32_t counted = countedPasses(number);
+        if (counted >= enough) continue;
         const auto turn = passes == 0 ? static_cast<std::uint64_t>(kDensities - 1 - density)
-                                      : kDensities + std::uint64_t{passes * (density > 0 ? 4U : 1U)};
+                                      : kDensities + std::uint64_t{counted};
         order_.push_back(turn << 32 | number);
     }
     const std::size_t taken = std::min(max, order_.size());
@@ -222,8 +217,7 @@ void IndirectLight::chooseRecords(std::size_t max) {
 /// Records with the fewest have just had one more.
 std::uint32_t IndirectLight::minPasses() const {
     std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
-    for (const std::uint32_t number : chosen_)
-        fewest = std::min(fewest, records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U));
+    for (const std::uint32_t number : chosen_) fewest = std::min(fewest, countedPasses(number));
     return fewest;
 }
 

@@ -21,6 +21,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ namespace rtcore {
 struct GatherBudget {
     std::uint32_t rays = 16384; ///< from records, by 64
     std::uint32_t paths = 1536; ///< of them that go on as paths, about
+    /// Records with so many passes get no more; coarse ones with a quarter of them.
+    std::uint32_t enough = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// Not for several threads at once: it uses all of them itself. Its state depends on the scene and the steps
@@ -48,10 +51,6 @@ class IndirectLight {
     /// Goes on where the light was that the state is of: its surfaces and all that lights them are those of
     /// the last begin(), and checkIndirectState() has nothing against it. Then all to come has the same bits.
     void restore(const IndirectState& kept);
-    /// Takes only what holds by any light of the same surfaces: positions and radii of records, which tell
-    /// nothing before their next pass.
-    void restoreSurfaces(const IndirectState& kept);
-
     /// Takes another tracer of the same surfaces.
     void rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
         prepare(scene, tracer, settings);
@@ -62,7 +61,7 @@ class IndirectLight {
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
     /// Learning in the last step: rays from records, the seconds that all of it took, and the fewest passes
-    /// of a record that was of use lately; those of coarse ones count four times.
+    /// of a record that was of use lately and had one; those of coarse ones count four times.
     struct Learned {
         std::size_t rays = 0;
         double seconds = 0;
@@ -72,6 +71,7 @@ class IndirectLight {
     /// Looks up what is known. From many threads, while none learns.
     const IrradianceCache& cache() const { return cache_; }
     const OutgoingCells& cells() const { return cells_; }
+    std::uint32_t steps() const { return frame_; } ///< since begin(), or of all that was restored
 
     std::size_t memory() const; ///< bytes that grow with what is remembered
     /// So many records and cells are remembered; beyond, those that were of no use for longest are forgotten.
@@ -93,7 +93,10 @@ class IndirectLight {
     GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
-    void chooseRecords(std::size_t max);
+    void chooseRecords(std::size_t max, std::uint32_t enough);
+    std::uint32_t countedPasses(std::uint32_t number) const {
+        return records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U);
+    }
     std::uint32_t minPasses() const;
     void orderChosen();
     Colour fromSurroundings(std::size_t ray, Vec3 normal) const;

@@ -11,12 +11,19 @@ namespace rtcore {
 namespace {
 
 constexpr float kMaxNumber = 1e18F; ///< so that squares are finite
+/// Of lengths whose squares irradiance is divided by, and of irradiance: so that what they give is finite.
+constexpr float kMinLength = 1e-12F, kMaxIrradiance = 1e12F;
+constexpr float kMinShrink = 0.05F;
 constexpr float kRounding = 1.001F; ///< of lengths up to 1
 
 bool isNumber(float x) { return std::fabs(x) <= kMaxNumber; }
 bool isNumber(Vec3 v) { return isNumber(v.x) && isNumber(v.y) && isNumber(v.z); }
 bool isNumber(Colour c) { return isNumber(c.r) && isNumber(c.g) && isNumber(c.b); }
-/// Of light, and of lengths.
+bool isIrradiance(Colour c) {
+    return std::fabs(c.r) <= kMaxIrradiance && std::fabs(c.g) <= kMaxIrradiance &&
+           std::fabs(c.b) <= kMaxIrradiance;
+}
+/// Of lengths.
 bool isAmount(float x) { return x >= 0 && x <= kMaxNumber; }
 bool isUnit(Vec3 v) { return isNumber(v) && std::fabs(dot(v, v) - 1) <= 1e-3F; }
 
@@ -28,9 +35,9 @@ bool isWall(const RecordWall& wall, float distance) {
 }
 
 bool isRecord(const IrradianceRecord& record, float indexed) {
-    return isNumber(record.position) && isUnit(record.normal) && record.radius > 0 &&
+    return isNumber(record.position) && isUnit(record.normal) && record.radius >= kMinLength &&
            record.radius <= indexed && isAmount(indexed) && record.confidence >= 0 &&
-           record.confidence <= 1 && isNumber(record.irradiance) && isNumber(record.slant) &&
+           record.confidence <= 1 && isIrradiance(record.irradiance) && isNumber(record.slant) &&
            length(record.slant) <= kRounding && record.distance >= 0;
 }
 
@@ -41,14 +48,13 @@ bool isHistory(const RecordHistory& history, const IrradianceRecord& record, std
     const bool seen = history.allPasses > 0 ? isAmount(record.distance) : record.confidence == 0;
     return seen && history.irradiance == record.irradiance && isNumber(history.vector) &&
            walls == record.walls && isWall(walls[0], distances[0]) && isWall(walls[1], distances[1]) &&
-           isAmount(history.pixel) && history.pixel > 0 && history.shrink > 0 && history.shrink <= 1 &&
-           isAmount(history.inverseLengths) && history.density < kDensities &&
+           isAmount(history.pixel) && history.pixel >= kMinLength && history.shrink >= kMinShrink &&
+           history.shrink <= 1 && isAmount(history.inverseLengths) && history.density < kDensities &&
            history.passes <= history.allPasses && history.allPasses <= steps;
 }
 
 bool isCell(const OutgoingCells::Cell& cell, std::uint32_t steps) {
-    return isNumber(cell.sum) && cell.squares >= 0 && std::isfinite(cell.squares) && cell.count > 0 &&
-           cell.frame <= steps;
+    return isNumber(cell.sum) && isAmount(cell.squares / kMaxNumber) && cell.count > 0 && cell.frame <= steps;
 }
 
 /// Whether lists of records are as short, and as quickly found, as they are where records lack before they
@@ -81,7 +87,7 @@ std::optional<Sentence> checkIndirectState(const IndirectState& kept) {
     if (irradiance.indexed.size() != count || irradiance.lastUse.size() != count ||
         histories.size() != count || kept.passes.names < count)
         return form("its numbers of records differ");
-    if (kept.frame > kMaxSteps || !isNumber(irradiance.guess))
+    if (kept.frame > kMaxSteps || !isIrradiance(irradiance.guess))
         return form("its guess or its steps make no sense");
     for (std::size_t i = 0; i < count; ++i) {
         // A step that was stopped may have used it, too.

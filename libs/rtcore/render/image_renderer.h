@@ -1,6 +1,7 @@
 /// Images by any integrator: whose renderer is which is known here alone.
 #pragma once
 
+#include "rtcore/gathering/indirect_state.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
@@ -54,6 +55,9 @@ class ImageRenderer {
     /// Remarks on the last image.
     virtual std::vector<ImageRemark> remarks() const { return {}; }
 
+    /// Indirect light of images to come begins with that, as ViewLight::beginWith().
+    virtual void beginWith(const std::shared_ptr<const IndirectState>& /*kept*/) {}
+
     /// Progress of render(), 0..1. Any thread.
     virtual double fraction(const RenderControl& control) const { return control.fraction(); }
     /// Parts of the image itself that are done since the last call, while it is rendered with
@@ -67,8 +71,11 @@ std::unique_ptr<ImageRenderer> makeImageRenderer(Integrator integrator);
 class ImageRenderers {
   public:
     ImageRenderer& of(Integrator integrator);
+    /// As ViewLight::beginWith().
+    void beginWith(std::shared_ptr<const IndirectState> kept);
 
   private:
+    std::shared_ptr<const IndirectState> kept_;
     std::vector<std::unique_ptr<ImageRenderer>> renderers_;
 };
 

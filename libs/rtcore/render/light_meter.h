@@ -6,7 +6,9 @@
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/view.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -30,6 +32,8 @@ class LightMeter {
     /// Images to come by rays are lit by this, which must outlive them; null: each by what it has learned
     /// itself, on which alone white() is what it says.
     void lightIndirectlyFrom(const IrradianceCache* cache) { cache_ = cache; }
+    /// Where each image learns itself: as ViewLight::beginWith().
+    void beginWith(std::shared_ptr<const IndirectState> kept) { images_.beginWith(std::move(kept)); }
 
   private:
     std::optional<float> whiteOf(const View& small, RenderControl& control);

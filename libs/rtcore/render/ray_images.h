@@ -6,6 +6,7 @@
 #include "rtcore/render/view_light.h"
 
 #include <atomic>
+#include <memory>
 
 namespace rtcore {
 
@@ -13,6 +14,7 @@ class RayImages : public ImageRenderer {
   public:
     bool render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) override;
     bool rendersAovs() const override { return true; }
+    void beginWith(const std::shared_ptr<const IndirectState>& kept) override { light_.beginWith(kept); }
     double fraction(const RenderControl& control) const override;
     std::vector<PixelArea> takeFinishedTiles() override { return refinement_.finishedTiles().take(); }
 

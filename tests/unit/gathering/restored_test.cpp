@@ -80,30 +80,6 @@ TEST(Restored, FromNothingIsNothing) {
     EXPECT_EQ(restored.steps(0, 5), walk.steps(0, 5));
 }
 
-TEST(Restored, KeepsOnlySurfacesByAnotherLight) {
-    Walk walk;
-    walk.steps(0, 40);
-    Scene dark = test::furnishedRoom();
-    dark.background = {};
-    dark.lights[0].light.intensity = {0, 0, 0};
-    Walk other(std::move(dark));
-    other.room.light.restoreSurfaces(walk.room.light.state());
-    const IrradianceCache& before = walk.room.light.cache();
-    const IrradianceCache& after = other.room.light.cache();
-    ASSERT_EQ(after.size(), before.size());
-    for (std::uint32_t i = 0; i < after.size(); ++i) {
-        EXPECT_EQ(after.record(i).position, before.record(i).position);
-        EXPECT_EQ(after.record(i).radius, before.record(i).radius);
-    }
-    EXPECT_TRUE(other.room.light.cells().empty());
-    EXPECT_EQ(other.room.mean(), Colour{});
-    EXPECT_EQ(checkIndirectState(other.room.light.state()), std::nullopt);
-    other.steps(40, 80);
-    // Emission alone is left.
-    EXPECT_LT(other.room.mean().g, 0.5F * walk.room.mean().g);
-    EXPECT_GT(other.room.mean().g, 0);
-}
-
 class States : public testing::Test {
   protected:
     void SetUp() override {

@@ -26,7 +26,7 @@ TEST(LightFile, KeepsEveryBit) {
     const IndirectState state = learned.room.light.state();
     writeLightFile(folder / "room.light", learned.key(), state);
     const LightFile file = readLightFile(folder / "room.light", learned.key());
-    EXPECT_EQ(file.match, LightMatch::All);
+    EXPECT_EQ(file.match, LightMatch::Same);
     EXPECT_EQ(file.light, state);
     EXPECT_EQ(std::filesystem::file_size(folder / "room.light"),
               64 + 145 * state.irradiance.records.size() + 32 * state.cells.size());
@@ -35,7 +35,7 @@ TEST(LightFile, KeepsEveryBit) {
 TEST(LightFile, KeepsWhatIsNothing) {
     const test::LearnedRoom nothing(0);
     const LightFile file = readLightFile(nothing.bytes(), nothing.key(), "empty.light");
-    EXPECT_EQ(file.match, LightMatch::All);
+    EXPECT_EQ(file.match, LightMatch::Same);
     EXPECT_EQ(file.light, nothing.room.light.state());
 }
 
@@ -44,11 +44,11 @@ TEST(LightFile, TellsWhatOfItHolds) {
     LightKey key = learned.key();
     key.light ^= 1;
     LightFile file = readLightFile(learned.bytes(), key, "room.light");
-    EXPECT_EQ(file.match, LightMatch::Surfaces);
-    EXPECT_EQ(file.light, learned.room.light.state());
+    EXPECT_EQ(file.match, LightMatch::OtherLight);
+    EXPECT_EQ(file.light, IndirectState{});
     key.surfaces ^= 1;
     file = readLightFile(learned.bytes(), key, "room.light");
-    EXPECT_EQ(file.match, LightMatch::None);
+    EXPECT_EQ(file.match, LightMatch::OtherSurfaces);
     EXPECT_EQ(file.light, IndirectState{});
 }
 
@@ -257,6 +257,10 @@ TEST(LightKey, IsTheSameForOtherViewsAndNames) {
     settings.antialiasing = 4;
     settings.exposure.key = 1;
     settings.path.samples = 7;
+    settings.path.seed = 3;
+    settings.integrator = Integrator::Path;
+    settings.indirect.mode = IndirectMode::Live;
+    settings.areaLights.samples = 9;
     EXPECT_EQ(keyOf(scene, settings), key);
     ModelBuffers buffers = buffersOf(scene.model);
     buffers.cameras.push_back({});

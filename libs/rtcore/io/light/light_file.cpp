@@ -36,6 +36,13 @@ LightHead checkedHead(std::span<const std::byte> first, std::uint64_t size, cons
 
 } // namespace
 
+std::uint64_t lightFileBytes(std::size_t records, std::size_t cells) {
+    LightHead head;
+    head.records = static_cast<std::uint32_t>(records);
+    head.cells = static_cast<std::uint32_t>(cells);
+    return sizeOf(head);
+}
+
 void writeLightFile(const std::filesystem::path& path, const LightKey& key, const IndirectState& light) {
     if (const auto problem = checkIndirectState(light))
         throw FileError(FailureKind::BadData, path.string(), say("not written: {0}", *problem));
@@ -59,7 +66,8 @@ LightFile readLightFile(std::span<const std::byte> bytes, const LightKey& key, c
         failLight(name, form("the file is damaged (its checksum differs)"));
     LightFile file;
     if (head.surfaces != key.surfaces) return file;
-    file.match = head.light == key.light ? LightMatch::All : LightMatch::Surfaces;
+    file.match = head.light == key.light ? LightMatch::Same : LightMatch::OtherLight;
+    if (file.match != LightMatch::Same) return file;
     file.light = lightBehind(head, bytes.subspan(kLightHeadBytes), key.bounds);
     if (const auto problem = checkIndirectState(file.light)) failLight(name, *problem);
     return file;

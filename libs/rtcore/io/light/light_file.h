@@ -6,26 +6,31 @@
 #include "rtcore/io/light/light_key.h"
 
 #include <cstddef>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 
 namespace rtcore {
 
-/// How much of a file holds for a scene.
+/// Whether a file is of a scene.
 enum class LightMatch {
-    None,     ///< other surfaces: nothing
-    Surfaces, ///< the same surfaces by another light: IndirectLight::restoreSurfaces()
-    All       ///< IndirectLight::restore()
+    OtherSurfaces,
+    OtherLight, ///< on the same surfaces
+    Same        ///< IndirectLight::restore()
 };
 
 struct LightFile {
-    LightMatch match = LightMatch::None;
-    IndirectState light; ///< empty where nothing matches
+    LightMatch match = LightMatch::OtherSurfaces;
+    IndirectState light; ///< empty where it is of another scene
 };
 
+/// The size of a file of so many records and cells.
+std::uint64_t lightFileBytes(std::size_t records, std::size_t cells);
+
 /// Writes by writeFileAtomically(): a reader sees the old file or all of the new one, whenever the writer is
-/// killed. 145 bytes for each record and 32 for each cell. The same light gives the same bytes.
+/// killed. The same light gives the same bytes.
 /// Throws FileError: CannotWrite, and BadData where readLightFile() would refuse the file.
 void writeLightFile(const std::filesystem::path& path, const LightKey& key, const IndirectState& light);
 

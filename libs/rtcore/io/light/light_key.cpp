@@ -80,12 +80,16 @@ void addFog(const Scene& scene, ContentHash& to) {
     addVec(scene.up, to);
 }
 
+/// Of those that change light; how many rays of a kind an image takes is no matter of what is learned.
+constexpr const char* kLearnedWith[] = {
+    "shadows",           "reflections",   "refractions",   "textures",           "maxDepth",
+    "environmentFilter", "path.bounces",  "path.caustics", "path.clampIndirect", "path.rouletteFrom",
+    "path.emitters",     "fog.on",
+};
+
 void addSettings(const RenderSettings& settings, ContentHash& to) {
-    for (const Setting& setting : settingsTable()) {
-        if (setting.changes != SettingChange::Light) continue;
-        to.add(setting.name);
-        to.add(std::string_view(settingText(setting.get(settings))));
-    }
+    for (const char* const name : kLearnedWith)
+        to.add(std::string_view(settingText(requireSetting(name).get(settings))));
 }
 
 std::uint64_t surfacesOf(const Scene& scene, const Box3& bounds) {

@@ -18,8 +18,7 @@ struct LightKey {
 };
 
 /// Reads all of the model and of the environment: some 0.2 s for each GB. A plane that cuts the model is not
-/// part of it. The camera, the size of the image, names and all that changes only the display do not count
-/// (SettingChange::Light).
+/// part of it. Of the settings only those count that IndirectLight uses; the camera and names do not.
 LightKey lightKeyOf(const Scene& scene, const Box3& bounds, const RenderSettings& settings);
 
 } // namespace rtcore

@@ -1,0 +1,49 @@
+#include "renderer/shared_light.h"
+
+#include "rtcore/io/light/light_file.h"
+#include "rtcore/platform/error.h"
+
+#include <utility>
+
+namespace renderer {
+
+bool SharedLight::lights(const rtcore::RenderSettings& settings) {
+    return settings.indirect.mode == rtcore::IndirectMode::Live &&
+           settings.integrator == rtcore::Integrator::Whitted;
+}
+
+std::shared_ptr<const rtcore::IndirectState>
+SharedLight::of(const LitScene& lit, const std::function<std::vector<LightView>()>& views) {
+    if (!lights(lit.settings)) return nullptr;
+    Switches switches{lit.scene.lights, lit.scene.activeEnvironment};
+    if (!switches_) {
+        light_ = options_.light ? read(lit) : learn(lit, views());
+        switches_ = std::move(switches);
+        return light_;
+    }
+    return switches == *switches_ ? light_ : nullptr;
+}
+
+std::shared_ptr<const rtcore::IndirectState> SharedLight::read(const LitScene& lit) const {
+    const rtcore::LightKey key = rtcore::lightKeyOf(lit.scene, lit.tracer.bounds(), lit.settings);
+    rtcore::LightFile file = rtcore::readLightFile(*options_.light, key);
+    if (file.match == rtcore::LightMatch::Same)
+        return std::make_shared<const rtcore::IndirectState>(std::move(file.light));
+    const bool sameSurfaces = file.match == rtcore::LightMatch::OtherLight;
+    throw rtcore::FileError(
+        rtcore::FailureKind::BadData, options_.light->string(),
+        sameSurfaces ? rtcore::form("is of the same surfaces by another light; make it anew by --make-light")
+                     : rtcore::form("is of other surfaces; make one of this scene by --make-light"));
+}
+
+std::shared_ptr<const rtcore::IndirectState> SharedLight::learn(const LitScene& lit,
+                                                                const std::vector<LightView>& views) const {
+    if (views.size() < 2) return nullptr;
+    rtcore::LearnedLight light;
+    light.begin(lit.scene, lit.tracer, lit.settings);
+    if (learnViews(light, lit, views, {}, options_.threads, progress_).stopped)
+        throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+    return std::make_shared<const rtcore::IndirectState>(light.state());
+}
+
+} // namespace renderer
