@@ -98,8 +98,15 @@ TEST_F(ModelCacheTest, TheOldestMakeRoom) {
     ASSERT_TRUE(old.resize(qint64{100} * 1024 * 1024));
     ASSERT_TRUE(old.setFileTime(QDateTime::currentDateTime().addDays(-2), QFileDevice::FileModificationTime));
     old.close();
+    ASSERT_TRUE(QFile::copy(old.fileName(), cache() + QStringLiteral("/old.light")));
+    QFile light(cache() + QStringLiteral("/old.light"));
+    ASSERT_TRUE(light.open(QIODevice::ReadWrite));
+    ASSERT_TRUE(
+        light.setFileTime(QDateTime::currentDateTime().addDays(-3), QFileDevice::FileModificationTime));
+    light.close();
     writeRoom(folder() / "other.obj");
     ASSERT_NO_FATAL_FAILURE(keep(file("other.obj")));
+    EXPECT_FALSE(light.exists());
     EXPECT_FALSE(old.exists());
     EXPECT_TRUE(QFile::exists(first));
 }
@@ -117,6 +124,8 @@ TEST_F(ModelCacheTest, AWindowThatOpensAModelKeepsIt) {
     window.show();
     window.open(file("room.obj"));
     ASSERT_TRUE(shows(window.session()));
+    EXPECT_TRUE(
+        window.keeper().server().request().options.contains(QStringLiteral("--light-cache=") + cache()));
     EXPECT_TRUE(
         window.keeper().server().request().options.last().startsWith(QStringLiteral("--cached-model=")));
     window.close();

@@ -110,6 +110,8 @@ QString ModelCache::find(const QString& scene) const {
     return file.fileName();
 }
 
+QString ModelCache::lightFolder() const { return megabytes_ > 0 ? cacheFolder().path() : QString(); }
+
 void ModelCache::keep(const QString& scene) {
     const std::optional<Source> source = megabytes_ > 0 ? sourceOf(scene) : std::nullopt;
     const QString program = programPath(QStringLiteral("BSPBuilder"));
@@ -147,7 +149,8 @@ void ModelCache::makeRoom() const {
     const QDir folder = cacheFolder();
     constexpr qint64 kMegabyte = 1024 * 1024;
     qint64 room = megabytes_ * kMegabyte;
-    for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.bsp")}, QDir::Files, QDir::Time)) {
+    const QStringList kept{QStringLiteral("*.bsp"), QStringLiteral("*.light")};
+    for (const QFileInfo& file : folder.entryInfoList(kept, QDir::Files, QDir::Time)) {
         room -= file.size();
         if (room < 0) QFile::remove(file.filePath());
     }

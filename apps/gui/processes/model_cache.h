@@ -1,4 +1,4 @@
-/// Models with their kd-trees, kept for the next time.
+/// Models with their kd-trees, and their indirect light, kept for the next time.
 #pragma once
 
 #include <QObject>
@@ -26,6 +26,8 @@ class ModelCache : public QObject {
     /// Makes it by a BSPBuilder that stays behind everything else, unless it is there. One at a time: the
     /// build of another model is given up. Failures are silent, for nothing depends on it.
     void keep(const QString& scene);
+    /// Where servers keep the indirect light of scenes; empty when nothing is kept.
+    QString lightFolder() const;
     bool building() const { return builder_ != nullptr; }
 
   signals:

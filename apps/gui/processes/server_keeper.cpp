@@ -55,6 +55,8 @@ void ServerKeeper::launch(const ServerRequest& request) {
     waitsForFrame_ = true;
     ServerRequest extended = request;
     extended.keep = keep_;
+    const QString light = models_.lightFolder();
+    if (!light.isEmpty()) extended.options.append(QStringLiteral("--light-cache=") + light);
     const QString built = importsByOptions(request) ? QString() : models_.find(request.scene);
     if (!built.isEmpty()) extended.options.append(QStringLiteral("--cached-model=") + built);
     server_.start(extended);

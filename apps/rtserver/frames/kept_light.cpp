@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 constexpr auto kFirstFrame = 300ms;            ///< that the first frame may wait for its light
 constexpr auto kApart = 10s;                   ///< between files that are written
 constexpr auto kPatience = 5s;                 ///< at the end
-constexpr std::uint32_t kSteps = 64;           ///< less was learned: not worth a file
+constexpr std::uint32_t kSteps = 16;           ///< less was learned: not worth a file
 constexpr std::uintmax_t kFolder = 500U << 20; ///< bytes that the folder may hold
 
 /// The oldest go first.
