@@ -109,7 +109,10 @@ absolute log
 mkdir -p "$folder" "$log"
 
 frames_of="$(quoted "$renderer") $(quoted "$scene") -l $(quoted "$list") -o $(quoted "$output")"
-render="$frames_of$renderer_options --progress=plain"
+# Parts learn indirect light, if frames are lit by it, once, and not each that of the whole list.
+light=$log/film.light
+case "$renderer_options" in *--light*) light="" ;; *) rm -f "$light" ;; esac
+render="$frames_of$renderer_options${light:+ --light=$(quoted "$light")} --progress=plain"
 verify="$frames_of --verify"
 # Where options of the Renderer name files, they do so from here.
 here="cd $(quoted "$PWD") 2>/dev/null"

@@ -235,7 +235,8 @@ OptionGroup lightOptions() {
               .argument = "FILE",
               .help = "with indirect.mode=live: images begin with the indirect light of this file, so that "
                       "they come sooner and those of a list do not flicker [a list learns it of its views]",
-              .more = "A file of another scene, or of the same by other light, is refused",
+              .more = "A list makes the file where it is missing, so that its parts learn it once. A file of "
+                      "another scene, or of the same by other light, is refused",
               .files = {"light"}},
              {.name = "make-light",
               .value = ValueKind::Text,

@@ -3,6 +3,9 @@
 #include "rtcore/io/light/light_file.h"
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
+#include <filesystem>
 #include <utility>
 
 namespace renderer {
@@ -17,7 +20,8 @@ SharedLight::of(const LitScene& lit, const std::function<std::vector<LightView>(
     if (!lights(lit.settings)) return nullptr;
     Switches switches{lit.scene.lights, lit.scene.activeEnvironment};
     if (!switches_) {
-        light_ = options_.light ? read(lit) : learn(lit, views());
+        const bool makes = !options_.light || (options_.list && !std::filesystem::exists(*options_.light));
+        light_ = makes ? learn(lit, views()) : read(lit);
         switches_ = std::move(switches);
         return light_;
     }
@@ -43,7 +47,15 @@ std::shared_ptr<const rtcore::IndirectState> SharedLight::learn(const LitScene& 
     light.begin(lit.scene, lit.tracer, lit.settings);
     if (learnViews(light, lit, views, {}, options_.threads, progress_).stopped)
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
-    return std::make_shared<const rtcore::IndirectState>(light.state());
+    auto learned = std::make_shared<const rtcore::IndirectState>(light.state());
+    if (options_.light) keep(lit, *learned);
+    return learned;
+}
+
+void SharedLight::keep(const LitScene& lit, const rtcore::IndirectState& light) const {
+    const rtcore::LightKey key = rtcore::lightKeyOf(lit.scene, lit.tracer.bounds(), lit.settings);
+    rtcore::writeLightFile(*options_.light, key, light);
+    progress_.print(fmt::format("wrote {}", options_.light->string()));
 }
 
 } // namespace renderer

@@ -17,7 +17,9 @@
 
 namespace renderer {
 
-/// That of --light; or that of a list, learned of its views before the first image. Both must outlive it.
+/// That of --light; or that of a list, learned of its views before the first image, and written to the file
+/// of
+/// --light where that is missing. Both must outlive it.
 class SharedLight {
   public:
     SharedLight(const RendererOptions& options, app::Progress& progress)
@@ -42,6 +44,7 @@ class SharedLight {
     std::shared_ptr<const rtcore::IndirectState> read(const LitScene& lit) const;
     std::shared_ptr<const rtcore::IndirectState> learn(const LitScene& lit,
                                                        const std::vector<LightView>& views) const;
+    void keep(const LitScene& lit, const rtcore::IndirectState& light) const;
 
     const RendererOptions& options_;
     app::Progress& progress_;

@@ -22,10 +22,10 @@ struct Options {
     std::string instance = "default";
     std::optional<std::filesystem::path> camera, settingsFile, path, cachedModel;
     std::optional<std::filesystem::path> light, lightCache; ///< indirect light, of the first scene; of all
-    std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
-    int threads = 0;                                 ///< 0 = all cores
-    double framesPerSecond = 0;                      ///< at most; 0 = as many as there can be
-    double frameSeconds = 0;                         ///< that the frame after a change may take; 0 = any time
+    std::vector<rtcore::SettingAssignment> settings;        ///< in the order of the command line
+    int threads = 0;                                        ///< 0 = all cores
+    double framesPerSecond = 0;                             ///< at most; 0 = as many as there can be
+    double frameSeconds = 0;            ///< that the frame after a change may take; 0 = any time
     std::optional<std::int64_t> parent; ///< when this process is gone, end as soon as no client is connected
     bool daemon = false;
     rtcore::ImportOptions import;

@@ -61,6 +61,20 @@ TEST_F(KeptLight, OfAFileIsThatOfTheListThatItWasMadeOf) {
     EXPECT_EQ(bytes("still.png"), bytes("kept2.png"));
 }
 
+TEST_F(KeptLight, OfAListIsWrittenWhereTheFileIsMissing) {
+    const test::ProgramResult first =
+        render({"-l", "film.lst", "-o", "a#.png", "--chunk=1/2", "--light=film.light"});
+    ASSERT_EQ(first.exitCode, 0) << first.error;
+    EXPECT_NE(first.error.find("wrote film.light"), std::string::npos) << first.error;
+    const test::ProgramResult second =
+        render({"-l", "film.lst", "-o", "a#.png", "--chunk=2/2", "--light=film.light"});
+    ASSERT_EQ(second.exitCode, 0) << second.error;
+    EXPECT_EQ(second.error.find("wrote film.light"), std::string::npos) << second.error;
+    ASSERT_EQ(render({"-l", "film.lst", "-o", "b#.png"}).exitCode, 0);
+    for (const char* const number : {"1", "4"})
+        EXPECT_EQ(bytes(std::string("a") + number + ".png"), bytes(std::string("b") + number + ".png"));
+}
+
 TEST_F(KeptLight, IsMadeOfAllThatIsWalkedOn) {
     const test::ProgramResult made = make({"-v"});
     ASSERT_EQ(made.exitCode, 0) << made.error;

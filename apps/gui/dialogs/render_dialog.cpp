@@ -29,15 +29,16 @@ namespace {
 
 // Those with fields of their own, and those that make no sense here.
 QStringList ownOptions() {
-    static constexpr const char* kNames[] = {"output",       "width",      "height",
-                                             "camera",       "list",       "frames",
-                                             "video",        "integrator", "samples",
-                                             "antialiasing", "bloom",      "ambient-occlusion",
-                                             "ao-samples",   "set",        "no-ambient-occlusion",
-                                             "denoise",      "stand-by",   "format",
-                                             "preview",      "run-id",     "linger",
-                                             "progress",     "parent",     "requeue",
-                                             "verify",       "debug-scene"};
+    static constexpr const char* kNames[] = {"output",       "width",       "height",
+                                             "camera",       "list",        "frames",
+                                             "video",        "integrator",  "samples",
+                                             "antialiasing", "bloom",       "ambient-occlusion",
+                                             "ao-samples",   "set",         "no-ambient-occlusion",
+                                             "denoise",      "stand-by",    "format",
+                                             "preview",      "run-id",      "linger",
+                                             "progress",     "parent",      "requeue",
+                                             "verify",       "debug-scene", "make-light",
+                                             "light-time",   "light-size"};
     QStringList names;
     for (const char* name : kNames) names.append(QLatin1String(name));
     return names;

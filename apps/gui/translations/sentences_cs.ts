@@ -1052,6 +1052,10 @@
         <translation>ignorováno, protože se nepodporuje: {0}</translation>
     </message>
     <message>
+        <source>indirect light is not kept: {0}</source>
+        <translation>nepřímé světlo se neuchovává: {0}</translation>
+    </message>
+    <message>
         <source>indirect light is rendered, and {0} stand in for it: it counts twice; to switch them off: {1}</source>
         <translation>nepřímé světlo se počítá a {0} ho jen nahrazují: započítá se dvakrát; zhasnete je takto: {1}</translation>
     </message>
@@ -1070,6 +1074,14 @@
     <message>
         <source>is no file of indirect light of this suite</source>
         <translation>není soubor nepřímého světla této sady programů</translation>
+    </message>
+    <message>
+        <source>is of other surfaces; make one of this scene by --make-light</source>
+        <translation>patří k jiným povrchům; vytvořte soubor této scény pomocí --make-light</translation>
+    </message>
+    <message>
+        <source>is of the same surfaces by another light; make it anew by --make-light</source>
+        <translation>patří ke stejným povrchům v jiném osvětlení; vytvořte jej znovu pomocí --make-light</translation>
     </message>
     <message>
         <source>it ends after {0} of the {1} elements '{2}' that its head promises</source>
@@ -1994,6 +2006,10 @@
     <message>
         <source>stopped; try again</source>
         <translation>zastaveno; zkuste to znovu</translation>
+    </message>
+    <message>
+        <source>stopped; what was learned is kept, and the same command goes on</source>
+        <translation>zastaveno; co bylo zjištěno, zůstává uloženo a stejný příkaz pokračuje</translation>
     </message>
     <message>
         <source>strings: the first name must be empty</source>
@@ -2924,6 +2940,10 @@
         <translation>{0} není v rozsahu {1}..{2}</translation>
     </message>
     <message>
+        <source>{0} is of another scene or light; it is made anew</source>
+        <translation>{0} patří k jiné scéně nebo osvětlení; vytváří se znovu</translation>
+    </message>
+    <message>
         <source>{0} is out of range</source>
         <translation>{0} je mimo rozsah</translation>
     </message>
@@ -3138,6 +3158,10 @@
     <message>
         <source>{0}: element {1}: {2}</source>
         <translation>{0}: prvek {1}: {2}</translation>
+    </message>
+    <message>
+        <source>{0}: is the light of another scene; it is not used</source>
+        <translation>{0}: je to světlo jiné scény; nepoužije se</translation>
     </message>
     <message>
         <source>{0}: no memory for it: {1}</source>

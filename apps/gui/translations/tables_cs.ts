@@ -1021,6 +1021,42 @@
         <translation>libovolné nastavení podle jména; lze zadat vícekrát</translation>
     </message>
     <message>
+        <source>Kept light</source>
+        <translation>Uchované světlo</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Světlo</translation>
+    </message>
+    <message>
+        <source>with indirect.mode=live: images begin with the indirect light of this file, so that they come sooner and those of a list do not flicker [a list learns it of its views]</source>
+        <translation>při indirect.mode=live: obrázky začínají nepřímým světlem z tohoto souboru, takže jsou hotové dříve a snímky seznamu neblikají [seznam je zjistí ze svých pohledů]</translation>
+    </message>
+    <message>
+        <source>Make light</source>
+        <translation>Vytvořit světlo</translation>
+    </message>
+    <message>
+        <source>learn the indirect light of the list's views, of --camera, or of views from all over the floors, write it to this .light file, and exit</source>
+        <translation>zjistit nepřímé světlo pohledů seznamu, pohledu --camera nebo pohledů ze všech podlah, zapsat je do tohoto souboru .light a skončit</translation>
+    </message>
+    <message>
+        <source>Light time</source>
+        <translation>Čas pro světlo</translation>
+    </message>
+    <message>
+        <source>with --make-light: learn for S seconds at most, about [no bound]</source>
+        <translation>s --make-light: zjišťovat přibližně nejvýše S sekund [bez omezení]</translation>
+    </message>
+    <message>
+        <source>Light size</source>
+        <translation>Velikost světla</translation>
+    </message>
+    <message>
+        <source>with --make-light: learn no more once the file has so many megabytes [no bound]</source>
+        <translation>s --make-light: dál nezjišťovat, jakmile má soubor tolik megabajtů [bez omezení]</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Náhled</translation>
     </message>

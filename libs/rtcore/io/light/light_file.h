@@ -6,7 +6,6 @@
 #include "rtcore/io/light/light_key.h"
 
 #include <cstddef>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>

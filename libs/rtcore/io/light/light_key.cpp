@@ -82,8 +82,8 @@ void addFog(const Scene& scene, ContentHash& to) {
 
 /// Of those that change light; how many rays of a kind an image takes is no matter of what is learned.
 constexpr const char* kLearnedWith[] = {
-    "shadows",           "reflections",   "refractions",   "textures",           "maxDepth",
-    "environmentFilter", "path.bounces",  "path.caustics", "path.clampIndirect", "path.rouletteFrom",
+    "shadows",           "reflections",  "refractions",   "textures",           "maxDepth",
+    "environmentFilter", "path.bounces", "path.caustics", "path.clampIndirect", "path.rouletteFrom",
     "path.emitters",     "fog.on",
 };
 
