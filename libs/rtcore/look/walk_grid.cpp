@@ -38,9 +38,9 @@ std::vector<Vec3> standingEyes(const KdTree& tree, const Mesh& mesh, const Surve
     for (int row = 0; row < rows; ++row) {
         for (int i = 0; i < columns; ++i) {
             const int column = row % 2 == 0 ? i : columns - 1 - i;
-            const Vec3 place = axes.right * (across.low + (static_cast<float>(column) + 0.5F) * apart) +
-                               axes.front * (along.low + (static_cast<float>(row) + 0.5F) * apart);
-            for (const Space& space : spacesAt(tree, mesh, axes, place))
+            const Vec3 position = axes.right * (across.low + (static_cast<float>(column) + 0.5F) * apart) +
+                                  axes.front * (along.low + (static_cast<float>(row) + 0.5F) * apart);
+            for (const Space& space : spacesAt(tree, mesh, axes, position))
                 if (const auto stand = standIn(tree, mesh, axes, space)) eyes.push_back(stand->eye);
         }
     }
