@@ -21,6 +21,13 @@ Camera viewTo(Vec3 eye, Vec3 forward, Vec3 up) {
     return camera;
 }
 
+/// But roofs, which lie under the sky and above other floors.
+std::vector<Space> floorsAt(const KdTree& tree, const Mesh& mesh, const Axes& axes, Vec3 position) {
+    std::vector<Space> spaces = spacesAt(tree, mesh, axes, position);
+    if (spaces.size() > 1 && std::isinf(spaces.front().headroom)) spaces.erase(spaces.begin());
+    return spaces;
+}
+
 /// Eyes of people on all floors. Every other row goes back, so that neighbours follow each other.
 std::vector<Vec3> standingEyes(const KdTree& tree, const Mesh& mesh, const Survey& survey) {
     constexpr float kApart = 1.2F;                 ///< metres at least
@@ -40,7 +47,7 @@ std::vector<Vec3> standingEyes(const KdTree& tree, const Mesh& mesh, const Surve
             const int column = row % 2 == 0 ? i : columns - 1 - i;
             const Vec3 position = axes.right * (across.low + (static_cast<float>(column) + 0.5F) * apart) +
                                   axes.front * (along.low + (static_cast<float>(row) + 0.5F) * apart);
-            for (const Space& space : spacesAt(tree, mesh, axes, position))
+            for (const Space& space : floorsAt(tree, mesh, axes, position))
                 if (const auto stand = standIn(tree, mesh, axes, space)) eyes.push_back(stand->eye);
         }
     }
@@ -68,10 +75,10 @@ std::vector<Camera> viewsAround(const Survey& survey) {
 std::vector<Camera> walkGrid(const KdTree& tree, const Mesh& mesh, const Survey& survey, int maxStands) {
     if (survey.subject.bounds.empty()) return {};
     const std::vector<Vec3> eyes = standingEyes(tree, mesh, survey);
-    if (eyes.empty()) return viewsAround(survey);
+    std::vector<Camera> views;
+    if (eyes.empty() || !survey.inside()) views = viewsAround(survey);
     const auto max = static_cast<std::size_t>(std::max(maxStands, 1));
     const std::size_t taken = std::min(eyes.size(), max);
-    std::vector<Camera> views;
     for (std::size_t i = 0; i < taken; ++i) {
         const Vec3 eye = eyes[i * eyes.size() / taken];
         for (int side = 0; side < kSides; ++side) {
