@@ -2,6 +2,7 @@
 
 #include "bench/walk/resample.h"
 
+#include "rtcore/io/light/light_file.h"
 #include "rtcore/io/recording/path_recorder.h"
 #include "rtserver/walk/playback.h"
 #include "support/temporary_folder.h"
@@ -184,9 +185,21 @@ std::vector<Published> LiveServer::drawEach(const std::vector<rtcore::Camera>& c
     return pictures;
 }
 
+void LiveServer::beginWithKeptLight(rtserver::FrameMaker& frames) const {
+    if (!walk_.light) return;
+    const rtserver::Document& document = state_.document;
+    const rtcore::LightKey key =
+        rtcore::lightKeyOf(*document.scene(), document.tracer()->bounds(), document.frameSettings());
+    const rtcore::LightFile file = rtcore::readLightFile(*walk_.light, key);
+    if (file.match != rtcore::LightMatch::Same)
+        throw std::runtime_error(walk_.light->string() + " is of another scene");
+    frames.beginLightWith(document, file.light);
+}
+
 std::vector<Published> LiveServer::draw(const std::vector<WalkStep>& steps) {
     constexpr std::uint64_t kHashOfNothing = 0xCBF29CE484222325;
     rtserver::FrameMaker frames(walk_.threads);
+    beginWithKeptLight(frames);
     std::vector<Published> pictures;
     bits_ = kHashOfNothing;
     for (const WalkStep& step : steps) {

@@ -63,6 +63,7 @@ class LiveServer {
     void turn(Clock::duration passed);
     void settle();
     void keepLight();
+    void beginWithKeptLight(rtserver::FrameMaker& frames) const;
     double nextCompared(double seconds) const;
 
     const WalkOptions& walk_;

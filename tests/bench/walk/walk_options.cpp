@@ -44,6 +44,11 @@ OptionGroup walkGroup() {
                   "anew, however long that takes",
           .minimum = 0.0001,
           .maximum = 1},
+         {.name = "light",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "with --new or --replay: begin with the indirect light that this file keeps",
+          .files = {"light"}},
          {.name = "look",
           .value = ValueKind::Choice,
           .argument = "LOOK",
@@ -190,6 +195,7 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
     if (const auto frames = arguments.integer("frames")) options.frames = static_cast<int>(*frames);
     options.fixed = arguments.has("fixed");
     options.newSamples = arguments.number("new").value_or(0);
+    if (const auto light = arguments.text("light")) options.light = *light;
     readComparison(arguments, options);
     const auto path = [&](const char* name) -> std::optional<std::filesystem::path> {
         const auto text = arguments.text(name);

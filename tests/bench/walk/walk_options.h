@@ -37,6 +37,7 @@ struct WalkOptions {
     std::optional<std::filesystem::path> csv, sheet, pictures;
     std::optional<std::filesystem::path> trace;  ///< gets the steps of the walk
     std::optional<std::filesystem::path> replay; ///< the steps that are drawn
+    std::optional<std::filesystem::path> light;  ///< indirect light that draw() begins with
     app::ProgressStyle progress = app::ProgressStyle::None;
 };
 
