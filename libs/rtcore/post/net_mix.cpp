@@ -1,12 +1,12 @@
 #include "rtcore/post/net_mix.h"
 
-#include "rtcore/neural/transfer.h"
 #include "rtcore/platform/threads.h"
+#include "rtcore/post/mix_squares.h"
+#include "rtcore/post/pixel_blocks.h"
+#include "rtcore/post/usual_display.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -14,66 +14,13 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kBlock = 8;
-constexpr float kKey = 0.18F;     ///< of the usual exposure
-constexpr double kDarkest = 0.01; ///< what squares of darker pixels count as, of the mean's
 constexpr double kExactCodes = 0.25, kNoisyCodes = 0.5; ///< standard errors: not seen, and nearly seen
 /// Those of a pool, beyond which a pixel without noise has missed light that others around have found.
 constexpr double kEvenCodes = 5, kUnevenCodes = 10;
 
-/// A mean over the channels.
-double meanProduct(Colour a, Colour b) {
-    return (static_cast<double>(a.r) * static_cast<double>(b.r) +
-            static_cast<double>(a.g) * static_cast<double>(b.g) +
-            static_cast<double>(a.b) * static_cast<double>(b.b)) /
-           3;
-}
-double squared(Colour a) { return meanProduct(a, a); }
-double squared(double a) { return a * a; }
-
 std::size_t pixelIndex(const HdrImage& image, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
 }
-
-/// f (1 - f): the variance of the mean of all samples, as a fraction of the expected (A - B)^2.
-double noiseOfMean(const SampleHalves& halves) {
-    const auto fraction = static_cast<double>(halves.firstFraction);
-    return fraction * (1 - fraction);
-}
-
-/// How bright and how coarse a usual display shows a radiance.
-class UsualDisplay {
-  public:
-    UsualDisplay(const HdrImage& image, int threads)
-        : scale_(exposureForNet({&image.pixels[0].r, sizeof(Colour) / sizeof(float)}, image.width,
-                                image.height, threads)) {}
-
-    /// Codes of 255 for a radiance near that luminance.
-    double codes(float luminance) const {
-        const float x = std::max(luminance, 0.0F) * scale_, shown = x / (1 + x);
-        const float slope =
-            shown <= 0.0031308F ? 12.92F : 1.055F / 2.4F * portablePow(shown, 1.0F / 2.4F - 1);
-        return static_cast<double>(255 * scale_ * slope / ((1 + x) * (1 + x)));
-    }
-    /// Codes by which a radiance of that luminance is shown brighter once `error` is added: no more than the
-    /// display has left.
-    double codesOf(float luminance, double error) const {
-        const auto shown = [&](double light) {
-            const auto x = static_cast<float>(std::min(light * static_cast<double>(scale_), 1e30));
-            return static_cast<double>(srgbEncode(x / (1 + x)));
-        };
-        const double light = std::max(static_cast<double>(luminance), 0.0);
-        return std::isfinite(light + error) ? 255 * (shown(light + error) - shown(light)) : 255;
-    }
-    /// What a squared error at that luminance counts.
-    double weight(float luminance) const {
-        const double x = static_cast<double>(luminance) * static_cast<double>(scale_ / kKey);
-        return 1 / (x * x + kDarkest);
-    }
-
-  private:
-    float scale_;
-};
 
 /// Sums over pixels that are covered alike, of squares by UsualDisplay::weight().
 struct BlockPool {
@@ -125,41 +72,6 @@ struct ExpectedSquares {
         sure = std::max(wrong - std::sqrt(pool.unsure) / pool.pixels, 0.0);
         net = std::max(apart - noise + 2 * kept, pool.nets / pool.pixels);
     }
-};
-
-/// Pixels of an image without those beyond its borders, in blocks.
-struct PixelBlocks {
-    int width, height;
-
-    int columns() const { return (width + kBlock - 1) / kBlock; }
-    int rows() const { return (height + kBlock - 1) / kBlock; }
-    /// use(pixel) with each of the block, in their order.
-    template <typename Use>
-    void forEach(int column, int row, Use&& use) const {
-        for (int y = row * kBlock; y < std::min((row + 1) * kBlock, height); ++y) {
-            for (int x = column * kBlock; x < std::min((column + 1) * kBlock, width); ++x) use(x, y);
-        }
-    }
-};
-
-/// The two blocks whose middles are nearest on a line, and how much the second one counts.
-class NearBlocks {
-  public:
-    struct Part {
-        int block;
-        double times;
-    };
-
-    NearBlocks(int position, int blocks) {
-        const double at = (position + 0.5) / kBlock - 0.5;
-        const int below = static_cast<int>(std::floor(at));
-        parts_ = {{{std::clamp(below, 0, blocks - 1), 1 - (at - below)},
-                   {std::clamp(below + 1, 0, blocks - 1), at - below}}};
-    }
-    const std::array<Part, 2>& both() const { return parts_; }
-
-  private:
-    std::array<Part, 2> parts_;
 };
 
 /// The variance of the mean at a pixel, by those around it that are covered alike.
@@ -234,7 +146,7 @@ class BlockPools {
 
     /// The same without its neighbours.
     const BlockPool& ofBlock(int x, int y, PixelCoverage coverage) const {
-        return pools_[indexOf(x / kBlock, y / kBlock, coverage)];
+        return pools_[indexOf(x / PixelBlocks::kSide, y / PixelBlocks::kSide, coverage)];
     }
 
   private:
