@@ -36,6 +36,7 @@ const rtcore::Frame* PreviewFilter::apply(const rtcore::ImagePass& pass,
                             .guides = pass.guides,
                             .stop = &stop,
                             .halves = frame.halves.empty() ? nullptr : &frame.halves,
+                            .steady = frame.steady.empty() ? nullptr : &frame.steady,
                             .covered = &frame.covered,
                             .netReport = &report_,
                             .netErrors = &errors_});

@@ -30,6 +30,7 @@ struct EffectRun {
     const Guides* guides = nullptr;          ///< of the frame; null: it has none
     const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
     const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
+    const HdrImage* steady = nullptr;        ///< Frame::steady, for a net's image; null: none
     const std::vector<std::uint8_t>* covered = nullptr; ///< Frame::covered; null: not known
     NetReport* netReport = nullptr;                     ///< gets the effect of a net; null: not told
     std::vector<float>* netErrors = nullptr;   ///< gets EstimatedError::pixels, or none; null: not told

@@ -15,6 +15,7 @@ const HdrImage& EffectChain::apply(const Frame& frame, const EffectRun& run) {
     own.guides = frame.guides.empty() ? nullptr : &frame.guides;
     own.covered = &frame.covered;
     own.halves = frame.halves.empty() ? nullptr : &frame.halves;
+    own.steady = frame.steady.empty() ? nullptr : &frame.steady;
     for (std::size_t i = 0; i < effects_.size(); ++i) {
         const EffectRow& row = *effects()[i];
         if (row.stage != EffectStage::Radiance || !row.wanted(run.settings)) continue;

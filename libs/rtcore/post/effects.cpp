@@ -9,6 +9,7 @@
 #include "rtcore/render/guides.h"
 #include "rtcore/render/image_sums.h"
 #include "rtcore/render/sample_halves.h"
+#include "rtcore/render/steady_image.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,7 @@ std::size_t effectBytesPerPixel(const RenderSettings& settings) {
     if (keepsHalves(settings))
         bytes +=
             SampleHalves::kBytesPerPixel + ImageSums::kHalfBytesPerPixel + EstimatedError::kBytesPerPixel;
+    if (mixesSteadyImage(settings)) bytes += SteadyImage::kBytesPerPixel;
     return bytes;
 }
 

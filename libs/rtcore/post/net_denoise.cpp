@@ -1,6 +1,7 @@
 #include "rtcore/post/net_denoise.h"
 
 #include "rtcore/platform/threads.h"
+#include "rtcore/post/steady_mix.h"
 #include "rtcore/render/guides.h"
 #include "rtcore/render/sample_halves.h"
 
@@ -22,11 +23,20 @@ PixelCoverage coverageOf(std::uint8_t byRays, std::uint8_t bySamples) {
     return byRays < kFull ? PixelCoverage::Part : PixelCoverage::Full;
 }
 
+bool sameSize(const HdrImage& a, const HdrImage& b) { return a.width == b.width && a.height == b.height; }
+
+/// The steady image of the picture; null where it has none.
+const HdrImage* steadyOf(const HdrImage& picture, const EffectRun& run) {
+    const bool serves =
+        run.steady != nullptr && mixesSteadyImage(run.settings) && sameSize(*run.steady, picture);
+    return serves ? run.steady : nullptr;
+}
+
 /// Whether the halves are those of the picture, and of enough samples.
 bool halvesServe(const HdrImage& picture, const EffectRun& run) {
+    const int minimum = steadyOf(picture, run) != nullptr ? kSteadySamples : kEstimatedSamples;
     return run.halves != nullptr && run.settings.denoise.mix &&
-           run.halves->samples >= static_cast<std::uint32_t>(kEstimatedSamples) &&
-           run.halves->first.width == picture.width && run.halves->first.height == picture.height;
+           run.halves->samples >= static_cast<std::uint32_t>(minimum) && sameSize(run.halves->first, picture);
 }
 
 double lightOf(const HdrImage& picture) {
@@ -54,21 +64,19 @@ const HdrImage& NetDenoise::apply(const HdrImage& picture, const Aovs&, const Ef
     if (run.netReport != nullptr) *run.netReport = report;
     if (run.netErrors != nullptr) run.netErrors->clear();
     if (run.net == nullptr || run.guides == nullptr || picture.empty()) return picture;
-    const HdrImage& guide = run.guides->albedo;
-    if (guide.width != picture.width || guide.height != picture.height) return picture;
+    if (!sameSize(run.guides->albedo, picture)) return picture;
     if (!denoiser_ || &denoiser_->net() != run.net.get()) denoiser_.emplace(run.net);
     findCoverage(picture, run);
     const bool mixes = halvesServe(picture, run);
     if (!(mixes ? mix(picture, run, report) : runNet(Turn::Only, picture, run, image_))) return picture;
-    if (!mixes) keepBackground(picture, run);
+    if (!mixes) finishAlone(picture, run);
     report.ran = true;
     if (run.netReport != nullptr) *run.netReport = report;
     return image_;
 }
 
 bool NetDenoise::runNet(Turn turn, const HdrImage& picture, const EffectRun& run, HdrImage& result) {
-    if (result.width != picture.width || result.height != picture.height)
-        result = HdrImage(picture.width, picture.height);
+    if (!sameSize(result, picture)) result = HdrImage(picture.width, picture.height);
     const NoisyImage noisy{.width = picture.width,
                            .height = picture.height,
                            .radiance = planeOf(picture),
@@ -89,6 +97,13 @@ void NetDenoise::findCoverage(const HdrImage& picture, const EffectRun& run) {
     coverage_.resize(picture.pixels.size());
     for (std::size_t i = 0; i < coverage_.size(); ++i)
         coverage_[i] = coverageOf(byRays[i], known ? (*run.covered)[i] : byRays[i]);
+}
+
+/// Of one run of the net.
+void NetDenoise::finishAlone(const HdrImage& picture, const EffectRun& run) {
+    const HdrImage* const steady = steadyOf(picture, run);
+    if (steady != nullptr) mixEvenly(*steady, coverage_, image_, run.threads);
+    keepBackground(picture, run);
 }
 
 void NetDenoise::keepBackground(const HdrImage& picture, [[maybe_unused]] const EffectRun& run) {
@@ -125,6 +140,22 @@ bool NetDenoise::mix(const HdrImage& picture, const EffectRun& run, NetReport& r
     if (!cleanHalf(Turn::FirstHalf, run, first_, dots) || !cleanHalf(Turn::SecondHalf, run, second_, dots) ||
         !runNet(Turn::Whole, input_, run, image_))
         return false;
+    const HdrImage* const steady = steadyOf(picture, run);
+    if (steady != nullptr)
+        mixWithSteady({picture, *steady, halves, coverage_}, {image_, first_, second_}, run.threads);
+    if (halves.samples >= static_cast<std::uint32_t>(kEstimatedSamples)) {
+        mixSampled(picture, run, report);
+    } else {
+        keepBackground(picture, run);
+    }
+    report.dots = dots.pixels;
+    const double light = lightOf(halves.first) + lightOf(halves.second);
+    report.lightOfDots = light > 0 ? static_cast<float>(dots.light / light) : 0;
+    return true;
+}
+
+void NetDenoise::mixSampled(const HdrImage& picture, const EffectRun& run, NetReport& report) {
+    const SampleHalves& halves = *run.halves;
     EstimatedError error =
         mixWithNet({picture, image_, halves, first_, second_, coverage_}, image_, run.threads);
     report.estimated = true;
@@ -132,10 +163,6 @@ bool NetDenoise::mix(const HdrImage& picture, const EffectRun& run, NetReport& r
     if (run.netErrors != nullptr) *run.netErrors = std::move(error.pixels);
     report.error = error.all;
     report.largestError = error.largestBlock;
-    report.dots = dots.pixels;
-    const double light = lightOf(halves.first) + lightOf(halves.second);
-    report.lightOfDots = light > 0 ? static_cast<float>(dots.light / light) : 0;
-    return true;
 }
 
 constinit const EffectRow kNetDenoiseEffect{.name = "denoise by a net",

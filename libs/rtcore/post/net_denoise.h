@@ -22,7 +22,8 @@ std::optional<Net> netOf(const RenderSettings& settings);
 /// samples saw as background have no noise, and stay to the bit; so does the whole image without
 /// EffectRun::net, or without guides of its size. With halves of at least kEstimatedSamples the net runs
 /// three times: its error is known then, bright dots are kept from it, and from kMixedSamples on it is mixed
-/// with the sampled image (net_mix.h). Not for parts of previews.
+/// with the sampled image (net_mix.h). With EffectRun::steady it is mixed with that before, from
+/// kSteadySamples on by the same halves (steady_mix.h), else evenly. Not for parts of previews.
 class NetDenoise final : public Effect {
   public:
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
@@ -37,6 +38,8 @@ class NetDenoise final : public Effect {
     bool mix(const HdrImage& picture, const EffectRun& run, NetReport& report);
     bool cleanHalf(Turn turn, const EffectRun& run, HdrImage& result, TakenDots& dots);
     void findCoverage(const HdrImage& picture, const EffectRun& run);
+    void mixSampled(const HdrImage& picture, const EffectRun& run, NetReport& report);
+    void finishAlone(const HdrImage& picture, const EffectRun& run);
     void keepBackground(const HdrImage& picture, const EffectRun& run);
 
     std::optional<NetDenoiser> denoiser_; ///< of the net that was used last

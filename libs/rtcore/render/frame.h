@@ -32,6 +32,9 @@ struct Frame {
     /// Pixels traced for comparison in a frame that reuses samples: they stand for all of its pixels.
     std::vector<CheckedPixel> checked;
     SampleHalves halves; ///< of radiance; empty but for images by paths that are mixed with a net's
+    /// The same view with all light by Whitted's rays and irradiance records (steady_image.h): without noise,
+    /// but wrong here and there. Empty but for images by paths that are mixed with it.
+    HdrImage steady;
     RayStatistics statistics;
 };
 

@@ -89,6 +89,7 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     frame.metered.clear();
     frame.checked.clear();
     frame.halves = {};
+    frame.steady = {};
 }
 
 /// Prepares everything that depends on the scene and the settings.

@@ -10,7 +10,7 @@ namespace rtcore {
 namespace {
 
 /// Times, in those of one sample of each pixel.
-constexpr double kTimeOfGuides = 2, kTimeOfAovs = 4;
+constexpr double kTimeOfSteady = 8, kTimeOfGuides = 2, kTimeOfAovs = 4;
 /// Pixels a side of the squares of the first image that is shown.
 constexpr int kCoarse = 2;
 /// Samples of each pixel from which on all rays of the guides are worth their time.
@@ -19,22 +19,43 @@ constexpr std::uint32_t kManySamples = 2;
 } // namespace
 
 bool PathImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
-    const double guides = request.guides ? kTimeOfGuides : 0, samples = view.settings.path.samples,
-                 aovs = request.aovs ? kTimeOfAovs : 0, all = guides + samples + aovs;
-    enter({0, 0}, control);
-    frame.guides = {};
-    if (request.show && denoisesByNet(view.settings) && !showCoarse(view, control, request)) return false;
-    enter({0, guides / all}, control);
+    const double steady = mixesSteadyImage(view.settings) ? kTimeOfSteady : 0,
+                 guides = request.guides ? kTimeOfGuides : 0, samples = view.settings.path.samples,
+                 aovs = request.aovs ? kTimeOfAovs : 0, all = steady + guides + samples + aovs;
+    enter({0, steady / all}, control);
+    if (!begin(view, control, request, frame)) return false;
+    enter({steady / all, guides / all}, control);
     const GuideRays rays = request.show ? GuideRays::Few : GuideRays::All;
     if (request.guides && !findGuides(view, control, rays, frame)) return false;
-    enter({guides / all, samples / all}, control);
+    enter({(steady + guides) / all, samples / all}, control);
     if (!renderPaths(view, control, request, frame)) return false;
-    enter({(guides + samples) / all, aovs / all}, control);
+    enter({(steady + guides + samples) / all, aovs / all}, control);
     if (!request.aovs) return true;
     constexpr int kSamples = 4; // each way: edges are as smooth as those of the image
     if (!findSurfaces(view, control, kSamples)) return false;
     std::swap(frame.aovs, surfaces_.aovs);
     return true;
+}
+
+/// What comes before the paths: a steady image, or else a first one that is soon there.
+bool PathImages::begin(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
+    frame.guides = {};
+    frame.steady = {};
+    if (mixesSteadyImage(view.settings)) return findSteady(view, control, request, frame);
+    return !request.show || !denoisesByNet(view.settings) || showCoarse(view, control, request);
+}
+
+bool PathImages::findSteady(const View& view, RenderControl& control, const ImageRequest& request,
+                            Frame& frame) {
+    const auto exchange = [this](std::unique_ptr<SteadyImage> other) {
+        const std::lock_guard lock(mutex_);
+        std::swap(steady_, other);
+        return other;
+    };
+    exchange(std::make_unique<SteadyImage>());
+    const bool whole = steady_->render(view, control, request.show, frame);
+    exchange(nullptr); // its memory goes, without the lock
+    return whole;
 }
 
 /// A net makes a quarter of the pixels, soon, better than all of them later.
@@ -112,8 +133,9 @@ PathImages::Span PathImages::span() const {
 }
 
 double PathImages::fraction(const RenderControl& control) const {
-    const Span now = span();
-    return now.before + now.size * std::min(control.fraction(), 1.0);
+    const std::lock_guard lock(mutex_);
+    const double done = steady_ != nullptr ? steady_->fraction(control) : control.fraction();
+    return span_.before + span_.size * std::min(done, 1.0);
 }
 
 /// Tells which samples were lost, and which lights the paths sample.

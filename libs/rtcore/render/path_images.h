@@ -3,7 +3,9 @@
 
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/path_renderer.h"
+#include "rtcore/render/steady_image.h"
 
+#include <memory>
 #include <mutex>
 
 namespace rtcore {
@@ -23,6 +25,8 @@ class PathImages : public ImageRenderer {
     void enter(const Span& span, RenderControl& control);
     void setSpan(const Span& span);
     Span span() const;
+    bool begin(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
+    bool findSteady(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
     bool findSurfaces(const View& view, RenderControl& control, int samples);
     bool findGuides(const View& view, RenderControl& control, GuideRays rays, Frame& frame);
     bool showCoarse(const View& view, RenderControl& control, const ImageRequest& request);
@@ -35,6 +39,7 @@ class PathImages : public ImageRenderer {
     GuideRays guideRays_ = GuideRays::All;
     mutable std::mutex mutex_; ///< guards all below
     Span span_;
+    std::unique_ptr<SteadyImage> steady_; ///< while it is rendered
 };
 
 } // namespace rtcore

@@ -174,9 +174,18 @@ inline constexpr int kEstimatedSamples = 16;
 /// The same from which on it is mixed with the sampled one: the noise of fewer misses rare light.
 inline constexpr int kMixedSamples = 64;
 
+/// The same from which on a net's image is mixed with a steady one by the errors of both.
+inline constexpr int kSteadySamples = 4;
+
+/// Whether a net's image is mixed with a steady one: Whitted's rays with indirect light.
+inline bool mixesSteadyImage(const RenderSettings& settings) {
+    return denoisesByNet(settings) && settings.denoise.mix && settings.indirect.mode == IndirectMode::Live;
+}
+
 /// Whether the samples of an image of those settings are kept in halves, by which a net's error is known.
 inline bool keepsHalves(const RenderSettings& settings) {
-    return denoisesByNet(settings) && settings.denoise.mix && settings.path.samples >= kEstimatedSamples;
+    const int minimum = mixesSteadyImage(settings) ? kSteadySamples : kEstimatedSamples;
+    return denoisesByNet(settings) && settings.denoise.mix && settings.path.samples >= minimum;
 }
 
 /// Passes of the filter that smooths the noise of an image of those settings.

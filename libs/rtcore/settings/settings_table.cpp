@@ -239,9 +239,9 @@ std::vector<Setting> makeTable() {
             .inBrowsers({.maximum = 256}),
         row<&S::indirect, &IndirectSettings::mode>(
             "indirect.mode", "light that surfaces send to each other, and that of the sky, learned while one "
-                             "walks; in place of ambient light, occlusion and skyLight")
-            .called("Indirect light")
-            .usedBy(Integrator::Whitted),
+                             "walks; in place of ambient light, occlusion and skyLight; images by paths with "
+                             "denoise.net are mixed with one lit by it, and flicker less")
+            .called("Indirect light"),
         row<&S::integrator>("integrator", "whitted: mirrors, glass and light that comes straight; path: all "
                                           "light, also from surface to surface; only for stills")
             .liveOnlyWith("whitted")

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <random>
 #include <vector>
@@ -170,6 +171,29 @@ TEST_F(NetDenoiseTest, MixesNoFewSamplesAndEstimatesNothingOfFewerOrWhereItIsNot
     halves.samples = kMixedSamples;
     settings.denoise.mix = false;
     EXPECT_EQ(apply().pixels, alone.pixels);
+}
+
+TEST_F(NetDenoiseTest, MixesASteadyImageWhereTheSettingsWantIt) {
+    const HdrImage alone = EffectChain().apply(frame, {.settings = settings, .threads = 1, .net = net});
+    frame.steady = frame.radiance;
+    const auto apply = [&] {
+        return EffectChain().apply(frame, {.settings = settings, .threads = 2, .net = net});
+    };
+    EXPECT_EQ(apply().pixels, alone.pixels) << "indirect light is off";
+    settings.indirect.mode = IndirectMode::Live;
+    const Colour byNet = alone.at(24, 18), steady = frame.steady.at(24, 18);
+    EXPECT_FLOAT_EQ(apply().at(24, 18).g, (byNet.g + steady.g) / 2) << "evenly without halves";
+    frame.halves = noisyHalves(frame.radiance);
+    frame.halves.samples = kSteadySamples;
+    const HdrImage mixed = apply();
+    EXPECT_LT(std::abs(mixed.at(24, 18).g - steady.g), std::abs(byNet.g - steady.g)) << "by the halves";
+    EXPECT_EQ(mixed.at(0, 0), frame.radiance.at(0, 0)) << "background";
+    settings.denoise.mix = false;
+    EXPECT_EQ(apply().pixels, alone.pixels);
+    settings.denoise.mix = true;
+    frame.steady = HdrImage(47, 36);
+    frame.halves = {};
+    EXPECT_EQ(apply().pixels, alone.pixels) << "of another size";
 }
 
 TEST_F(NetDenoiseTest, StandsInPlaceOfTheFilterForPathsOnly) {

@@ -1,0 +1,33 @@
+#include "rtcore/render/steady_image.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kSide = 4; ///< samples of a pixel, each way: edges of few are worse than a net's
+
+RenderSettings raysOf(const RenderSettings& settings) {
+    RenderSettings rays = settings;
+    rays.integrator = Integrator::Whitted;
+    rays.path.seed = 0; // of the paths that records learn from
+    rays.antialiasing = std::max(kSide, settings.antialiasing);
+    return rays;
+}
+
+} // namespace
+
+bool SteadyImage::render(const View& view, RenderControl& control,
+                         const std::function<void(const ImagePass&)>& show, Frame& frame) {
+    const RenderSettings settings = raysOf(view.settings);
+    Frame image;
+    if (!rays_.render({view.scene, view.tracer, view.camera, settings}, control, {.show = show}, image))
+        return false;
+    if (show) show({image, 1, 1, nullptr, nullptr});
+    frame.steady = std::move(image.radiance);
+    return !control.cancel;
+}
+
+} // namespace rtcore

@@ -1,0 +1,29 @@
+/// An image with all light that has no noise: Whitted's rays, lit by irradiance records of the view alone. It
+/// depends on no seed and no number of samples, and is wrong here and there: it has no caustics, and where
+/// light comes by small bright patches the records know little.
+#pragma once
+
+#include "rtcore/render/ray_images.h"
+
+#include <cstddef>
+
+namespace rtcore {
+
+/// Renders one, as RayImages do with `indirect.mode = "live"`, and shows what comes before it. Its memory goes
+/// with it: some 10 to 80 MB of records, cells and samples.
+class SteadyImage {
+  public:
+    /// Into frame.steady; the rest of `frame` stays. `show`, where it is not empty, gets coarser images. False
+    /// when control.cancel was set.
+    bool render(const View& view, RenderControl& control,
+                const std::function<void(const ImagePass&)>& show, Frame& frame);
+    /// Progress of render(), 0..1. Any thread.
+    double fraction(const RenderControl& control) const { return rays_.fraction(control); }
+
+    static constexpr std::size_t kBytesPerPixel = sizeof(Colour);
+
+  private:
+    RayImages rays_;
+};
+
+} // namespace rtcore
