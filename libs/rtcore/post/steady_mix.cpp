@@ -77,8 +77,7 @@ class SteadyPools {
         const UsualDisplay display(input.sampled, threads);
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
         for (int row = 0; row < blocks_.rows(); ++row) {
-            for (int column = 0; column < blocks_.columns(); ++column)
-                fill(input, net, display, column, row);
+            for (int column = 0; column < blocks_.columns(); ++column) fill(input, net, display, column, row);
         }
         for (int row = 0; row < blocks_.rows(); ++row) {
             for (int column = 0; column < blocks_.columns(); ++column) {

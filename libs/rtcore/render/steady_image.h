@@ -9,14 +9,14 @@
 
 namespace rtcore {
 
-/// Renders one, as RayImages do with `indirect.mode = "live"`, and shows what comes before it. Its memory goes
-/// with it: some 10 to 80 MB of records, cells and samples.
+/// Renders one, as RayImages do with `indirect.mode = "live"`, and shows what comes before it. Its memory
+/// goes with it: some 10 to 80 MB of records, cells and samples.
 class SteadyImage {
   public:
-    /// Into frame.steady; the rest of `frame` stays. `show`, where it is not empty, gets coarser images. False
-    /// when control.cancel was set.
-    bool render(const View& view, RenderControl& control,
-                const std::function<void(const ImagePass&)>& show, Frame& frame);
+    /// Into frame.steady; the rest of `frame` stays. `show`, where it is not empty, gets coarser images.
+    /// False when control.cancel was set.
+    bool render(const View& view, RenderControl& control, const std::function<void(const ImagePass&)>& show,
+                Frame& frame);
     /// Progress of render(), 0..1. Any thread.
     double fraction(const RenderControl& control) const { return rays_.fraction(control); }
 

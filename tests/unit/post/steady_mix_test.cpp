@@ -1,5 +1,5 @@
-// A net's image that is mixed with a steady one flickers less, is as good as the better of both or better, and is
-// the net's where the steady image is wrong.
+// A net's image that is mixed with a steady one flickers less, is as good as the better of both or better,
+// and is the net's where the steady image is wrong.
 #include "rtcore/post/steady_mix.h"
 
 #include "rtcore/settings/render_settings.h"

@@ -1,4 +1,5 @@
-// Images by paths that a net denoises come with a steady one where indirect light is on, and are else as ever.
+// Images by paths that a net denoises come with a steady one where indirect light is on, and are else as
+// ever.
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/ray_images.h"
 #include "rtcore/render/steady_image.h"
@@ -42,8 +43,7 @@ TEST_F(SteadyImageTest, IsThatOfWhittedsRaysWithIndirectLightForAnyThreads) {
     rays.antialiasing = 4;
     RenderControl control{.threads = 1};
     Frame expected;
-    ASSERT_TRUE(
-        RayImages().render({traced.scene, traced.tracer, camera, rays}, control, {}, expected));
+    ASSERT_TRUE(RayImages().render({traced.scene, traced.tracer, camera, rays}, control, {}, expected));
     settings.path.seed = 5; // noise of films does not stand still, this does
     for (const int threads : {1, 2, 3})
         EXPECT_EQ(byPaths(threads).steady.pixels, expected.radiance.pixels) << threads;
