@@ -22,6 +22,7 @@
 #include "rtcore/post/effects.h"
 #include "rtcore/post/net_denoise.h"
 #include "rtcore/render/ground_tracer.h"
+#include "rtcore/render/steady_image.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/settings/settings_table.h"
 
@@ -112,7 +113,9 @@ void PictureMaker::shareLight(const FrameTask& task, const rtcore::RenderSetting
     if (!SharedLight::lights(settings)) return;
     const rtcore::Scene lit = loaded_.scene;
     const auto tracer = rtcore::withGround(surfaces_, lit);
-    const auto kept = sharedLight_.of({lit, *tracer, settings}, [&] {
+    const bool byPaths = settings.integrator == rtcore::Integrator::Path;
+    const rtcore::RenderSettings own = byPaths ? rtcore::steadySettings(settings) : settings;
+    const auto kept = sharedLight_.of({lit, *tracer, own}, [&] {
         std::vector<LightView> views = viewsOfList(lit);
         prepare(task.camera); // its lights, in place of those of the last
         return views;

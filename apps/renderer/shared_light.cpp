@@ -12,7 +12,7 @@ namespace renderer {
 
 bool SharedLight::lights(const rtcore::RenderSettings& settings) {
     return settings.indirect.mode == rtcore::IndirectMode::Live &&
-           settings.integrator == rtcore::Integrator::Whitted;
+           (settings.integrator == rtcore::Integrator::Whitted || rtcore::mixesSteadyImage(settings));
 }
 
 std::shared_ptr<const rtcore::IndirectState>

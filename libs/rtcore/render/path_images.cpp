@@ -53,6 +53,7 @@ bool PathImages::findSteady(const View& view, RenderControl& control, const Imag
         return other;
     };
     exchange(std::make_unique<SteadyImage>());
+    steady_->beginWith(kept_);
     const bool whole = steady_->render(view, control, request.show, frame);
     exchange(nullptr); // its memory goes, without the lock
     return whole;

@@ -14,6 +14,7 @@ class PathImages : public ImageRenderer {
   public:
     bool render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) override;
     bool rendersAovs() const override { return false; }
+    void beginWith(const std::shared_ptr<const IndirectState>& kept) override { kept_ = kept; }
     std::vector<ImageRemark> remarks() const override;
     double fraction(const RenderControl& control) const override;
 
@@ -32,6 +33,7 @@ class PathImages : public ImageRenderer {
     bool showCoarse(const View& view, RenderControl& control, const ImageRequest& request);
     bool renderPaths(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
 
+    std::shared_ptr<const IndirectState> kept_; ///< light that steady images begin with
     PathRenderer paths_;
     FrameRenderer rays_;
     Frame surfaces_; ///< by rays

@@ -9,7 +9,9 @@ namespace {
 
 constexpr int kSide = 4; ///< samples of a pixel, each way: edges of few are worse than a net's
 
-RenderSettings raysOf(const RenderSettings& settings) {
+} // namespace
+
+RenderSettings steadySettings(const RenderSettings& settings) {
     RenderSettings rays = settings;
     rays.integrator = Integrator::Whitted;
     rays.path.seed = 0; // of the paths that records learn from
@@ -17,11 +19,9 @@ RenderSettings raysOf(const RenderSettings& settings) {
     return rays;
 }
 
-} // namespace
-
 bool SteadyImage::render(const View& view, RenderControl& control,
                          const std::function<void(const ImagePass&)>& show, Frame& frame) {
-    const RenderSettings settings = raysOf(view.settings);
+    const RenderSettings settings = steadySettings(view.settings);
     Frame image;
     if (!rays_.render({view.scene, view.tracer, view.camera, settings}, control, {.show = show}, image))
         return false;
