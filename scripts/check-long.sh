@@ -114,9 +114,12 @@ for check in "$@"; do
         ;;
     edits)
         # So many random edits while one walks, each seen within eight live frames.
-        sanitized test_rtserver
+        sanitized test_rtserver test_gathering
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='RandomEdits.*'
+        # The same of indirect light, which ends as one that is learned of the last state alone.
+        RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
+            build/asan-ubsan/bin/test_gathering --gtest_filter='Edits.*'
         # After so many states the scene that is exported shows the same bits.
         RT_EDIT_STATES=${RT_EDIT_STATES:-200} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='SavedEdits.*'

@@ -125,7 +125,7 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
             if (!viewLight_->learn(view, control)) return false;
             cache = &viewLight_->cache();
         } else {
-            walkLight_->follow(document);
+            walkLight_->follow(document, threads_);
             const bool rests = detail.complete();
             const bool learned =
                 rests ? walkLight_->learnRest(view, control) : walkLight_->learn(view, control);
@@ -142,7 +142,7 @@ bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& con
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
-    walkLight_->follow(document);
+    walkLight_->follow(document, threads_);
     if (!walkLight_->learn(view, control)) return false;
     renderer_->lightIndirectlyFrom(&walkLight_->light().cache());
     if (!renderer_->render(view, control, frame)) return false;
@@ -184,7 +184,7 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, detail.scale);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     const bool indirect = settings.indirect.mode == rtcore::IndirectMode::Live;
-    if (indirect) walkLight_->follow(document);
+    if (indirect) walkLight_->follow(document, threads_);
     renderer_->lightIndirectlyFrom(nullptr);
     viewLight_.reset(); // its memory; a whole frame begins anew
     live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::budgetOf(detail.learning),

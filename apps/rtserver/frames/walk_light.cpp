@@ -3,6 +3,7 @@
 #include "rtcore/settings/settings_table.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace rtserver {
@@ -12,29 +13,30 @@ rtcore::GatherBudget WalkLight::budgetOf(double fraction) {
             static_cast<std::uint32_t>(kBudget.paths * fraction)};
 }
 
-void WalkLight::follow(const Document& document) {
+void WalkLight::follow(const Document& document, int threads) {
     using rtcore::Change;
     // Of whole frames: coarse ones have cheaper samples, but the same light.
     const rtcore::RenderSettings settings = document.frameSettings();
     const rtcore::Changes changes = known_.take(document.revisions());
-    const bool begins =
-                   light_ == nullptr || changes.hasAny({Change::Scene, Change::Visibility, Change::Section}),
+    const bool begins = light_ == nullptr || changes.hasAny({Change::Scene, Change::Section}),
+               parts = changes.has(Change::Visibility),
                other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
                        !rtcore::sameLight(settings, settings_);
     const bool rebinds = tracer_ != document.tracer(); // a better tree of the same surfaces
-    frames_ = other && !begins ? 0 : std::min(frames_ + 1, kTurns);
-    if (!begins && !other && !rebinds) return;
+    frames_ = (parts || other) && !begins ? 0 : std::min(frames_ + 1, kTurns);
+    if (!begins && !parts && !other && !rebinds) return;
     if (light_ == nullptr) light_ = std::make_unique<rtcore::IndirectLight>();
-    scene_ = document.scene();
-    tracer_ = document.tracer();
+    // What the light was of until now lives until it has taken the change.
+    const auto before =
+        std::pair(std::exchange(scene_, document.scene()), std::exchange(tracer_, document.tracer()));
     settings_ = settings;
     if (begins) {
         light_->begin(*scene_, *tracer_, settings_);
-    } else if (!other) {
-        light_->rebind(*scene_, *tracer_, settings_);
-    } else {
-        light_->changeLight(*scene_, *tracer_, settings_);
+        return;
     }
+    if (parts) light_->changeParts(*scene_, *tracer_, settings_, threads);
+    if (other) light_->changeLight(*scene_, *tracer_, settings_);
+    if (!parts && !other) light_->rebind(*scene_, *tracer_, settings_);
 }
 
 int WalkLight::turns() const {

@@ -23,7 +23,7 @@ class WalkLight {
     /// kTurns, but for some frames after a change of light: then samples follow sooner.
     int turns() const;
     /// Before each frame: takes what has changed, so that what is known suits the state.
-    void follow(const Document& document);
+    void follow(const Document& document, int threads);
     /// Learns about some of the pixels of a frame that is not live.
     bool learn(const rtcore::View& view, rtcore::RenderControl& control);
     /// Goes on until the view that rests is known about as well as one whose light is learned for it alone.
@@ -33,7 +33,7 @@ class WalkLight {
     const rtcore::IndirectLight* known() const { return light_.get(); }
     /// Goes on from what is kept of the light of the state.
     void beginWith(const Document& document, const rtcore::IndirectState& kept) {
-        follow(document);
+        follow(document, 1);
         light_->restore(kept);
     }
 

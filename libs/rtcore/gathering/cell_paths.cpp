@@ -25,12 +25,31 @@ bool CellPaths::fill(const PathFrame& paths, const GatherHits& hits, std::span<c
                      OutgoingCells& cells) {
     choose(hits, cells, budget, frame, threads);
     if (!trace(paths, hits, passes, threads, stop)) return false;
+    addTo(cells, hits, frame);
+    return true;
+}
+
+bool CellPaths::fillEvenly(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
+                           std::size_t step, std::uint32_t frame, int threads, const std::atomic<bool>* stop,
+                           OutgoingCells& cells) {
+    chosen_.clear();
+    for (std::size_t pass = 0; pass < passes.size(); ++pass) {
+        for (std::size_t i = pass % step; i < kPassRays; i += step) {
+            const std::size_t ray = pass * kPassRays + i;
+            if (hits.isHit(ray)) chosen_.push_back(static_cast<std::uint32_t>(ray));
+        }
+    }
+    if (!trace(paths, hits, passes, threads, stop)) return false;
+    addTo(cells, hits, frame);
+    return true;
+}
+
+void CellPaths::addTo(OutgoingCells& cells, const GatherHits& hits, std::uint32_t frame) const {
     constexpr std::size_t kAhead = 4; // adding waits for memory most of all
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
         if (i + kAhead < chosen_.size()) cells.prefetch(hits.site(chosen_[i + kAhead]));
         cells.add(hits.site(chosen_[i]), radiance_[i], frame);
     }
-    return true;
 }
 
 /// Half of what is left of the budget goes to each group of rays whose cells know about as much, evenly among

@@ -24,8 +24,17 @@ class CellPaths {
     bool fill(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
               std::size_t budget, std::uint32_t frame, int threads, const std::atomic<bool>* stop,
               OutgoingCells& cells);
+    /// The same of every `step`-th ray of each pass, whatever cells know.
+    bool fillEvenly(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
+                    std::size_t step, std::uint32_t frame, int threads, const std::atomic<bool>* stop,
+                    OutgoingCells& cells);
+
+    /// The rays that went on last, and the radiance that came along them.
+    std::span<const std::uint32_t> chosen() const { return chosen_; }
+    std::span<const Colour> radiance() const { return radiance_; }
 
   private:
+    void addTo(OutgoingCells& cells, const GatherHits& hits, std::uint32_t frame) const;
     void choose(const GatherHits& hits, const OutgoingCells& cells, std::size_t budget, std::uint32_t frame,
                 int threads);
     bool trace(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,

@@ -1,11 +1,7 @@
 #include "rtcore/gathering/indirect_light.h"
 
-#include "rtcore/math/constants.h"
-#include "rtcore/math/octahedron-inl.h"
 #include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
-#include "rtcore/scene/environment.h"
-#include "rtcore/scene/part_list.h"
 
 #include <algorithm>
 #include <array>
@@ -15,49 +11,13 @@
 
 namespace rtcore {
 
-namespace {
-
-/// Records that were of no use for so many steps get no rays.
-constexpr std::uint32_t kRecentSteps = 24;
-
-/// The spread light of an environment from a direction.
-Colour spreadRadiance(const EnvironmentLight& light, Vec3 direction) {
-    const auto texel =
-        static_cast<std::size_t>(HWY_NAMESPACE::octahedronTexel<float>(direction, light.side()));
-    return {light.radiance(0)[texel], light.radiance(1)[texel], light.radiance(2)[texel]};
-}
-
-} // namespace
-
-void IndirectLight::prepare(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
-    scene_ = &scene;
-    tracer_ = &tracer;
-    settings_ = settings;
-    fog_ = fogMedium(scene, settings_);
-    materials_.prepare(scene, settings_, Colour{});
-    lights_.prepare(scene, settings_, tracer.bounds(), hiddenTriangles(scene.model, scene.hiddenParts));
-}
-
 void IndirectLight::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
-    prepare(scene, tracer, settings);
+    lit_.prepare(scene, tracer, settings);
     surfaces_.find(scene.model.mesh);
     cache_.clear(tracer.bounds());
     cells_.clear(tracer.bounds());
     records_.clear();
     frame_ = 0;
-    guesses_ = false;
-}
-
-void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
-    prepare(scene, tracer, settings);
-    cells_.clear(tracer.bounds());
-    forgetValues();
-}
-
-/// Positions and radii of records stay.
-void IndirectLight::forgetValues() {
-    records_.forgetLight();
-    for (std::uint32_t number = 0; number < cache_.size(); ++number) cache_.values(number).confidence = 0;
     guesses_ = false;
 }
 
@@ -77,7 +37,7 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     ++frame_;
     forgetUnused();
-    lookUp(curve_.of(receivers, tracer_->bounds()), receivers, arriving, frame_, threads);
+    lookUp(curve_.of(receivers, lit_.tracer().bounds()), receivers, arriving, frame_, threads);
     findLacking(receivers, arriving);
     const auto begun = std::chrono::steady_clock::now();
     if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
@@ -171,7 +131,7 @@ void IndirectLight::lookUp(std::span<const std::uint32_t> numbers, std::span<con
 /// A receiver is looked up again only where records that were made since reach it.
 bool IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                                 std::size_t max, const std::atomic<bool>* stop) {
-    fresh_.begin(cache_, tracer_->bounds());
+    fresh_.begin(cache_, lit_.tracer().bounds());
     latest_.assign(arriving.begin(), arriving.end());
     asOf_.assign(arriving.size(), static_cast<std::uint32_t>(cache_.size()));
     for (int density = kDensities - 1; density >= 0; --density) {
@@ -193,21 +153,28 @@ bool IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<c
     return true;
 }
 
-/// Of the records that were used lately those with the fewest passes. Coarse ones count less: fine ones take
-/// their part; but before the first pass they come first, since few of them tell of all that is seen.
+/// Records with a lower one have their pass first: those with the fewest passes. Coarse ones count less: fine
+/// ones take their part; but before the first pass they come first, since few of them tell of all that is
+/// seen, and where they have forgotten what they knew until a few passes.
+std::uint64_t IndirectLight::turnOf(std::uint32_t number) const {
+    constexpr std::uint32_t kFewPasses = 4;
+    const std::uint32_t passes = records_.passes(number);
+    const int density = records_.density(number);
+    const bool coarse = density > 0, few = passes < kFewPasses && records_.hasForgotten(number);
+    if (passes == 0 && coarse) return static_cast<std::uint64_t>(kDensities - 1 - density);
+    if (coarse && few) return kDensities + passes;
+    if (passes == 0) return kDensities + kFewPasses;
+    return kDensities + kFewPasses + std::uint64_t{countedPasses(number)};
+}
+
+/// Of the records that were used lately.
 void IndirectLight::chooseRecords(std::size_t max, std::uint32_t enough) {
     const auto old = static_cast<std::uint32_t>(cache_.size() - chosen_.size());
     order_.clear();
     for (std::uint32_t number = 0; number < old; ++number) {
         const std::uint32_t used = cache_.lastUse(number);
         if (used == 0 || used + kRecentSteps < frame_) continue;
-        const std::uint32_t passes = records_.passes(number);
-        const int density = records_.density(number);
-        const std::uint32_t counted = countedPasses(number);
-        if (counted >= enough) continue;
-        const auto turn = passes == 0 ? static_cast<std::uint64_t>(kDensities - 1 - density)
-                                      : kDensities + std::uint64_t{counted};
-        order_.push_back(turn << 32 | number);
+        if (countedPasses(number) < enough) order_.push_back(turnOf(number) << 32 | number);
     }
     const std::size_t taken = std::min(max, order_.size());
     std::ranges::nth_element(order_, order_.begin() + static_cast<std::ptrdiff_t>(taken));
@@ -225,8 +192,8 @@ std::uint32_t IndirectLight::minPasses() const {
 void IndirectLight::orderChosen() {
     order_.clear();
     for (const std::uint32_t number : chosen_)
-        order_.push_back(std::uint64_t{alongCurve(cache_.record(number).position, tracer_->bounds())} << 32 |
-                         number);
+        order_.push_back(
+            std::uint64_t{alongCurve(cache_.record(number).position, lit_.tracer().bounds())} << 32 | number);
     std::ranges::sort(order_);
     for (std::size_t i = 0; i < order_.size(); ++i) chosen_[i] = static_cast<std::uint32_t>(order_[i]);
 }
@@ -234,57 +201,7 @@ void IndirectLight::orderChosen() {
 bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
     passes_.clear();
     for (const std::uint32_t number : chosen_) passes_.push_back(records_.next(cache_, number));
-    if (!hits_.trace({*scene_, *tracer_, surfaces_, cells_}, passes_, threads, stop)) return false;
-    if (!cellPaths_.fill(paths(), hits_, passes_, budget.paths, frame_, threads, stop, cells_)) return false;
-    emitted_.assign(passes_.size(), {});
-    emitterRays_.add(paths(), passes_, threads, emitted_);
-    results_.resize(passes_.size());
-    constexpr std::size_t kPart = 16;
-    forEachPart((passes_.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
-        const std::size_t last = std::min((part + 1) * kPart, passes_.size());
-        for (std::size_t pass = part * kPart; pass < last; ++pass) results_[pass] = resultOf(pass);
-    });
-    return true;
-}
-
-/// Radiance of the surroundings that comes along a ray.
-Colour IndirectLight::fromSurroundings(std::size_t ray, Vec3 normal) const {
-    const Vec3 direction = hits_.direction(ray);
-    const float left =
-        fog_.on ? fogTransmittance(fog_, passes_[ray / kPassRays].origin, direction, kEndless) : 1;
-    const Environment* const environment = scene_->environment();
-    if (environment == nullptr) return lights_.background().radiance(direction) * left;
-    const EnvironmentLight& light = environment->light();
-    return spreadRadiance(light, direction) * light.correction(normal) * (environment->intensity * left);
-}
-
-PassResult IndirectLight::resultOf(std::size_t pass) const {
-    constexpr float kSlack = 0.02F; // of its distance: what lies in the surface itself is no wall
-    const Vec3 normal = passes_[pass].normal;
-    PassResult result;
-    PassLight gathered;
-    std::size_t known = 0;
-    std::array<std::optional<Colour>, kPassRays> arriving; // but emission; nothing where it is not known yet
-    cells_.radiance(hits_.sites().subspan(pass * kPassRays, kPassRays), arriving);
-    for (std::size_t i = 0; i < kPassRays; ++i) {
-        const std::size_t ray = pass * kPassRays + i;
-        const OutgoingCells::Site& site = hits_.site(ray);
-        const Vec3 direction = hits_.direction(ray);
-        if (!hits_.isHit(ray)) arriving[i] = fromSurroundings(ray, normal);
-        if (const std::optional<Colour>& radiance = arriving[i]) {
-            gathered.add(*radiance, direction, dot(direction, normal), kPi);
-            ++known;
-        }
-        result.inverseLengths += 1 / std::max(site.length, 1e-12F);
-        if (hits_.isHit(ray))
-            result.walls.meet({site.normal, dot(site.normal, site.point) - kSlack * site.length},
-                              site.length);
-    }
-    result.light = emitted_[pass];
-    const float weight = 1 / static_cast<float>(std::max<std::size_t>(known, 1));
-    result.light.irradiance += gathered.irradiance * weight;
-    result.light.vector += gathered.vector * weight;
-    return result;
+    return gatherer_.gather({lit_, surfaces_, frame_, threads, stop}, passes_, budget.paths, cells_);
 }
 
 /// In the order of the passes. The guess follows what new records find.
@@ -293,10 +210,10 @@ void IndirectLight::enterResults() {
     float count = 0;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
         if (records_.passes(chosen_[i]) == 0) {
-            sum += results_[i].light.irradiance;
+            sum += gatherer_.results()[i].light.irradiance;
             ++count;
         }
-        records_.enter(cache_, chosen_[i], results_[i]);
+        records_.enter(cache_, chosen_[i], gatherer_.results()[i]);
     }
     if (count == 0) return;
     const float weight = guesses_ ? std::min(0.1F, count * 1e-4F) : 1;

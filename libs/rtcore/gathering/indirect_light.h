@@ -4,19 +4,16 @@
 /// (docs/live.md, "Indirect light")
 #pragma once
 
-#include "rtcore/gathering/cell_paths.h"
 #include "rtcore/gathering/connected_surfaces.h"
 #include "rtcore/gathering/curve_order.h"
-#include "rtcore/gathering/emitter_rays.h"
 #include "rtcore/gathering/fresh_records.h"
 #include "rtcore/gathering/gather_rays.h"
 #include "rtcore/gathering/indirect_state.h"
+#include "rtcore/gathering/lit_scene.h"
+#include "rtcore/gathering/pass_gatherer.h"
 #include "rtcore/gathering/record_passes.h"
 #include "rtcore/irradiance/irradiance_cache.h"
 #include "rtcore/irradiance/outgoing_cells.h"
-#include "rtcore/pathtracing/light_set.h"
-#include "rtcore/shading/fog/fog.h"
-#include "rtcore/shading/surface/material_table.h"
 
 #include <atomic>
 #include <cstddef>
@@ -26,6 +23,9 @@
 #include <vector>
 
 namespace rtcore {
+
+class ChangedSurfaces;
+class LightDifference;
 
 /// The work of a step; where nothing is known of what is seen it is four times as much.
 struct GatherBudget {
@@ -45,6 +45,11 @@ class IndirectLight {
     /// Takes a scene in which lights, materials or surroundings differ, but no surface: positions and radii
     /// of records stay, and each tells nothing until its next pass; coarse ones have theirs first.
     void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+    /// Takes a scene in which other parts of the same model are hidden, and nothing else differs; those of
+    /// before must live until it returns. Records near what is hidden or shown go, and others forget as much
+    /// as their light differs: where it is the same they are as they were. Takes as long as some twenty steps.
+    void changeParts(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                     int threads);
 
     /// All that was learned since begin(), between two steps; as much memory as memory() tells, or less.
     IndirectState state() const;
@@ -53,7 +58,7 @@ class IndirectLight {
     void restore(const IndirectState& kept);
     /// Takes another tracer of the same surfaces.
     void rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
-        prepare(scene, tracer, settings);
+        lit_.prepare(scene, tracer, settings);
     }
 
     /// Learns, first of all about the receivers, and looks up the light of each. Returns false when `stop`
@@ -80,36 +85,36 @@ class IndirectLight {
     void boundRecords(std::size_t max) { maxRecords_ = max; }
 
   private:
-    void prepare(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
-    PathFrame paths() const { return {*scene_, *tracer_, settings_, materials_, lights_}; }
+    /// Records that were of no use for so many steps get no rays.
+    static constexpr std::uint32_t kRecentSteps = 24;
+
     void lookUp(std::span<const std::uint32_t> numbers, std::span<const Receiver> receivers,
                 std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const;
     bool learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
     void forgetValues();
+    void forgetNear(const ChangedSurfaces& changed, int threads);
+    void chooseCompared();
+    void chooseEvenly(std::size_t max);
+    void takeCells(OutgoingCells& old, const LightDifference& difference, int threads);
+    void takeDifference(const LightDifference& difference, int threads);
     void forgetUnused();
     void undo(std::size_t records);
     void findLacking(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving);
     GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
+    std::uint64_t turnOf(std::uint32_t number) const;
     void chooseRecords(std::size_t max, std::uint32_t enough);
     std::uint32_t countedPasses(std::uint32_t number) const {
         return records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U);
     }
     std::uint32_t minPasses() const;
     void orderChosen();
-    Colour fromSurroundings(std::size_t ray, Vec3 normal) const;
-    PassResult resultOf(std::size_t pass) const;
     void enterResults();
     bool gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
 
-    const Scene* scene_ = nullptr;
-    const RayTracer* tracer_ = nullptr;
-    RenderSettings settings_;
-    MaterialTable materials_;
-    LightSet lights_;
-    FogMedium fog_;
+    LitScene lit_;
     ConnectedSurfaces surfaces_;
     IrradianceCache cache_;
     OutgoingCells cells_;
@@ -126,11 +131,7 @@ class IndirectLight {
     FreshRecords fresh_;
     std::vector<std::uint32_t> chosen_; ///< records that get a pass
     std::vector<GatherPass> passes_;    ///< theirs
-    GatherHits hits_;
-    CellPaths cellPaths_;
-    EmitterRays emitterRays_;
-    std::vector<PassLight> emitted_;   ///< by pass
-    std::vector<PassResult> results_;  ///< the same
+    PassGatherer gatherer_;
     std::vector<std::uint64_t> order_; ///< scratch
 };
 

@@ -124,6 +124,15 @@ void RecordPasses::keep(std::span<const std::uint8_t> kept) {
     histories_.resize(next);
 }
 
+void RecordPasses::fade(IrradianceCache& cache, std::uint32_t number, std::uint32_t passes, Colour ratio) {
+    History& history = histories_[number];
+    const float before = luminance(history.irradiance);
+    history.passes = std::min(history.passes, passes);
+    history.irradiance *= ratio;
+    if (before > 0) history.vector *= luminance(history.irradiance) / before;
+    cache.values(number).irradiance = history.irradiance;
+}
+
 void RecordPasses::forgetLight() {
     for (History& history : histories_) history.passes = 0;
 }

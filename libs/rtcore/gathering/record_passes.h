@@ -5,6 +5,7 @@
 #include "rtcore/gathering/gather_rays.h"
 #include "rtcore/irradiance/irradiance_cache.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -102,6 +103,10 @@ class RecordPasses {
     /// The next pass of a record.
     GatherPass next(const IrradianceCache& cache, std::uint32_t number) const;
     std::uint32_t passes(std::uint32_t number) const { return histories_[number].passes; }
+    /// Whether it had passes before it forgot what they told of light.
+    bool hasForgotten(std::uint32_t number) const {
+        return histories_[number].passes < histories_[number].allPasses;
+    }
     int density(std::uint32_t number) const { return histories_[number].density; }
     /// Enters the results of a pass, those of several records in a fixed order.
     void enter(IrradianceCache& cache, std::uint32_t number, const PassResult& result);
@@ -115,6 +120,10 @@ class RecordPasses {
     /// Forgets what records know of light; they keep their positions and radii, and tell nothing until
     /// their next pass.
     void forgetLight();
+    void forgetLight(std::uint32_t number) { histories_[number].passes = 0; }
+    /// What it knows of light is so much more or less now, by channel, and counts as that of so many passes
+    /// at most.
+    void fade(IrradianceCache& cache, std::uint32_t number, std::uint32_t passes, Colour ratio);
 
   private:
     using History = RecordHistory;

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace rtcore {
 
@@ -159,6 +160,52 @@ void OutgoingCells::rehash(std::size_t slots, std::uint32_t fromFrame) {
         if (slot.key == 0 || slot.frame < fromFrame) continue;
         slotFor(slot.key) = slot;
         ++used_;
+    }
+}
+
+const OutgoingCells::Cell* OutgoingCells::cellOf(const Site& site, std::uint32_t minSamples) const {
+    if (site.level == kNowhere) return nullptr;
+    const Place place = placeOf(site);
+    const Slot* most = nullptr;
+    for (int level = site.level; level < kLevels; ++level) {
+        const Slot* const found = find(place.keyOf(level));
+        if (found == nullptr) continue;
+        most = found; // coarser cells know as much at least
+        if (found->count >= minSamples) break;
+    }
+    return most;
+}
+
+/// Calls `use` with each cell that add() would change, where it is.
+template <typename Use>
+void OutgoingCells::forEachCell(const Site& site, Use&& use) {
+    if (site.level == kNowhere) return;
+    const Place place = placeOf(site);
+    for (int level = std::max(site.level - kFiner, 0); level < kLevels; ++level) {
+        Slot& slot = slotFor(place.keyOf(level));
+        if (slot.key != 0) use(slot);
+    }
+}
+
+/// What was taken, or must not be, has no samples any more.
+void OutgoingCells::takeOver(OutgoingCells& old, std::span<const Site> sites,
+                             std::span<const std::uint32_t> kept) {
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (kept[i] == 0) old.forEachCell(sites[i], [](Slot& slot) { slot.count = 0; });
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        old.forEachCell(sites[i], [&](Slot& slot) {
+            const std::uint32_t all = std::exchange(slot.count, 0), count = std::min(all, kept[i]);
+            if (count == 0) return;
+            const float part = static_cast<float>(count) / static_cast<float>(all);
+            if (2 * (used_ + 1) > slots_.size()) rehash(2 * slots_.size(), 0);
+            Slot& own = slotFor(slot.key);
+            if (own.key == 0) ++used_;
+            own.key = slot.key;
+            own.sum += slot.sum * part;
+            own.squares += slot.squares * part;
+            own.count += count;
+            own.frame = std::max(own.frame, slot.frame);
+        });
     }
 }
 

@@ -70,6 +70,14 @@ class OutgoingCells {
     void samples(std::span<const Site> sites, std::span<std::uint32_t> found) const;
     void radiance(std::span<const Site> sites, std::span<std::optional<Colour>> found) const;
 
+    /// The smallest cell, from that of the site's level on, that has so many samples; where none has, that
+    /// which has most of them, or null.
+    const Cell* cellOf(const Site& site, std::uint32_t minSamples) const;
+    /// Takes over what `old`, of the same bounds, knows of the cells that add() would change at these sites:
+    /// as that of `kept`, by site, samples at most, and nothing where that is 0 for one of a cell. `old` is
+    /// not to be used any more.
+    void takeOver(OutgoingCells& old, std::span<const Site> sites, std::span<const std::uint32_t> kept);
+
     bool empty() const { return used_ == 0; }
     std::size_t size() const { return used_; } ///< cells
     std::size_t memory() const { return slots_.capacity() * sizeof(Slot); }
@@ -89,6 +97,8 @@ class OutgoingCells {
     void prefetch(std::uint64_t key) const;
     std::optional<Colour> radianceAt(const Place& place, const Site& site) const;
     std::optional<Colour> coarserAt(const Place& place, const Site& site, const Slot* own) const;
+    template <typename Use>
+    void forEachCell(const Site& site, Use&& use);
     void clearCells();
     Slot& slotFor(std::uint64_t key);
     void rehash(std::size_t slots, std::uint32_t fromFrame);

@@ -10,6 +10,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -311,6 +313,28 @@ TEST_F(FramesOfAState, RestInTheLightOfTheWalkWhereThatIsEnough) {
     test::draw(frames, state);
     EXPECT_TRUE(frames.exact());
     EXPECT_NEAR(known / meanOf(frames.radiance()), 1, 0.05);
+}
+
+/// What the walk knows goes on where parts are hidden and shown again.
+TEST_F(FramesOfAState, InTheLightOfTheWalkFollowPartsThatAreHidden) {
+    document.assign({{"width", 120}, {"height", 80}, {"indirect.mode", "live"}});
+    state.frameSeconds = 0.03;
+    for (int i = 0; i < 8; ++i) test::draw(frames, state, rtserver::kCoarsest);
+    const auto meanOf = [](const rtcore::HdrImage& image) {
+        double sum = 0;
+        for (const rtcore::Colour& pixel : image.pixels) sum += rtcore::luminance(pixel);
+        return sum / static_cast<double>(image.pixels.size());
+    };
+    for (const bool hides : {true, false}) {
+        hideParts(document, hides ? std::make_shared<const std::vector<std::uint8_t>>(1, 1) : nullptr);
+        test::draw(frames, state, rtserver::kCoarsest);
+        rtserver::FrameDetail detail;
+        detail.inWalkLight = true;
+        test::draw(frames, state, detail);
+        const double known = meanOf(frames.radiance());
+        test::draw(frames, state);
+        EXPECT_NEAR(known / meanOf(frames.radiance()), 1, 0.02) << hides;
+    }
 }
 
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
