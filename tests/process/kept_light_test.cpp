@@ -48,6 +48,15 @@ TEST_F(KeptLight, IsThatOfTheWholeListWhicheverFramesAreRendered) {
     EXPECT_EQ(bytes("one3.png"), bytes("all3.png"));
 }
 
+/// Each frame has paths of its own, but their light is that of the list.
+TEST_F(KeptLight, IsThatOfTheListWhicheverSeedsItsFramesHave) {
+    const std::string seeds = "--setting=path.seedPerFrame=true";
+    ASSERT_EQ(render({"-l", "film.lst", "-o", "all#.png", seeds}).exitCode, 0);
+    ASSERT_EQ(render({"-l", "film.lst", "-o", "part#.png", "--chunk=2/2", seeds}).exitCode, 0);
+    EXPECT_EQ(bytes("part3.png"), bytes("all3.png"));
+    EXPECT_EQ(bytes("part4.png"), bytes("all4.png"));
+}
+
 /// The same light, to the bit: the file is learned of the same views.
 TEST_F(KeptLight, OfAFileIsThatOfTheListThatItWasMadeOf) {
     const test::ProgramResult made = make({"-l", "film.lst"});

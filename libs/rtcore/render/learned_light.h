@@ -15,8 +15,12 @@ namespace rtcore {
 class LearnedLight {
   public:
     /// Begins with nothing. The arguments must outlive it, or the next begin().
+    /// What is learned has the same random numbers whatever seed the settings name, which may be that of a
+    /// frame.
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
-        light_.begin(scene, tracer, settings);
+        RenderSettings seedless = settings;
+        seedless.path.seed = 0;
+        light_.begin(scene, tracer, seedless);
     }
     /// Goes on from what is kept of that scene and its light.
     void restore(const IndirectState& kept) { light_.restore(kept); }
