@@ -47,7 +47,8 @@ class IndirectLight {
     void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
     /// Takes a scene in which other parts of the same model are hidden, and nothing else differs; those of
     /// before must live until it returns. Records near what is hidden or shown go, and others forget as much
-    /// as their light differs: where it is the same they are as they were. Takes as long as some twenty steps.
+    /// as their light differs: where it is the same they are as they were. Takes as long as some twenty
+    /// steps of a live frame.
     void changeParts(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                      int threads);
 
