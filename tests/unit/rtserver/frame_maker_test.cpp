@@ -329,7 +329,7 @@ TEST_F(FramesOfAState, InTheLightOfTheWalkFollowPartsThatAreHidden) {
         hideParts(document, hides ? std::make_shared<const std::vector<std::uint8_t>>(1, 1) : nullptr);
         test::draw(frames, state, rtserver::kCoarsest);
         rtserver::FrameDetail detail;
-        detail.inWalkLight = true;
+        detail.indirect = rtserver::IndirectOf::Rest;
         test::draw(frames, state, detail);
         const double known = meanOf(frames.radiance());
         test::draw(frames, state);
