@@ -14,9 +14,9 @@ namespace {
 /// Of the channel that differs most, as a part of the larger light.
 float differenceOf(Colour before, Colour now) {
     const float light = std::max(maxComponent(before), maxComponent(now));
-    const float most =
+    const float largest =
         std::max({std::fabs(now.r - before.r), std::fabs(now.g - before.g), std::fabs(now.b - before.b)});
-    return light > 0 ? std::min(most / light, 1.0F) : 0.0F;
+    return light > 0 ? std::min(largest / light, 1.0F) : 0.0F;
 }
 
 float ratioOf(float before, float now) { return before > 0 && now > 0 ? now / before : 1; }

@@ -166,14 +166,14 @@ void OutgoingCells::rehash(std::size_t slots, std::uint32_t fromFrame) {
 const OutgoingCells::Cell* OutgoingCells::cellOf(const Site& site, std::uint32_t minSamples) const {
     if (site.level == kNowhere) return nullptr;
     const Place place = placeOf(site);
-    const Slot* most = nullptr;
+    const Slot* best = nullptr;
     for (int level = site.level; level < kLevels; ++level) {
         const Slot* const found = find(place.keyOf(level));
         if (found == nullptr) continue;
-        most = found; // coarser cells know as much at least
+        best = found; // coarser cells know as much at least
         if (found->count >= minSamples) break;
     }
-    return most;
+    return best;
 }
 
 /// Calls `use` with each cell that add() would change, where it is.

@@ -20,7 +20,7 @@ struct Opening {
 };
 constexpr Opening kDoor{1, 2.1F}, kGate{2.5F, 2.6F};
 
-/// Three rooms of 4 x 3 x 4 in a row along x, 10 cm apart; floor and ceiling run through. A lamp in the first
+/// Three rooms of 4 x 3 x 4 in a row along x, 10 cm apart; floor and ceiling run through. A light in the first
 /// and in the last one; between the first two an opening with a leaf, which is the part.
 Scene threeRooms(Opening opening) {
     test::SceneBuilder b;
