@@ -216,8 +216,8 @@
         <translation>Nepřímé světlo</translation>
     </message>
     <message>
-        <source>light that surfaces send to each other, and that of the sky, learned while one walks; in place of ambient light, occlusion and skyLight</source>
-        <translation>světlo, které si povrchy posílají navzájem, a světlo oblohy, poznávané při procházce; místo okolního světla, jeho zastínění a skyLight</translation>
+        <source>light that surfaces send to each other, and that of the sky, learned while one walks; in place of ambient light, occlusion and skyLight; images by paths with denoise.net are mixed with one lit by it, and flicker less</source>
+        <translation>světlo, které si plochy posílají navzájem, a světlo oblohy, zjišťované během chůze; místo okolního světla, zastínění a skyLight; obrázky pomocí drah s denoise.net se mísí s obrázkem, který je jím osvětlen, a méně blikají</translation>
     </message>
     <message>
         <source>Live</source>
