@@ -20,8 +20,8 @@ struct Opening {
 };
 constexpr Opening kDoor{1, 2.1F}, kGate{2.5F, 2.6F};
 
-/// Three rooms of 4 x 3 x 4 in a row along x, 10 cm apart; floor and ceiling run through. A light in the first
-/// and in the last one; between the first two an opening with a leaf, which is the part.
+/// Three rooms of 4 x 3 x 4 in a row along x, 10 cm apart; floor and ceiling run through. A light in the
+/// first and in the last one; between the first two an opening with a leaf, which is the part.
 Scene threeRooms(Opening opening) {
     test::SceneBuilder b;
     const auto white = b.material(test::matte(0.7F)), grey = b.material(test::matte(0.4F));
