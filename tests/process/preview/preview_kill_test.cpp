@@ -20,7 +20,7 @@ class Interrupted : public LivePreview {
     /// How long this machine takes until a first frame is there.
     double timeToShow() {
         const Clock::time_point begin = Clock::now();
-        start({"-w", "1600", "-h", "1200", "-a", "16", "--run-id=0"});
+        start({"-w", "1600", "-h", "1200", "-a", "16", "--setting=indirect.mode=off", "--run-id=0"});
         look();
         EXPECT_TRUE(within(60, [&] { return viewer->readFrame(frame_); }));
         const double seconds = secondsSince(begin);
@@ -64,7 +64,8 @@ TEST_F(Interrupted, LeavesNothingAndTheNextOneWorks) {
     for (int i = 1; i <= kills(); ++i) {
         const std::vector<std::string> left = instance.segments();
         // More than any machine draws in that time: what is complete ends well in spite of the signal.
-        start({"-w", "1600", "-h", "1200", "-a", "16", "--run-id=" + std::to_string(i)});
+        start({"-w", "1600", "-h", "1200", "-a", "16", "--setting=indirect.mode=off",
+               "--run-id=" + std::to_string(i)});
         ASSERT_NO_FATAL_FAILURE(lookFor(anyMoment(random_), static_cast<std::uint64_t>(i)));
         const bool gently = random_() % 2 == 0;
         const Clock::time_point begin = Clock::now();

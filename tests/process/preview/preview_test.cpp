@@ -133,7 +133,7 @@ TEST_F(Previewing, TheLastFrameStaysForThoseWhoHaveIt) {
 }
 
 TEST_F(Previewing, TellsProgressWhileItRenders) {
-    start({"-w", "3000", "-h", "3000", "-a", "16"});
+    start({"-w", "3000", "-h", "3000", "-a", "16", "--setting=indirect.mode=off"});
     look();
     ASSERT_TRUE(within(30, [&] { return viewer->status().progress > 0; }));
     const float first = viewer->status().progress;
@@ -164,7 +164,7 @@ TEST_F(Previewing, AModelThatIsStillLoaded) {
 }
 
 TEST_F(Previewing, TheNameIsTaken) {
-    start({"-w", "3000", "-h", "3000", "-a", "16"});
+    start({"-w", "3000", "-h", "3000", "-a", "16", "--setting=indirect.mode=off"});
     look();
     const ProgramResult second = run({"-w", "8", "-h", "8"});
     EXPECT_EQ(second.exitCode, 75);
@@ -235,7 +235,8 @@ class Orphaned : public LivePreview {
     /// A shell that starts a Renderer of many minutes and waits for it.
     void startByShell(const std::string& options) {
         const std::string command = "'" + programPath("Renderer").string() +
-                                    "' room.bsp -w 3000 -h 3000 -a 16 " + options + " --progress=none & wait";
+                                    "' room.bsp -w 3000 -h 3000 -a 16 --setting=indirect.mode=off " +
+                                    options + " --progress=none & wait";
         program.emplace("/bin/sh", Names{"-c", command}, ProgramSettings{.folder = folder().path()});
     }
 };
