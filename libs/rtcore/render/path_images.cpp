@@ -10,7 +10,7 @@ namespace rtcore {
 namespace {
 
 /// Times, in those of one sample of each pixel.
-constexpr double kTimeOfSteady = 8, kTimeOfGuides = 2, kTimeOfAovs = 4;
+constexpr double kTimeOfGuides = 2, kTimeOfSteady = 8, kTimeOfAovs = 4;
 /// Pixels a side of the squares of the first image that is shown.
 constexpr int kCoarse = 2;
 /// Samples of each pixel from which on all rays of the guides are worth their time.
@@ -21,15 +21,19 @@ constexpr std::uint32_t kManySamples = 2;
 bool PathImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
     const double steady = mixesSteadyImage(view.settings) ? kTimeOfSteady : 0,
                  guides = request.guides ? kTimeOfGuides : 0, samples = view.settings.path.samples,
-                 aovs = request.aovs ? kTimeOfAovs : 0, all = steady + guides + samples + aovs;
-    enter({0, steady / all}, control);
-    if (!begin(view, control, request, frame)) return false;
-    enter({steady / all, guides / all}, control);
+                 aovs = request.aovs ? kTimeOfAovs : 0, all = guides + samples + steady + aovs;
+    enter({0, 0}, control);
+    frame.guides = {};
+    frame.steady = {};
+    if (request.show && denoisesByNet(view.settings) && !showCoarse(view, control, request)) return false;
+    enter({0, guides / all}, control);
     const GuideRays rays = request.show ? GuideRays::Few : GuideRays::All;
     if (request.guides && !findGuides(view, control, rays, frame)) return false;
-    enter({(steady + guides) / all, samples / all}, control);
+    enter({guides / all, samples / all}, control);
     if (!renderPaths(view, control, request, frame)) return false;
-    enter({(steady + guides + samples) / all, aovs / all}, control);
+    enter({(guides + samples) / all, steady / all}, control);
+    if (!findSteady(view, control, frame)) return false;
+    enter({(guides + samples + steady) / all, aovs / all}, control);
     if (!request.aovs) return true;
     constexpr int kSamples = 4; // each way: edges are as smooth as those of the image
     if (!findSurfaces(view, control, kSamples)) return false;
@@ -37,25 +41,31 @@ bool PathImages::render(const View& view, RenderControl& control, const ImageReq
     return true;
 }
 
-/// What comes before the paths: a steady image, or else a first one that is soon there.
-bool PathImages::begin(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
-    frame.guides = {};
-    frame.steady = {};
-    if (mixesSteadyImage(view.settings)) return findSteady(view, control, request, frame);
-    return !request.show || !denoisesByNet(view.settings) || showCoarse(view, control, request);
-}
-
-bool PathImages::findSteady(const View& view, RenderControl& control, const ImageRequest& request,
-                            Frame& frame) {
+/// What the image is mixed with, unless the frame has it already, or it is mixed with none. The control
+/// counts on afterwards from where it was.
+bool PathImages::findSteady(const View& view, RenderControl& control, Frame& frame) {
+    if (!mixesSteadyImage(view.settings) || !frame.steady.empty()) return true;
     const auto exchange = [this](std::unique_ptr<SteadyImage> other) {
         const std::lock_guard lock(mutex_);
         std::swap(steady_, other);
         return other;
     };
+    const std::uint64_t tiles = control.tiles, done = control.tilesDone;
     exchange(std::make_unique<SteadyImage>());
     steady_->beginWith(kept_);
-    const bool whole = steady_->render(view, control, request.show, frame);
+    const bool whole = steady_->render(view, control, frame);
     exchange(nullptr); // its memory goes, without the lock
+    control.tilesDone = done;
+    control.tiles = tiles;
+    return whole;
+}
+
+/// The same among samples that are shown.
+bool PathImages::findSteadyMeanwhile(const View& view, RenderControl& control, Frame& frame) {
+    const Span own = span();
+    setSpan({fraction(control), 0});
+    const bool whole = findSteady(view, control, frame);
+    setSpan(own);
     return whole;
 }
 
@@ -83,6 +93,7 @@ bool PathImages::renderPaths(const View& view, RenderControl& control, const Ima
                 !findGuides(view, control, GuideRays::All, frame)) {
                 return;
             }
+            if (samples >= kTimeOfSteady && !findSteadyMeanwhile(view, control, frame)) return;
             request.show({picture, 1, samples, filtered ? &surfaces_.aovs : nullptr,
                           request.guides ? &frame.guides : nullptr});
         };

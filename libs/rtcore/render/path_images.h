@@ -26,8 +26,8 @@ class PathImages : public ImageRenderer {
     void enter(const Span& span, RenderControl& control);
     void setSpan(const Span& span);
     Span span() const;
-    bool begin(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
-    bool findSteady(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame);
+    bool findSteady(const View& view, RenderControl& control, Frame& frame);
+    bool findSteadyMeanwhile(const View& view, RenderControl& control, Frame& frame);
     bool findSurfaces(const View& view, RenderControl& control, int samples);
     bool findGuides(const View& view, RenderControl& control, GuideRays rays, Frame& frame);
     bool showCoarse(const View& view, RenderControl& control, const ImageRequest& request);

@@ -19,13 +19,10 @@ RenderSettings steadySettings(const RenderSettings& settings) {
     return rays;
 }
 
-bool SteadyImage::render(const View& view, RenderControl& control,
-                         const std::function<void(const ImagePass&)>& show, Frame& frame) {
+bool SteadyImage::render(const View& view, RenderControl& control, Frame& frame) {
     const RenderSettings settings = steadySettings(view.settings);
     Frame image;
-    if (!rays_.render({view.scene, view.tracer, view.camera, settings}, control, {.show = show}, image))
-        return false;
-    if (show) show({image, 1, 1, nullptr, nullptr});
+    if (!rays_.render({view.scene, view.tracer, view.camera, settings}, control, {}, image)) return false;
     frame.steady = std::move(image.radiance);
     return !control.cancel;
 }

@@ -6,7 +6,6 @@
 #include "rtcore/render/ray_images.h"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace rtcore {
@@ -14,16 +13,14 @@ namespace rtcore {
 /// The settings by which Whitted's rays render it.
 RenderSettings steadySettings(const RenderSettings& settings);
 
-/// Renders one, as RayImages do with `indirect.mode = "live"`, and shows what comes before it. Its memory
-/// goes with it: some 10 to 80 MB of records, cells and samples.
+/// Renders one, as RayImages do with `indirect.mode = "live"`. Its memory goes with it: some 10 to 80 MB of
+/// records, cells and samples.
 class SteadyImage {
   public:
     /// As ViewLight::beginWith(); the light is of steadySettings().
     void beginWith(const std::shared_ptr<const IndirectState>& kept) { rays_.beginWith(kept); }
-    /// Into frame.steady; the rest of `frame` stays. `show`, where it is not empty, gets coarser images.
-    /// False when control.cancel was set.
-    bool render(const View& view, RenderControl& control, const std::function<void(const ImagePass&)>& show,
-                Frame& frame);
+    /// Into frame.steady; the rest of `frame` stays. False when control.cancel was set.
+    bool render(const View& view, RenderControl& control, Frame& frame);
     /// Progress of render(), 0..1. Any thread.
     double fraction(const RenderControl& control) const { return rays_.fraction(control); }
 

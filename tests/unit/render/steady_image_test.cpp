@@ -65,25 +65,20 @@ TEST_F(SteadyImageTest, ChangesNoPathAndNeedsANet) {
     EXPECT_TRUE(byPaths(2).steady.empty());
 }
 
-// It is seen before the first path, and all that follows has it.
-TEST_F(SteadyImageTest, IsShownFirst) {
-    std::vector<HdrImage> before;
-    std::vector<std::uint32_t> samples;
+/// What is shown first does not wait for it.
+TEST_F(SteadyImageTest, ComesOnceThereAreSamplesThatTookAsLong) {
+    settings.path.samples = 32;
+    std::vector<std::uint32_t> without, with;
     ImageRequest request{.guides = true};
     request.show = [&](const ImagePass& pass) {
-        if (pass.frame.steady.empty()) {
-            before.push_back(pass.frame.radiance);
-            EXPECT_EQ(pass.guides, nullptr) << "no net takes anything from it";
-            EXPECT_TRUE(samples.empty());
-        } else {
-            samples.push_back(pass.samples);
-        }
+        (pass.frame.steady.empty() ? without : with).push_back(pass.samples);
     };
     const Frame frame = byPaths(2, request);
-    ASSERT_FALSE(before.empty());
-    EXPECT_EQ(before.back().pixels, frame.steady.pixels);
-    EXPECT_EQ(samples, (std::vector<std::uint32_t>{1, 2}));
-    EXPECT_EQ(frame.radiance.pixels, byPaths(1).radiance.pixels);
+    EXPECT_EQ(without, (std::vector<std::uint32_t>{1, 1, 2, 4})) << "the first one is coarse";
+    EXPECT_EQ(with, (std::vector<std::uint32_t>{8, 16}));
+    const Frame alone = byPaths(1);
+    EXPECT_EQ(frame.radiance.pixels, alone.radiance.pixels);
+    EXPECT_EQ(frame.steady.pixels, alone.steady.pixels);
 }
 
 TEST_F(SteadyImageTest, StopsWhenItIsTold) {
@@ -91,7 +86,7 @@ TEST_F(SteadyImageTest, StopsWhenItIsTold) {
     control.cancel = true;
     Frame frame;
     SteadyImage image;
-    EXPECT_FALSE(image.render({traced.scene, traced.tracer, camera, settings}, control, {}, frame));
+    EXPECT_FALSE(image.render({traced.scene, traced.tracer, camera, settings}, control, frame));
 }
 
 } // namespace
