@@ -241,8 +241,9 @@ OptionGroup lightOptions() {
              {.name = "make-light",
               .value = ValueKind::Text,
               .argument = "FILE",
-              .help = "learn the indirect light of the list's views, of --camera, or of views from all over "
-                      "the floors, write it to this .light file, and exit",
+              .help = "learn indirect light, write it to this .light file, and exit: that of the views of a "
+                      "list, of one "
+                      "camera, or of views from all over the floors",
               .more = "A run that was stopped keeps what it has learned; the same command goes on",
               .files = {"light"}},
              {.name = "light-time",

@@ -1037,8 +1037,8 @@
         <translation>Vytvořit světlo</translation>
     </message>
     <message>
-        <source>learn the indirect light of the list's views, of --camera, or of views from all over the floors, write it to this .light file, and exit</source>
-        <translation>zjistit nepřímé světlo pohledů seznamu, pohledu --camera nebo pohledů ze všech podlah, zapsat je do tohoto souboru .light a skončit</translation>
+        <source>learn indirect light, write it to this .light file, and exit: that of the views of a list, of one camera, or of views from all over the floors</source>
+        <translation>zjistit nepřímé světlo, zapsat je do tohoto souboru .light a skončit: světlo pohledů seznamu, jedné kamery nebo pohledů ze všech podlah</translation>
     </message>
     <message>
         <source>Light time</source>
