@@ -242,8 +242,7 @@ OptionGroup lightOptions() {
               .value = ValueKind::Text,
               .argument = "FILE",
               .help = "learn indirect light, write it to this .light file, and exit: that of the views of a "
-                      "list, of one "
-                      "camera, or of views from all over the floors",
+                      "list, of one camera, or of views from all over the floors",
               .more = "A run that was stopped keeps what it has learned; the same command goes on",
               .files = {"light"}},
              {.name = "light-time",
