@@ -1,7 +1,10 @@
-/// kill -9 at any moment: a .bsp is the old one, or none, or the whole new one. RT_KILLS sets how often (20).
+/// kill -9 at any moment: a .bsp or a .light is the old one, or none, or a whole new one. RT_KILLS sets how
+/// often (20).
 #include "process/sample_scene.h"
 
 #include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/io/light/light_file.h"
+#include "rtcore/platform/error.h"
 
 #include <gtest/gtest.h>
 
@@ -75,6 +78,71 @@ TEST_F(KilledBuilder, LeavesNoFileOrTheNewOne) {
     }
     EXPECT_EQ(build({}).exitCode, 0);
     EXPECT_NO_THROW(rtcore::readBsp(folder / "waves.bsp"));
+}
+
+class KilledLight : public testing::Test {
+  protected:
+    void SetUp() override {
+        test::writeRoom(folder / "room.obj");
+        test::writeCamera(folder / "a.cam", 0);
+        const auto start = std::chrono::steady_clock::now();
+        test::RunningProgram maker = make();
+        ASSERT_EQ(maker.wait().exitCode, 0);
+        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        old_ = test::readBytes(folder / "room.light");
+    }
+    /// Goes on with the file that there is, or begins one.
+    test::RunningProgram make() const {
+        return {test::programPath("Renderer"),
+                {"room.obj", "--setting=indirect.mode=live", "--make-light=room.light", "--camera=a.cam",
+                 "-w", "32", "-h", "24", "--progress=json"},
+                {.folder = folder.path()}};
+    }
+    /// Half of the kills fall anywhere, half where the file may be written.
+    void killOnce() {
+        test::RunningProgram maker = make();
+        const double earliest = random_() % 2 == 0 ? 0 : 0.8;
+        const double delay = std::uniform_real_distribution<double>(earliest, 1.1)(random_) * seconds_;
+        std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+        maker.send(SIGKILL);
+        maker.wait();
+    }
+    /// Its checksum is that of all its bytes.
+    bool isWhole() const {
+        try {
+            rtcore::readLightFile(folder / "room.light", {});
+            return true;
+        } catch (const rtcore::FileError&) {
+            return false;
+        }
+    }
+
+    test::TemporaryFolder folder;
+    std::string old_;
+    double seconds_ = 0;
+    std::mt19937 random_{20261129};
+};
+
+TEST_F(KilledLight, LeavesTheOldFileOrAWholeOne) {
+    int replaced = 0;
+    for (int i = 0; i < kills(); ++i) {
+        test::writeText(folder / "room.light", old_);
+        killOnce();
+        ASSERT_TRUE(isWhole()) << "kill " << i;
+        if (test::readBytes(folder / "room.light") != old_) ++replaced;
+    }
+    RecordProperty("new", replaced);
+    EXPECT_EQ(make().wait().exitCode, 0);
+}
+
+TEST_F(KilledLight, LeavesNoFileOrAWholeOne) {
+    for (int i = 0; i < kills(); ++i) {
+        std::filesystem::remove(folder / "room.light");
+        killOnce();
+        if (!std::filesystem::exists(folder / "room.light")) continue;
+        ASSERT_TRUE(isWhole()) << "kill " << i;
+    }
+    EXPECT_EQ(make().wait().exitCode, 0);
 }
 
 } // namespace

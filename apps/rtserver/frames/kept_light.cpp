@@ -5,6 +5,7 @@
 #include "rtcore/io/light/content_hash.h"
 #include "rtcore/io/light/light_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/format.h>
@@ -155,6 +156,7 @@ void KeptLight::write() {
                 const std::filesystem::path folder = file.parent_path();
                 if (!std::filesystem::exists(folder)) app::makePrivateFolder(folder.string());
                 rtcore::writeLightFile(file, rtcore::lightKeyOf(*scene, tracer->bounds(), settings), *state);
+                rtcore::removeForgottenFiles(folder);
                 makeRoom(folder);
             });
         });

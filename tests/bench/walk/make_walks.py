@@ -2,10 +2,10 @@
 """Makes the walks of bench_walk: make_walks.py FOLDER [NAME]...
 
 Each is 300 cameras at 30 a second in FOLDER/NAME.lst, along points that are passed at even speed, with a head
-that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, of a
-flat, a cellar, a gallery of glass and a street by day, of a street and a hall at night, whose scenes are made beside
-their walks, and of the models Sibenik, Crytek Sponza and Lamborghini. Where RT_TEST_SCENES names the folder of these, each has a
-scene beside its walk: FOLDER/NAME.scn.
+that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, of
+data/organic, of a flat, a cellar, a gallery of glass and a street by day, of a street and a hall at night, whose
+scenes are made beside their walks, and of the models Sibenik, Crytek Sponza and Lamborghini. Where RT_TEST_SCENES
+names the folder of these, each has a scene beside its walk: FOLDER/NAME.scn.
 """
 import math
 import os
@@ -30,6 +30,8 @@ WALKS = {
         (-1050, 50, -40, 90, 5), (-400, 50, -20, 95, 10), (300, 50, -60, 85, 8), (850, 50, -40, 90, 4)]),
     "lamborghini": dict(fov=60, sway=6, period=4, around=True, points=[
         (4.6, 1.5, 4.6, 0, 0), (0.5, 1.3, 5.8, 0, 0), (-4.2, 1.4, 4.2, 0, 0), (-6.0, 1.7, 0.0, 0, 0)]),
+    "organic": dict(fov=66, sway=12, period=5, points=[
+        (-0.2, 1.4, 13.8, -5, 2), (1.4, 1.3, 11.6, -15, 2), (3.2, 1.2, 9.4, -32, 2), (3.6, 1.3, 7.2, -50, 2)]),
     # Once around an object, as by a drag.
     "orbit": dict(fov=60, sway=0, period=1, around=True, points=[
         (5.8 * math.sin(math.tau * i / 16), 1.6, 5.8 * math.cos(math.tau * i / 16), 0, 0) for i in range(17)]),
