@@ -30,6 +30,7 @@ rtcore::RenderSettings pathSettings(const rtcore::RenderSettings& all, const Wal
     settings.height = options.truthHeight;
     settings.path.samples = options.truthSamples;
     settings.path.seedPerFrame = false;
+    settings.indirect = {}; // without a net it lights no paths
     return settings;
 }
 
