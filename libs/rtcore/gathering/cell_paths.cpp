@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kDigits = 33;    ///< so many numbers of digits there are
 constexpr std::uint8_t kNoCell = 0xFF; ///< the ray has hit nothing
-constexpr std::size_t kPathsOfWave = 2048;
+/// Long waves are quicker, but all threads have some of the few paths of a live frame.
+constexpr std::size_t kMinPathsOfWave = 256, kMaxPathsOfWave = 2048;
 constexpr float kMaxRadiance = 1e6F; ///< beyond, or where it is no number, a path counts as dark
 
 } // namespace
@@ -97,7 +98,10 @@ bool CellPaths::trace(const PathFrame& paths, const GatherHits& hits, std::span<
     while (integrators_.size() < static_cast<std::size_t>(team))
         integrators_.push_back(std::make_unique<PathIntegrator>());
     radiance_.resize(chosen_.size());
-    const auto waves = static_cast<std::int64_t>((chosen_.size() + kPathsOfWave - 1) / kPathsOfWave);
+    const std::size_t all = chosen_.size(), ofWave = std::clamp((all + static_cast<std::size_t>(team) - 1) /
+                                                                    static_cast<std::size_t>(team),
+                                                                kMinPathsOfWave, kMaxPathsOfWave);
+    const auto waves = static_cast<std::int64_t>((all + ofWave - 1) / ofWave);
     const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
     TaskErrors errors;
 #pragma omp parallel num_threads(team)
@@ -111,8 +115,8 @@ bool CellPaths::trace(const PathFrame& paths, const GatherHits& hits, std::span<
         for (std::int64_t wave = 0; wave < waves; ++wave) {
             if (stopped() || errors.any()) continue;
             errors.guard([&] {
-                const std::size_t first = static_cast<std::size_t>(wave) * kPathsOfWave,
-                                  last = std::min(first + kPathsOfWave, chosen_.size());
+                const std::size_t first = static_cast<std::size_t>(wave) * ofWave,
+                                  last = std::min(first + ofWave, all);
                 rays.clear();
                 names.clear();
                 for (std::size_t i = first; i < last; ++i) {

@@ -94,11 +94,17 @@ OutgoingCells::Site siteOf(const GatherScene& in, const Ray& ray, const Hit& hit
             dot(normal, ray.direction) > 0 ? -normal : normal, length, in.surfaces.of(hit.triangle)};
 }
 
+/// Long waves are quicker, but all threads have some of the few passes of a live frame.
+std::size_t passesOfWave(std::size_t passes, int threads) {
+    constexpr std::size_t kMin = 16, kMax = 128, kOfThread = 2;
+    return std::clamp(passes / (kOfThread * static_cast<std::size_t>(threads)), kMin, kMax);
+}
+
 } // namespace
 
 bool GatherHits::trace(const GatherScene& in, std::span<const GatherPass> passes, int threads,
                        const std::atomic<bool>* stop) {
-    constexpr std::size_t kPasses = 128; // of a wave
+    const std::size_t ofWave = passesOfWave(passes.size(), threadsFor(threads));
     const std::size_t count = passes.size() * kPassRays;
     sites_.resize(count);
     directions_.resize(count);
@@ -107,10 +113,10 @@ bool GatherHits::trace(const GatherScene& in, std::span<const GatherPass> passes
         RayWave rays;
         HitWave hits;
     };
-    forEachPart((passes.size() + kPasses - 1) / kPasses, threadsFor(threads), [&](std::size_t part) {
+    forEachPart((passes.size() + ofWave - 1) / ofWave, threadsFor(threads), [&](std::size_t part) {
         if (stopped()) return;
         thread_local Scratch scratch;
-        const std::size_t first = part * kPasses, last = std::min(first + kPasses, passes.size());
+        const std::size_t first = part * ofWave, last = std::min(first + ofWave, passes.size());
         scratch.rays.clear();
         for (std::size_t i = first; i < last; ++i) addGatherRays(passes[i], scratch.rays);
         in.tracer.intersect(RayKind::Scattered, scratch.rays, scratch.hits);
