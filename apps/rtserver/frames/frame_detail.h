@@ -19,7 +19,8 @@ struct FrameDetail {
     /// The fraction of a live frame's pixels (rtcore/live) that is traced; the others show the light of the
     /// frames before. 0: all are traced.
     double newSamples = 0;
-    /// The fraction of WalkLight::kBudget by which a live frame learns indirect light.
+    /// The fraction of WalkLight::kBudget by which a live or coarse frame learns indirect light; in a live
+    /// one above 1, up to 4: as far as nothing is known of what is seen.
     double learning = 1;
     IndirectOf indirect = IndirectOf::View;
 

@@ -127,9 +127,11 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
         } else {
             walkLight_->follow(document, threads_);
             const bool rests = detail.complete();
+            const double times = detail.cut ? detail.learning : WalkLight::kAtLeisure;
             const bool learned =
-                rests ? walkLight_->learnRest(view, control) : walkLight_->learn(view, control);
+                rests ? walkLight_->learnRest(view, control) : walkLight_->learn(view, times, control);
             if (!learned) return false;
+            countRays();
             cache = &walkLight_->light().cache();
         }
     }
@@ -143,7 +145,7 @@ bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& con
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     walkLight_->follow(document, threads_);
-    if (!walkLight_->learn(view, control)) return false;
+    if (!walkLight_->learn(view, WalkLight::kAtLeisure, control)) return false;
     renderer_->lightIndirectlyFrom(&walkLight_->light().cache());
     if (!renderer_->render(view, control, frame)) return false;
     gradual_.beginAgain(frame, document.frameSettings(), threads_);
@@ -192,12 +194,15 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};
-    if (indirect) {
-        const rtcore::IndirectLight::Learned& learned = walkLight_->light().learned();
-        liveCost_.rays = static_cast<double>(learned.rays);
-        liveCost_.raySeconds = learned.seconds;
-    }
+    if (indirect) countRays();
     return true;
+}
+
+void FrameMaker::countRays() {
+    const rtcore::IndirectLight::Learned& learned = walkLight_->light().learned();
+    liveCost_.rays = static_cast<double>(learned.rays);
+    liveCost_.raySeconds = learned.seconds;
+    liveCost_.unknown = learned.unknown;
 }
 
 bool FrameMaker::drawsLive(const Document& document) {

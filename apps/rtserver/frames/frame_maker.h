@@ -93,6 +93,7 @@ class FrameMaker {
     void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                       const rtcore::Frame& frame);
     bool showAtOnce(const Document& document, rtcore::RenderControl& control, rtcore::Frame& frame);
+    void countRays();
     bool lightIndirectly(const Document& document, const FrameDetail& detail, const rtcore::View& view,
                          rtcore::RenderControl& control);
     void noticeChanges(const Document& document);

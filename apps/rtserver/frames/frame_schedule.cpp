@@ -14,6 +14,10 @@ constexpr double kMin = 0.25;       ///< frame times; in less no other frame tha
 constexpr double kGlimpse = 0.5;
 constexpr double kForget = 0.05; ///< fraction of the way down that is taken after each coarsest frame
 
+bool isCoarsest(const FrameDetail& detail) {
+    return detail.cut && !detail.live() && detail.scale == kMinScale;
+}
+
 double seconds(FrameSchedule::Duration time) { return std::chrono::duration<double>(time).count(); }
 
 } // namespace
@@ -41,11 +45,13 @@ double FrameSchedule::patience() const {
 FrameDetail FrameSchedule::begin(const Demand& demand) {
     demand_ = demand;
     detail_ = choose();
+    if (detail_.cut && !detail_.live() && demand_.frameSeconds > 0)
+        detail_.learning = liveGovernor_.coarseLearning(demand_.frameSeconds);
     return detail_;
 }
 
 bool FrameSchedule::leaves(Duration lasted, bool changeWaits) const {
-    if (detail_ == kCoarsest || detail_.live()) return false;
+    if (isCoarsest(detail_) || detail_.live()) return false;
     const bool patient = demand_.waitedFor || demand_.frameSeconds <= 0;
     if (demand_.changed && demand_.frameSeconds > 0) return seconds(lasted) > patience();
     return changeWaits && (!patient || lasted > kLongFrame);
@@ -61,7 +67,7 @@ void FrameSchedule::left(Duration lasted) {
 void FrameSchedule::shown(Duration lasted, LiveGovernor::Cost live) {
     owed_ = false;
     rested_ = detail_.whole();
-    if (detail_ == kCoarsest) {
+    if (isCoarsest(detail_)) {
         const double now = seconds(lasted);
         coarsest_ = now > coarsest_ ? now : coarsest_ + (now - coarsest_) * kForget;
     }
@@ -70,6 +76,7 @@ void FrameSchedule::shown(Duration lasted, LiveGovernor::Cost live) {
         liveGovernor_.learn(detail_, demand_.pixels, demand_.frameSeconds, live);
         return;
     }
+    if (live.rays > 0) liveGovernor_.learnRays(live);
     governor_.learn(detail_, demand_.work, seconds(lasted));
 }
 

@@ -8,9 +8,11 @@
 
 namespace rtserver {
 
-rtcore::GatherBudget WalkLight::budgetOf(double fraction) {
-    return {static_cast<std::uint32_t>(kBudget.rays * fraction),
-            static_cast<std::uint32_t>(kBudget.paths * fraction)};
+rtcore::GatherBudget WalkLight::budgetOf(double learning) {
+    const double part = std::min(learning, 1.0);
+    return {.rays = static_cast<std::uint32_t>(kBudget.rays * part),
+            .paths = static_cast<std::uint32_t>(kBudget.paths * part),
+            .most = learning / part};
 }
 
 void WalkLight::follow(const Document& document, int threads) {
@@ -49,8 +51,10 @@ int WalkLight::turns() const {
     return kTurns;
 }
 
-bool WalkLight::learn(const rtcore::View& view, rtcore::RenderControl& control) {
-    constexpr rtcore::GatherBudget kOfCoarse{4 * kBudget.rays, 4 * kBudget.paths};
+bool WalkLight::learn(const rtcore::View& view, double times, rtcore::RenderControl& control) {
+    const rtcore::GatherBudget budget{.rays = static_cast<std::uint32_t>(kBudget.rays * times),
+                                      .paths = static_cast<std::uint32_t>(kBudget.paths * times),
+                                      .most = times < kAtLeisure ? 1 : rtcore::GatherBudget::kMostTimes};
     constexpr int kMaxPixels = 1 << 16;
     int apart = 1; // pixels each way
     while (view.settings.width / apart * (view.settings.height / apart) > kMaxPixels) ++apart;
@@ -59,7 +63,7 @@ bool WalkLight::learn(const rtcore::View& view, rtcore::RenderControl& control) 
         for (int x = 0; x < view.settings.width; x += apart)
             pixels.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
     }
-    return steps_.step(view, pixels, kOfCoarse, control, *light_);
+    return steps_.step(view, pixels, budget, control, *light_);
 }
 
 bool WalkLight::learnRest(const rtcore::View& view, rtcore::RenderControl& control) {

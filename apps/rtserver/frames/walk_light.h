@@ -16,16 +16,18 @@ class WalkLight {
   public:
     /// The work of a live frame at most, and in how many of them samples follow what is learned.
     static constexpr rtcore::GatherBudget kBudget{8192, 768};
-    /// A fraction of it.
-    static rtcore::GatherBudget budgetOf(double fraction);
+    /// By FrameDetail::learning: a part of it; beyond 1 it itself, and more only where nothing is known.
+    static rtcore::GatherBudget budgetOf(double learning);
     static constexpr int kTurns = 48;
 
     /// kTurns, but for some frames after a change of light: then samples follow sooner.
     int turns() const;
     /// Before each frame: takes what has changed, so that what is known suits the state.
     void follow(const Document& document, int threads);
-    /// Learns about some of the pixels of a frame that is not live.
-    bool learn(const rtcore::View& view, rtcore::RenderControl& control);
+    /// Of a frame that no time is planned for.
+    static constexpr double kAtLeisure = 4;
+    /// Learns about some of the pixels of a frame that is not live, with so many times kBudget.
+    bool learn(const rtcore::View& view, double times, rtcore::RenderControl& control);
     /// Goes on until the view that rests is known about as well as one whose light is learned for it alone.
     bool learnRest(const rtcore::View& view, rtcore::RenderControl& control);
     rtcore::IndirectLight& light() { return *light_; }

@@ -40,9 +40,11 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
     lookUp(curve_.of(receivers, lit_.tracer().bounds()), receivers, arriving, frame_, threads);
     findLacking(receivers, arriving);
     const auto begun = std::chrono::steady_clock::now();
-    if (!learn(receivers, arriving, budgetFor(budget, receivers.size()), threads, stop)) return false;
+    const double unknown =
+        receivers.empty() ? 0 : static_cast<double>(lacking_.size()) / static_cast<double>(receivers.size());
+    if (!learn(receivers, arriving, budgetFor(budget, unknown), threads, stop)) return false;
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
-    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses()};
+    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses(), unknown};
     lookUp(lacking_, receivers, arriving, 0, threads);
     return true;
 }
@@ -104,11 +106,8 @@ void IndirectLight::findLacking(std::span<const Receiver> receivers,
 }
 
 /// More where little is known of what is seen.
-GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, std::size_t receivers) const {
-    constexpr double kMaxTimes = 4;
-    const double unknown =
-        receivers > 0 ? static_cast<double>(lacking_.size()) / static_cast<double>(receivers) : 0;
-    const double times = 1 + (kMaxTimes - 1) * unknown;
+GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, double unknown) {
+    const double times = 1 + (budget.most - 1) * unknown;
     return {static_cast<std::uint32_t>(budget.rays * times), static_cast<std::uint32_t>(budget.paths * times),
             budget.enough};
 }

@@ -27,12 +27,16 @@ namespace rtcore {
 class ChangedSurfaces;
 class LightDifference;
 
-/// The work of a step; where nothing is known of what is seen it is four times as much.
+/// The work of a step.
 struct GatherBudget {
     std::uint32_t rays = 16384; ///< from records, by 64
     std::uint32_t paths = 1536; ///< of them that go on as paths, about
     /// Records with so many passes get no more; coarse ones with a quarter of them.
     std::uint32_t enough = std::numeric_limits<std::uint32_t>::max();
+    /// Times as many rays and paths where nothing is known of what is seen, as far as that is all of it; 1 at
+    /// least.
+    double most = kMostTimes;
+    static constexpr double kMostTimes = 4;
 };
 
 /// Not for several threads at once: it uses all of them itself. Its state depends on the scene and the steps
@@ -66,12 +70,14 @@ class IndirectLight {
     /// (may be null) became true: then all is as before, but for which records were of use lately.
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
-    /// Learning in the last step: rays from records, the seconds that all of it took, and the fewest passes
-    /// of a record that was of use lately and had one; those of coarse ones count four times.
+    /// Learning in the last step: rays from records, the seconds that all of it took, the fewest passes of a
+    /// record that was of use lately and had one, where those of coarse ones count four times, and the part
+    /// of the receivers that nothing was known of before, or not much.
     struct Learned {
         std::size_t rays = 0;
         double seconds = 0;
         std::uint32_t minPasses = 0;
+        double unknown = 0;
     };
     const Learned& learned() const { return learned_; }
     /// Looks up what is known. From many threads, while none learns.
@@ -102,7 +108,7 @@ class IndirectLight {
     void forgetUnused();
     void undo(std::size_t records);
     void findLacking(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving);
-    GatherBudget budgetFor(const GatherBudget& budget, std::size_t receivers) const;
+    static GatherBudget budgetFor(const GatherBudget& budget, double unknown);
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
     std::uint64_t turnOf(std::uint32_t number) const;

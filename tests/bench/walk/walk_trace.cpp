@@ -1,5 +1,6 @@
 #include "bench/walk/walk_trace.h"
 
+#include "rtcore/gathering/indirect_light.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
@@ -32,7 +33,8 @@ bool read(std::istream& line, WalkStep& step) {
     camera.kind = static_cast<rtcore::CameraKind>(kind);
     const auto isPart = [](double value) { return value > 0 && value <= 1; };
     return line && line.eof() && kind <= 1 && isPart(step.detail.scale) &&
-           (step.detail.newSamples == 0 || isPart(step.detail.newSamples)) && isPart(step.detail.learning);
+           (step.detail.newSamples == 0 || isPart(step.detail.newSamples)) &&
+           isPart(step.detail.learning / rtcore::GatherBudget::kMostTimes);
 }
 
 } // namespace

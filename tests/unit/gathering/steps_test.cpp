@@ -42,6 +42,21 @@ TEST(Steps, TheSameBitsForAllThreadsAndInstructionSets) {
     useInstructionSet("auto");
 }
 
+TEST(Steps, LearnByAsManyRaysAsAreAllowedWhereNothingIsKnown) {
+    for (const double most : {1.0, 2.5, GatherBudget::kMostTimes}) {
+        test::GatheringScene room(test::furnishedRoom());
+        room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 400, 0.006F);
+        room.budget = {.rays = 4096, .paths = 700, .most = most};
+        room.learn(1);
+        EXPECT_EQ(room.light.learned().unknown, 1);
+        EXPECT_LE(room.light.learned().rays, most * 4096);
+        EXPECT_GT(room.light.learned().rays, 0.9 * most * 4096);
+        room.learn(30);
+        EXPECT_LT(room.light.learned().unknown, 0.2);
+        EXPECT_LT(room.light.learned().rays, 1.5 * 4096);
+    }
+}
+
 TEST(Steps, TheFirstHasTheRightMean) {
     // No dark youth: the cells are filled before they are read.
     test::GatheringScene room(test::furnishedRoom());

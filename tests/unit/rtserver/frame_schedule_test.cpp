@@ -55,6 +55,17 @@ TEST(FrameSchedule, LeavesWhatIsLateEarlyEnoughForTheCoarsest) {
     EXPECT_FALSE(schedule.leaves(10h, true));
 }
 
+TEST(FrameSchedule, CoarseFramesLearnIndirectLightByAsManyRaysAsThereIsTimeFor) {
+    FrameSchedule schedule;
+    EXPECT_EQ(schedule.begin(kChange), kCoarsest);
+    schedule.shown(200ms, {.rays = 8192, .raySeconds = 0.15});
+    const FrameDetail next = schedule.begin(kChange);
+    EXPECT_EQ(next.learning, 0.25);
+    EXPECT_EQ(next.scale, kCoarsest.scale);
+    EXPECT_FALSE(schedule.leaves(10h, true)) << "it is the coarsest still";
+    EXPECT_EQ(schedule.begin(kRest).learning, 1);
+}
+
 TEST(FrameSchedule, AnotherSceneIsSeenCoarseAtFirst) {
     FrameSchedule schedule;
     schedule.begin(kRest);

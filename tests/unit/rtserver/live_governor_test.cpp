@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using rtserver::FrameDetail;
@@ -76,6 +78,49 @@ TEST(LiveGovernor, GivesRaysOfIndirectLightUpRatherThanSize) {
     EXPECT_EQ(off.scale, 1);
 }
 
+TEST(LiveGovernor, PlansMoreRaysForAPlaceThatNothingIsKnownOf) {
+    constexpr double kAll = 0.004, kPixel = 5e-9, kSample = 0.3e-6;
+    LiveGovernor governor;
+    const FrameDetail before = settled(governor, kPixel, kSample, 200, kAll);
+    EXPECT_EQ(before.learning, 1);
+    const auto after = [&](double unknown) {
+        LiveGovernor now = governor;
+        const double samples = kPixels * before.newSamples;
+        now.learn(before, kPixels, kFrameTarget,
+                  {.samples = samples,
+                   .sampleSeconds = samples * kSample,
+                   .rays = double{WalkLight::kBudget.rays},
+                   .raySeconds = kAll,
+                   .unknown = unknown,
+                   .seconds = kPixels * kPixel + samples * kSample + kAll});
+        return now.detail(kPixels, kRays, kFrameTarget);
+    };
+    EXPECT_EQ(after(0).learning, 1);
+    const FrameDetail some = after(0.3), all = after(1);
+    EXPECT_NEAR(some.learning, 1.9, 0.01);
+    EXPECT_GT(all.learning, 3.5);
+    EXPECT_LT(all.newSamples, some.newSamples) << "pixels give way";
+    EXPECT_GT(all.newSamples, 0.019);
+    for (const FrameDetail& detail : {some, all})
+        EXPECT_LT(secondsOf(detail, kPixel, kSample) + detail.learning * kAll, kFrameTarget) << "in time";
+    EXPECT_EQ(WalkLight::budgetOf(some.learning).rays, WalkLight::kBudget.rays);
+    EXPECT_NEAR(WalkLight::budgetOf(some.learning).most, 1.9, 0.01);
+    EXPECT_EQ(WalkLight::budgetOf(0.5).rays, WalkLight::kBudget.rays / 2);
+    EXPECT_EQ(WalkLight::budgetOf(0.5).most, 1) << "there is no time for more";
+}
+
+TEST(LiveGovernor, PlansTheRaysOfCoarseFrames) {
+    const auto after = [](double secondsOfAll) {
+        LiveGovernor governor;
+        governor.learnRays({.rays = double{WalkLight::kBudget.rays}, .raySeconds = secondsOfAll});
+        return governor.coarseLearning(kFrameTarget);
+    };
+    EXPECT_EQ(LiveGovernor().coarseLearning(kFrameTarget), 1) << "nothing is known";
+    EXPECT_EQ(after(0.001), 4);
+    EXPECT_NEAR(after(0.01) * 0.01, kFrameTarget / 2, 1e-6);
+    EXPECT_EQ(after(1), 0.25);
+}
+
 TEST(LiveGovernor, NeverGivesAllUp) {
     LiveGovernor governor;
     const FrameDetail detail = settled(governor, 1e-5, 1e-3);
@@ -99,6 +144,30 @@ TEST(LiveGovernor, BelievesInMoreSoonerThanInLess) {
     EXPECT_LT(slower, 0.75 * before);
     EXPECT_LT(settled(governor, 5e-9, 0.4e-6, 2).newSamples, 0.95 * before);
     EXPECT_NEAR(settled(governor, 5e-9, 0.4e-6).newSamples, before, 0.05 * before);
+}
+
+TEST(LiveGovernor, KeepsTheSizeBesideProgramsThatTakeTheProcessorNowAndThen) {
+    constexpr double kPixel = 8e-9, kSample = 0.3e-6, kAll = 0.004, kTaken = 0.02;
+    LiveGovernor governor;
+    FrameDetail detail;
+    double smallest = 1;
+    for (int i = 0; i < 300; ++i) {
+        detail = governor.detail(kPixels, kRays, kFrameTarget);
+        const double pixels = kPixels * detail.scale * detail.scale, samples = pixels * detail.newSamples;
+        // In each third frame, by turns in another part of the work.
+        const auto taken = [&](int part) { return i % 3 == 0 && i / 3 % 3 == part ? kTaken : 0; };
+        const double sampleSeconds = samples * kSample + taken(0),
+                     raySeconds = detail.learning * kAll + taken(1);
+        governor.learn(detail, kPixels, kFrameTarget,
+                       {.samples = samples,
+                        .sampleSeconds = sampleSeconds,
+                        .rays = WalkLight::budgetOf(detail.learning).rays * 1.0,
+                        .raySeconds = raySeconds,
+                        .seconds = pixels * kPixel + taken(2) + sampleSeconds + raySeconds});
+        if (i > 30) smallest = std::min(smallest, detail.scale);
+    }
+    EXPECT_EQ(smallest, 1);
+    EXPECT_EQ(detail.learning, 1);
 }
 
 TEST(LiveGovernor, ForgetsAScene) {
