@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace rtcore {
@@ -54,6 +55,7 @@ PassResult PassGatherer::resultOf(const LitScene& lit, std::span<const GatherPas
     PassResult result;
     PassLight gathered;
     std::size_t known = 0;
+    float squares = 0;                                     // of luminances
     std::array<std::optional<Colour>, kPassRays> arriving; // but emission; nothing where it is not known yet
     cells.radiance(hits_.sites().subspan(pass * kPassRays, kPassRays), arriving);
     for (std::size_t i = 0; i < kPassRays; ++i) {
@@ -63,6 +65,7 @@ PassResult PassGatherer::resultOf(const LitScene& lit, std::span<const GatherPas
         if (!hits_.isHit(ray)) arriving[i] = lit.fromSurroundings(of.origin, direction, of.normal);
         if (const std::optional<Colour>& radiance = arriving[i]) {
             gathered.add(*radiance, direction, dot(direction, of.normal), kPi);
+            squares += luminance(*radiance) * luminance(*radiance);
             ++known;
         }
         result.inverseLengths += 1 / std::max(site.length, 1e-12F);
@@ -74,6 +77,10 @@ PassResult PassGatherer::resultOf(const LitScene& lit, std::span<const GatherPas
     const float weight = 1 / static_cast<float>(std::max<std::size_t>(known, 1));
     result.light.irradiance += gathered.irradiance * weight;
     result.light.vector += gathered.vector * weight;
+    const float mean = luminance(gathered.irradiance) * weight,
+                variance = std::max(squares * weight * (kPi * kPi) - mean * mean, 0.0F),
+                all = luminance(result.light.irradiance);
+    result.deviation = all > 0 ? std::sqrt(variance) / all : 0;
     return result;
 }
 

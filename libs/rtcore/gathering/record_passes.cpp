@@ -64,7 +64,8 @@ void RecordPasses::enter(IrradianceCache& cache, std::uint32_t number, const Pas
     record.slant = size > 1 ? slant / size : slant;
     record.confidence = std::min(1.0F, 0.25F * static_cast<float>(history.passes + 1));
     if (isOneOf(history.allPasses, {1, 2, 4})) learnDistance(cache, number);
-    if (history.density == 0 && isOneOf(history.passes, {4, 8, 16, 32})) adapt(cache, number);
+    if (history.density == 0 && isOneOf(history.passes, {4, 8, 16, 32}))
+        adapt(cache, number, result.deviation);
 }
 
 /// Neighbours know of things that this record missed, and the other way round: no distance exceeds that of
@@ -96,7 +97,7 @@ void RecordPasses::learnDistance(IrradianceCache& cache, std::uint32_t number) {
 }
 
 /// Shrinks the record where the others around would show something else there.
-void RecordPasses::adapt(IrradianceCache& cache, std::uint32_t number) {
+void RecordPasses::adapt(IrradianceCache& cache, std::uint32_t number, float deviation) {
     constexpr float kTolerance = 0.08F, kNoise = 0.6F, kShrink = 0.6F;
     History& history = histories_[number];
     const IrradianceRecord& record = cache.record(number);
@@ -104,7 +105,8 @@ void RecordPasses::adapt(IrradianceCache& cache, std::uint32_t number) {
         cache.lookUpWithout(number, {record.position, record.normal, record.normal, history.pixel});
     if (!(others.weight > 0)) return;
     const float here = luminance(record.irradiance), there = luminance(others.irradiance);
-    const float noise = kNoise / std::sqrt(static_cast<float>(history.passes * kPassRays));
+    const float noise =
+        std::max(kNoise, deviation) / std::sqrt(static_cast<float>(history.passes * kPassRays));
     if (!(std::fabs(here - there) > (kTolerance + noise) * 0.5F * (here + there))) return;
     history.shrink *= kShrink;
     setRadius(cache, number);

@@ -54,6 +54,7 @@ class NearestWalls {
 /// The results of a pass.
 struct PassResult {
     PassLight light;
+    float deviation = 0;      ///< standard deviation of what its rays tell, as a part of the irradiance
     float inverseLengths = 0; ///< sum over its rays
     NearestWalls walls;
 };
@@ -129,7 +130,7 @@ class RecordPasses {
     using History = RecordHistory;
 
     void learnDistance(IrradianceCache& cache, std::uint32_t number);
-    void adapt(IrradianceCache& cache, std::uint32_t number);
+    void adapt(IrradianceCache& cache, std::uint32_t number, float deviation);
     void setRadius(IrradianceCache& cache, std::uint32_t number) const;
 
     std::vector<History> histories_;
