@@ -3,9 +3,9 @@
 
 Each is 300 cameras at 30 a second in FOLDER/NAME.lst, along points that are passed at even speed, with a head
 that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, of
-data/organic, of a flat, a cellar, a gallery of glass and a street by day, of a street and a hall at night, whose
-scenes are made beside their walks, and of the models Sibenik, Crytek Sponza and Lamborghini. Where RT_TEST_SCENES
-names the folder of these, each has a scene beside its walk: FOLDER/NAME.scn.
+data/organic, of a flat, a cellar, a gallery of glass, a street and a showroom by day, of a street and a hall at
+night, whose scenes are made beside their walks, and of the models Sibenik, Crytek Sponza and Lamborghini. Where
+RT_TEST_SCENES names the folder of these, each has a scene beside its walk: FOLDER/NAME.scn.
 """
 import math
 import os
@@ -44,6 +44,8 @@ WALKS = {
         (-11, 1.7, 1, 90, 4), (-4, 1.7, -1.5, 60, 6), (4, 1.7, 1.5, 110, 2), (10, 1.7, -1, 80, 4)]),
     "street": dict(fov=75, sway=25, period=5, points=[
         (-28, 1.7, 0, 90, 3), (-10, 1.7, -6.2, 85, 2), (-2, 1.7, 2, 150, 2), (0, 1.7, 12, 180, 2)]),
+    "showroom": dict(fov=75, sway=25, period=5, points=[
+        (-7, 1.6, 1.5, 70, -14), (-3, 1.6, 2, 80, -12), (1, 1.6, 1.2, 60, -10), (4.4, 1.6, -.4, 40, -12)]),
     # At night, by scripts/lights/night_scenes.py: 100 or 1,000 lights.
     **{f"street-{count}": dict(fov=70, sway=25, period=5, points=[
         (-27, 1.8, 3, 80, -3), (-12, 1.8, 1, 95, 0), (4, 1.8, -2, 85, 2), (20, 1.8, 0, 90, 0)]) for count in NIGHTS},

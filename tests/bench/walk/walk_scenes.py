@@ -125,7 +125,30 @@ def street(boxes, chance):
     return "ambient = [0, 0, 0]\nbackground = [0, 0, 0]\n" + SKY % 16
 
 
-SCENES = {"flat": flat, "cellar": cellar, "gallery": gallery, "street": street}
+def showroom(boxes, _):
+    """A hall with a polished floor, between a window and coloured walls; lacquer, and metal of three roughnesses."""
+    of(boxes, "floor", ((-8, -.2, -5), (8, 0, 5)))
+    of(boxes, "wall", ((-8, 3.4, -5), (8, 3.6, 5)), ((-8.2, 0, -5), (-8, 3.4, 5)))
+    of(boxes, "red", ((8, 0, -5), (8.2, 3.4, 5)))
+    pierced(boxes, 2, -5.2, (-8, 0), (8, 3.4), ((-6, .6), (-3, 2.8)))
+    pierced(boxes, 2, 5, (-8, 0), (8, 3.4), ((3, .6), (6, 2.8)))
+    for x in (-5, 0, 5):
+        of(boxes, "stone", ((x - .2, 0, 2.6), (x + .2, 3.4, 3)))
+        of(boxes, "cloth", ((x - 1, .9, -4.98), (x + 1, 2.5, -4.9)))
+    of(boxes, "lacquer", ((-2, .7, -.6), (.4, .76, .6)), ((5.6, 0, -3.4), (7.4, .9, -1.6)))
+    of(boxes, "dark", *(((x, 0, z), (x + .08, .7, z + .08)) for x in (-1.9, .2) for z in (-.5, .4)))
+    of(boxes, "leaf", ((-1.2, .76, -.2), (-.8, 1.2, .2)))
+    for k, metal in enumerate(("metal2", "metal3", "metal4")):
+        of(boxes, metal, ((2.2 + 1.6 * k, 0, -3.9), (3.4 + 1.6 * k, 2, -3.8)))
+    return "ambient = [0, 0, 0]\nbackground = [0, 0, 0]\n" + SKY % 15 + POINT % ([-2, 3, 0], [14, 12, 9])
+
+
+SCENES = {"flat": flat, "cellar": cellar, "gallery": gallery, "street": street, "showroom": showroom}
+
+# Roughness and metal of the materials that have these.
+GLOSS = {"floor": (.2, 0, (.32, .26, .2)), "lacquer": (.3, 0, (.04, .05, .06)), "metal2": (.2, 1, (.9, .75, .5)),
+         "metal3": (.3, 1, (.8, .8, .82)), "metal4": (.4, 1, (.85, .6, .5))}
+GLOSSY = "[[material]]\nname = \"%s\"\nroughness = %g\nmetallic = %g\ndiffuse = [%g, %g, %g]\n"
 
 
 def write(folder, name):
@@ -135,10 +158,12 @@ def write(folder, name):
     boxes = Boxes(name + ".mtl")
     scene = SCENES[name](boxes, random.Random(11))
     text = ["newmtl %s\nKd %g %g %g\n" % (material, *colour) for material, colour in MATERIALS.items()]
+    text += ["newmtl %s\nKd .5 .5 .5\n" % material for material in GLOSS]
     text.append("newmtl pane\nKd 0 0 0\nKs 0 0 0\nd 0.1\n")
     (folder / (name + ".mtl")).write_text("".join(text))
     (folder / (name + ".obj")).write_text("\n".join(boxes.lines) + "\n")
     pane = "[[material]]\nname = \"pane\"\nopacity = 0.0\nindexOfRefraction = 1.0\ntransmission = [0.88, 0.93, 0.91]\n"
     (folder / (name + ".scn")).write_text("version = 2\nmodel = \"%s.obj\"\ndefaultLight = false\n%s%s" % (
-        name, scene, pane if name == "gallery" else ""))
+        name, scene, pane if name == "gallery" else "" if name != "showroom" else "".join(
+            GLOSSY % (material, *model, *colour) for material, (*model, colour) in GLOSS.items())))
     return True
