@@ -87,7 +87,7 @@ void FrameMaker::meter(const Document& document, const rtcore::RenderSettings& s
     if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
     const std::shared_ptr<const rtcore::Scene> scene = document.scene();
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
-    meter_.lightIndirectlyFrom(byWalk ? &walkLight_->light().cache() : nullptr);
+    meter_.lightIndirectlyFrom(byWalk ? &walkLight_->light() : nullptr);
     white_ = live ? meter_.roughWhite(view, control) : meter_.white(view, control);
 }
 
@@ -117,13 +117,13 @@ bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const r
 /// rests is shown at once, while more is learned.
 bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& detail,
                                  const rtcore::View& view, rtcore::RenderControl& control) {
-    const rtcore::IrradianceCache* cache = nullptr;
+    const rtcore::IndirectLight* light = nullptr;
     if (view.settings.indirect.mode == rtcore::IndirectMode::Live) {
         if (control.finished != nullptr && !showAtOnce(document, control, whole_)) return false;
         if (detail.exact()) {
             if (!viewLight_) viewLight_.emplace();
             if (!viewLight_->learn(view, control)) return false;
-            cache = &viewLight_->cache();
+            light = &viewLight_->light();
         } else {
             walkLight_->follow(document, threads_);
             const bool rests = detail.complete();
@@ -132,10 +132,10 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
                 rests ? walkLight_->learnRest(view, control) : walkLight_->learn(view, times, control);
             if (!learned) return false;
             countRays();
-            cache = &walkLight_->light().cache();
+            light = &walkLight_->light();
         }
     }
-    renderer_->lightIndirectlyFrom(cache);
+    renderer_->lightIndirectlyFrom(light);
     return true;
 }
 
@@ -146,7 +146,7 @@ bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& con
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     walkLight_->follow(document, threads_);
     if (!walkLight_->learn(view, WalkLight::kAtLeisure, control)) return false;
-    renderer_->lightIndirectlyFrom(&walkLight_->light().cache());
+    renderer_->lightIndirectlyFrom(&walkLight_->light());
     if (!renderer_->render(view, control, frame)) return false;
     gradual_.beginAgain(frame, document.frameSettings(), threads_);
     return true;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 namespace rtcore {
 
@@ -19,14 +20,30 @@ constexpr std::uint8_t kNoCell = 0xFF; ///< the ray has hit nothing
 constexpr std::size_t kMinPathsOfWave = 256, kMaxPathsOfWave = 2048;
 constexpr float kMaxRadiance = 1e6F; ///< beyond, or where it is no number, a path counts as dark
 
+/// What the function captures is so small that it needs no memory.
+RaysToCells raysOf(const GatherHits& hits, std::span<const GatherPass> passes) {
+    return {hits.sites(), [&hits, of = passes.data()](std::size_t ray) -> RaysToCells::Named {
+                const GatherPass& pass = of[ray / kPassRays];
+                const std::uint32_t name = mixBits(pass.name + static_cast<std::uint32_t>(ray % kPassRays));
+                return {
+                    {pass.origin, 0, hits.direction(ray), std::numeric_limits<float>::max()},
+                    {static_cast<std::uint16_t>(name), static_cast<std::uint16_t>(name >> 16), pass.number}};
+            }};
+}
+
 } // namespace
 
 bool CellPaths::fill(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
                      std::size_t budget, std::uint32_t frame, int threads, const std::atomic<bool>* stop,
                      OutgoingCells& cells) {
-    choose(hits, cells, budget, frame, threads);
-    if (!trace(paths, hits, passes, threads, stop)) return false;
-    addTo(cells, hits, frame);
+    return fill(paths, raysOf(hits, passes), budget, frame, threads, stop, cells);
+}
+
+bool CellPaths::fill(const PathFrame& paths, const RaysToCells& rays, std::size_t budget, std::uint32_t frame,
+                     int threads, const std::atomic<bool>* stop, OutgoingCells& cells) {
+    choose(rays.sites, cells, budget, frame, threads);
+    if (!trace(paths, rays, threads, stop)) return false;
+    addTo(cells, rays.sites, frame);
     return true;
 }
 
@@ -40,32 +57,34 @@ bool CellPaths::fillEvenly(const PathFrame& paths, const GatherHits& hits, std::
             if (hits.isHit(ray)) chosen_.push_back(static_cast<std::uint32_t>(ray));
         }
     }
-    if (!trace(paths, hits, passes, threads, stop)) return false;
-    addTo(cells, hits, frame);
+    if (!trace(paths, raysOf(hits, passes), threads, stop)) return false;
+    addTo(cells, hits.sites(), frame);
     return true;
 }
 
-void CellPaths::addTo(OutgoingCells& cells, const GatherHits& hits, std::uint32_t frame) const {
+void CellPaths::addTo(OutgoingCells& cells, std::span<const OutgoingCells::Site> sites,
+                      std::uint32_t frame) const {
     constexpr std::size_t kAhead = 4; // adding waits for memory most of all
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
-        if (i + kAhead < chosen_.size()) cells.prefetch(hits.site(chosen_[i + kAhead]));
-        cells.add(hits.site(chosen_[i]), radiance_[i], frame);
+        if (i + kAhead < chosen_.size()) cells.prefetch(sites[chosen_[i + kAhead]]);
+        cells.add(sites[chosen_[i]], radiance_[i], frame);
     }
 }
 
 /// Half of what is left of the budget goes to each group of rays whose cells know about as much, evenly among
 /// them.
-void CellPaths::choose(const GatherHits& hits, const OutgoingCells& cells, std::size_t budget,
-                       std::uint32_t frame, int threads) {
+void CellPaths::choose(std::span<const OutgoingCells::Site> sites, const OutgoingCells& cells,
+                       std::size_t budget, std::uint32_t frame, int threads) {
     constexpr std::size_t kPart = 2048, kMinOfGroup = 64;
-    knowledge_.resize(hits.size());
-    forEachPart((hits.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
-        const std::size_t first = part * kPart, count = std::min(kPart, hits.size() - first);
+    knowledge_.resize(sites.size());
+    forEachPart((sites.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
+        const std::size_t first = part * kPart, count = std::min(kPart, sites.size() - first);
         std::array<std::uint32_t, kPart> samples;
-        cells.samples(hits.sites().subspan(first, count), samples);
+        cells.samples(sites.subspan(first, count), samples);
         for (std::size_t i = 0; i < count; ++i)
-            knowledge_[first + i] =
-                hits.isHit(first + i) ? static_cast<std::uint8_t>(std::bit_width(samples[i])) : kNoCell;
+            knowledge_[first + i] = sites[first + i].level != OutgoingCells::kNowhere
+                                        ? static_cast<std::uint8_t>(std::bit_width(samples[i]))
+                                        : kNoCell;
     });
     std::array<std::size_t, kDigits> sizes{};
     for (const std::uint8_t digits : knowledge_)
@@ -92,8 +111,8 @@ void CellPaths::choose(const GatherHits& hits, const OutgoingCells& cells, std::
     }
 }
 
-bool CellPaths::trace(const PathFrame& paths, const GatherHits& hits, std::span<const GatherPass> passes,
-                      int threads, const std::atomic<bool>* stop) {
+bool CellPaths::trace(const PathFrame& paths, const RaysToCells& from, int threads,
+                      const std::atomic<bool>* stop) {
     const int team = threadsFor(threads);
     while (integrators_.size() < static_cast<std::size_t>(team))
         integrators_.push_back(std::make_unique<PathIntegrator>());
@@ -120,11 +139,9 @@ bool CellPaths::trace(const PathFrame& paths, const GatherHits& hits, std::span<
                 rays.clear();
                 names.clear();
                 for (std::size_t i = first; i < last; ++i) {
-                    const GatherPass& pass = passes[chosen_[i] / kPassRays];
-                    const std::uint32_t name = mixBits(pass.name + chosen_[i] % kPassRays);
-                    rays.push(hits.ray(chosen_[i], passes));
-                    names.push_back({static_cast<std::uint16_t>(name), static_cast<std::uint16_t>(name >> 16),
-                                     pass.number});
+                    const RaysToCells::Named named = from.ray(chosen_[i]);
+                    rays.push(named.ray);
+                    names.push_back(named.name);
                 }
                 integrator.traceGathering(rays, names);
                 for (std::size_t i = first; i < last; ++i) {

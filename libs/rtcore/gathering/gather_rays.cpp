@@ -86,14 +86,6 @@ namespace {
 
 constexpr float kEndlessLength = 1e15F;
 
-/// Where a ray ends.
-OutgoingCells::Site siteOf(const GatherScene& in, const Ray& ray, const Hit& hit) {
-    const Vec3 normal = normalize(in.scene.mesh().geometricNormal(hit.triangle));
-    const float length = std::min(hit.t, kEndlessLength);
-    return {in.cells.levelOf(length), ray.origin + ray.direction * hit.t,
-            dot(normal, ray.direction) > 0 ? -normal : normal, length, in.surfaces.of(hit.triangle)};
-}
-
 /// Long waves are quicker, but all threads have some of the few passes of a live frame.
 std::size_t passesOfWave(std::size_t passes, int threads) {
     constexpr std::size_t kMin = 16, kMax = 128, kOfThread = 2;
@@ -101,6 +93,13 @@ std::size_t passesOfWave(std::size_t passes, int threads) {
 }
 
 } // namespace
+
+OutgoingCells::Site siteOf(const GatherScene& in, const Ray& ray, const Hit& hit) {
+    const Vec3 normal = normalize(in.scene.mesh().geometricNormal(hit.triangle));
+    const float length = std::min(hit.t, kEndlessLength);
+    return {in.cells.levelOf(length), ray.origin + ray.direction * hit.t,
+            dot(normal, ray.direction) > 0 ? -normal : normal, length, in.surfaces.of(hit.triangle)};
+}
 
 bool GatherHits::trace(const GatherScene& in, std::span<const GatherPass> passes, int threads,
                        const std::atomic<bool>* stop) {

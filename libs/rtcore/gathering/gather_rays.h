@@ -39,6 +39,9 @@ struct GatherScene {
     const OutgoingCells& cells; ///< that they read
 };
 
+/// Where a ray ends that hit something there.
+OutgoingCells::Site siteOf(const GatherScene& in, const Ray& ray, const Hit& hit);
+
 /// Where rays of passes end.
 class GatherHits {
   public:

@@ -1,5 +1,6 @@
 #include "rtcore/gathering/indirect_light.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
 
@@ -221,5 +222,48 @@ void IndirectLight::enterResults() {
 }
 
 std::size_t IndirectLight::memory() const { return cache_.memory() + cells_.memory() + records_.memory(); }
+
+/// Where no cell knows anything, as if the light that arrives came from all sides.
+void IndirectLight::addFromCells(std::span<const OutgoingCells::Site> sites,
+                                 std::span<Colour> radiance) const {
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (sites[i].level != OutgoingCells::kNowhere)
+            radiance[i] += cells_.smoothRadiance(sites[i]).value_or(cache_.guess() / kPi);
+}
+
+void IndirectLight::lookUp(std::span<const LobeTap> lobes, std::span<Colour> radiance,
+                           LobeScratch& scratch) const {
+    scratch.sites.resize(lobes.size());
+    scratch.rays.trace(gatherScene(), lit_, lobes, scratch.sites, radiance);
+    addFromCells(scratch.sites, radiance);
+}
+
+void IndirectLight::learnLobes(std::span<const LobeTap> lobes, std::span<Colour> radiance,
+                               std::uint32_t paths, int threads) {
+    constexpr std::size_t kPart = 1024;
+    if (lobes.empty()) return;
+    lobeSites_.resize(lobes.size());
+    const auto forEachLobes = [&](auto&& work) {
+        forEachPart((lobes.size() + kPart - 1) / kPart, threadsFor(threads), [&](std::size_t part) {
+            const std::size_t first = part * kPart;
+            work(first, std::min(kPart, lobes.size() - first));
+        });
+    };
+    forEachLobes([&](std::size_t first, std::size_t count) {
+        thread_local LobeRays rays;
+        rays.trace(gatherScene(), lit_, lobes.subspan(first, count),
+                   std::span(lobeSites_).subspan(first, count), radiance.subspan(first, count));
+    });
+    const RaysToCells rays{
+        lobeSites_, [this, taps = lobes.data()](std::size_t i) -> RaysToCells::Named {
+            const std::uint32_t name = mixBits(taps[i].name);
+            return {{taps[i].origin, 0, taps[i].direction, std::numeric_limits<float>::max()},
+                    {static_cast<std::uint16_t>(name), static_cast<std::uint16_t>(name >> 16), frame_}};
+        }};
+    lobePaths_.fill(lit_.paths(), rays, paths, frame_, threads, nullptr, cells_);
+    forEachLobes([&](std::size_t first, std::size_t count) {
+        addFromCells(std::span(lobeSites_).subspan(first, count), radiance.subspan(first, count));
+    });
+}
 
 } // namespace rtcore

@@ -10,6 +10,7 @@
 #include "rtcore/gathering/gather_rays.h"
 #include "rtcore/gathering/indirect_state.h"
 #include "rtcore/gathering/lit_scene.h"
+#include "rtcore/gathering/lobe_rays.h"
 #include "rtcore/gathering/pass_gatherer.h"
 #include "rtcore/gathering/record_passes.h"
 #include "rtcore/irradiance/irradiance_cache.h"
@@ -37,6 +38,15 @@ struct GatherBudget {
     /// least.
     double most = kMostTimes;
     static constexpr double kMostTimes = 4;
+
+    /// Of lobes, in addition.
+    std::uint32_t lobePaths() const { return paths / 4; }
+};
+
+/// What a thread needs to look up lobes; keeps its memory.
+struct LobeScratch {
+    LobeRays rays;
+    std::vector<OutgoingCells::Site> sites;
 };
 
 /// Not for several threads at once: it uses all of them itself. Its state depends on the scene and the steps
@@ -70,6 +80,13 @@ class IndirectLight {
     /// (may be null) became true: then all is as before, but for which records were of use lately.
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
+    /// Looks up the radiance that comes along lobes; and learns of it, by about `paths` paths, after a step
+    /// about the same points.
+    void learnLobes(std::span<const LobeTap> lobes, std::span<Colour> radiance, std::uint32_t paths,
+                    int threads);
+    /// The same of what is known. From many threads, while none learns.
+    void lookUp(std::span<const LobeTap> lobes, std::span<Colour> radiance, LobeScratch& scratch) const;
+
     /// Learning in the last step: rays from records, the seconds that all of it took, the fewest passes of a
     /// record that was of use lately and had one, where those of coarse ones count four times, and the part
     /// of the receivers that nothing was known of before, or not much.
@@ -95,6 +112,8 @@ class IndirectLight {
     /// Records that were of no use for so many steps get no rays.
     static constexpr std::uint32_t kRecentSteps = 24;
 
+    GatherScene gatherScene() const { return {lit_.scene(), lit_.tracer(), surfaces_, cells_}; }
+    void addFromCells(std::span<const OutgoingCells::Site> sites, std::span<Colour> radiance) const;
     void lookUp(std::span<const std::uint32_t> numbers, std::span<const Receiver> receivers,
                 std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const;
     bool learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
@@ -139,6 +158,8 @@ class IndirectLight {
     std::vector<std::uint32_t> chosen_; ///< records that get a pass
     std::vector<GatherPass> passes_;    ///< theirs
     PassGatherer gatherer_;
+    std::vector<OutgoingCells::Site> lobeSites_; ///< scratch
+    CellPaths lobePaths_;
     std::vector<std::uint64_t> order_; ///< scratch
 };
 

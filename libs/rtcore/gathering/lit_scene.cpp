@@ -36,4 +36,11 @@ Colour LitScene::fromSurroundings(Vec3 origin, Vec3 direction, Vec3 normal) cons
     return spreadRadiance(light, direction) * light.correction(normal) * (environment->intensity * left);
 }
 
+Colour LitScene::fromSurroundings(Vec3 origin, Vec3 direction) const {
+    const float left = fog_.on ? fogTransmittance(fog_, origin, direction, kEndless) : 1;
+    const Environment* const environment = scene_->environment();
+    if (environment == nullptr) return lights_.background().radiance(direction) * left;
+    return spreadRadiance(environment->light(), direction) * (environment->intensity * left);
+}
+
 } // namespace rtcore

@@ -24,6 +24,8 @@ class LitScene {
     PathFrame paths() const { return {*scene_, *tracer_, settings_, materials_, lights_}; }
     /// Radiance of the surroundings that comes to a point of a surface with this normal, from a direction.
     Colour fromSurroundings(Vec3 origin, Vec3 direction, Vec3 normal) const;
+    /// The same of a lobe, not of all that is before a surface.
+    Colour fromSurroundings(Vec3 origin, Vec3 direction) const;
 
   private:
     const Scene* scene_ = nullptr;

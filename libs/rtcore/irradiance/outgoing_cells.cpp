@@ -76,10 +76,11 @@ bool OutgoingCells::areKeys(std::span<const Cell> cells) {
     return areSpread(hashes);
 }
 
-int OutgoingCells::levelOf(float length) const {
-    const float wanted = length * kOfLength;
+int OutgoingCells::levelOf(float length) const { return levelOfSide(length * kOfLength); }
+
+int OutgoingCells::levelOfSide(float side) const {
     int level = 0;
-    while (level < kLevels - 1 && finest_ * static_cast<float>(2 << level) <= wanted) ++level;
+    while (level < kLevels - 1 && finest_ * static_cast<float>(2 << level) <= side) ++level;
     return level;
 }
 
@@ -224,6 +225,21 @@ std::optional<Colour> OutgoingCells::radiance(const Site& site) const {
     std::optional<Colour> found;
     radiance({&site, 1}, {&found, 1});
     return found;
+}
+
+std::optional<Colour> OutgoingCells::smoothRadiance(const Site& site) const {
+    constexpr int kCoarser = 3;
+    constexpr float kLacking = 8; // samples
+    if (empty() || site.level == kNowhere) return std::nullopt;
+    const Place place = placeOf(site);
+    std::optional<Colour> mean;
+    for (int level = std::min(site.level + kCoarser, kLevels - 1); level >= site.level; --level) {
+        const Slot* const slot = find(place.keyOf(level));
+        if (slot == nullptr) break; // finer ones have no samples either
+        const auto count = static_cast<float>(slot->count);
+        mean = mean ? (slot->sum + *mean * kLacking) / (count + kLacking) : slot->sum / count;
+    }
+    return mean ? mean : radianceAt(place, site);
 }
 
 void OutgoingCells::samples(std::span<const Site> sites, std::span<std::uint32_t> found) const {

@@ -53,6 +53,8 @@ class OutgoingCells {
     static bool areKeys(std::span<const Cell> cells);
     /// The level whose cells are about an eighth of the length, but not finer than the finest.
     int levelOf(float length) const;
+    /// The level whose cells are about that large.
+    int levelOfSide(float side) const;
     /// Adds a sample of the radiance to the cells of its level, of two finer and of all coarser ones.
     /// `frame`: does not descend.
     void add(const Site& site, Colour radiance, std::uint32_t frame = 0);
@@ -66,6 +68,9 @@ class OutgoingCells {
     /// The mean of the cell of the site's level; of a finer one where that knows enough, or of a coarser one
     /// where it does not. Nothing where none knows anything.
     std::optional<Colour> radiance(const Site& site) const;
+    /// The mean of the cell of the site's level, with that of cells up to eight times as large for samples
+    /// that it lacks: so it has little noise where it is read alone. Nothing where none knows anything.
+    std::optional<Colour> smoothRadiance(const Site& site) const;
     /// The same of several sites, which is quicker. Nowhere there is nothing.
     void samples(std::span<const Site> sites, std::span<std::uint32_t> found) const;
     void radiance(std::span<const Site> sites, std::span<std::optional<Colour>> found) const;

@@ -298,7 +298,7 @@ void LiveRenderer::lightIndirectly(IndirectLight* light, const GatherBudget& bud
     indirect_ = light;
     budget_ = budget;
     turns_ = turns;
-    renderer_.lightIndirectlyFrom(light != nullptr ? &light->cache() : nullptr);
+    renderer_.lightIndirectlyFrom(light);
 }
 
 /// To the chosen pixels, and to the samples whose turn it is. Returns false when control.cancel was set.
@@ -308,7 +308,11 @@ bool LiveRenderer::addIndirect(const View& view, RenderControl& control) {
     collectReceivers(view);
     arriving_.resize(receivers_.size());
     if (!indirect_->step(receivers_, arriving_, budget_, threads, &control.cancel)) return false;
+    alongLobes_.resize(renderer_.lobes().size());
+    indirect_->learnLobes(renderer_.lobes(), alongLobes_, budget_.lobePaths(), threads);
     addToChosen();
+    addAlongLobes();
+    findFractions();
     updateLight(threads);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const double learning = indirect_->learned().seconds;
@@ -371,6 +375,22 @@ void LiveRenderer::addToChosen() {
             matter.direct = packLight(unpackLight(matter.direct) + light);
         }
     }
+}
+
+/// It moves as what is mirrored does, where something is; else it stays with the surface.
+void LiveRenderer::addAlongLobes() {
+    const std::span<const LobeTap> lobes = renderer_.lobes();
+    for (std::size_t k = 0; k < lobes.size(); ++k) {
+        const std::uint32_t sample = lobes[k].sample;
+        const Colour light = lobes[k].factor * alongLobes_[k];
+        light_[sample] += light;
+        if (seen_[sample].specularDistance != 0) continue;
+        surfaceLight_[sample] += light;
+        matter_[sample].direct = packLight(unpackLight(matter_[sample].direct) + light);
+    }
+}
+
+void LiveRenderer::findFractions() {
     const auto partOf = [](float surface, float all) { return surface < all ? surface / all : 1; };
     for (std::size_t i = 0; i < light_.size(); ++i) {
         if (seen_[i].specularDistance == 0) continue;

@@ -90,6 +90,8 @@ class LiveRenderer {
     bool addIndirect(const View& view, RenderControl& control);
     void collectReceivers(const View& view);
     void addToChosen();
+    void addAlongLobes();
+    void findFractions();
     void updateLight(int threads);
 
     FrameRenderer renderer_;
@@ -104,6 +106,7 @@ class LiveRenderer {
     int turns_ = 1;
     std::vector<Receiver> receivers_;         ///< of the renderer's taps, then of samples that are updated
     std::vector<ArrivingLight> arriving_;     ///< the same
+    std::vector<Colour> alongLobes_;          ///< radiance of the renderer's lobes
     std::vector<std::uint32_t> updated_;      ///< the pixels of these
     std::vector<LiveSamples::Matter> matter_; ///< of the chosen pixels
     std::vector<Colour> surfaceLight_;        ///< the same

@@ -56,7 +56,7 @@ bool FrameRenderer::renderGuides(const View& view, int block, GuideRays rays, Re
     frame.radiance = std::move(guides.albedo);
     frame.covered = std::move(guides.covered);
     const bool aovs = std::exchange(collectAovs_, false), points = std::exchange(collectSeen_, false);
-    const IrradianceCache* const indirect = std::exchange(indirect_, nullptr);
+    const IndirectLight* const indirect = std::exchange(indirect_, nullptr);
     const bool whole = renderAimed(seen, control, frame, &guides.normals);
     indirect_ = indirect;
     collectAovs_ = aovs;
@@ -125,26 +125,30 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
                     const std::size_t first = static_cast<std::size_t>(part) * size;
                     const std::size_t count = std::min(size, pixels.size() - first);
                     renderer.renderPixels(pixels.subspan(first, count), to.part(first, count));
-                    if (indirect_ != nullptr) keepTaps(renderer.taps(), ofPixel, first, part);
+                    if (indirect_ != nullptr) keepTaps(renderer, ofPixel, first, part);
                 });
     taps_.clear();
     if (indirect_ != nullptr) {
-        for (const std::vector<IndirectTap>& some : tapsOfParts_)
-            taps_.insert(taps_.end(), some.begin(), some.end());
+        for (const IndirectTaps& some : tapsOfParts_) {
+            taps_.matte.insert(taps_.matte.end(), some.matte.begin(), some.matte.end());
+            taps_.lobes.insert(taps_.lobes.end(), some.lobes.begin(), some.lobes.end());
+        }
     }
     statistics.add(none.statistics);
     return !control.cancel;
 }
 
 /// Those of a part of the pixels, from the first on, which have so many samples each.
-void FrameRenderer::keepTaps(std::span<const IndirectTap> taps, std::size_t ofPixel, std::size_t first,
-                             int part) {
-    std::vector<IndirectTap>& kept = tapsOfParts_[static_cast<std::size_t>(part)];
-    kept.assign(taps.begin(), taps.end());
-    for (IndirectTap& tap : kept) {
+void FrameRenderer::keepTaps(const TileRenderer& renderer, std::size_t ofPixel, std::size_t first, int part) {
+    IndirectTaps& kept = tapsOfParts_[static_cast<std::size_t>(part)];
+    kept.matte.assign(renderer.taps().begin(), renderer.taps().end());
+    kept.lobes.assign(renderer.lobes().begin(), renderer.lobes().end());
+    const auto take = [&](auto& tap) {
         tap.sample = static_cast<std::uint32_t>(tap.sample / ofPixel + first);
         tap.factor = tap.factor / static_cast<float>(ofPixel);
-    }
+    };
+    std::ranges::for_each(kept.matte, take);
+    std::ranges::for_each(kept.lobes, take);
 }
 
 bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame,

@@ -1,7 +1,7 @@
 /// From a scene and a camera to an image of unbounded linear radiance.
 #pragma once
 
-#include "rtcore/irradiance/irradiance_cache.h"
+#include "rtcore/gathering/indirect_light.h"
 #include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
@@ -79,12 +79,13 @@ class FrameRenderer {
     /// The maps are the scene's, suit the settings, and must outlive the frames.
     void takeShadowsFrom(const ShadowMaps* maps) { maps_ = maps; }
     /// Light that surfaces send to each other, and that of the surroundings, in the next frames, in place of
-    /// ambient light, occlusion and the light of the sky: looked up in the cache; null: those there are.
-    /// renderPixels() leaves it out, and tells where it is to be added: taps(). The cache must outlive the
-    /// frames, and suit scene and settings.
-    void lightIndirectlyFrom(const IrradianceCache* cache) { indirect_ = cache; }
+    /// ambient light, occlusion and the light of the sky: looked up in what this knows; null: those there
+    /// are. renderPixels() leaves it out, and tells where it is to be added: taps(), lobes(). It must outlive
+    /// the frames, and suit scene and settings.
+    void lightIndirectlyFrom(const IndirectLight* light) { indirect_ = light; }
     /// Those of the last renderPixels(); their samples are indices of its pixels.
-    std::span<const IndirectTap> taps() const { return taps_; }
+    std::span<const IndirectTap> taps() const { return taps_.matte; }
+    std::span<const LobeTap> lobes() const { return taps_.lobes; }
     /// Times of the last frame, summed over all threads.
     const StageTimes& stageTimes() const { return stageTimes_; }
 
@@ -103,7 +104,7 @@ class FrameRenderer {
     void prepare(const View& view);
     template <typename Render>
     void renderParts(const Work& work, int parts, Render&& render);
-    void keepTaps(std::span<const IndirectTap> taps, std::size_t ofPixel, std::size_t first, int part);
+    void keepTaps(const TileRenderer& renderer, std::size_t ofPixel, std::size_t first, int part);
     void renderAdaptively(const Work& work, const TileGrid& grid);
     void finish(const Work& work, const PixelArea& tile);
     TileRenderer& rendererOfThread(int thread);
@@ -117,9 +118,9 @@ class FrameRenderer {
     bool collectSeen_ = false;
     bool measureStages_ = false;
     const ShadowMaps* maps_ = nullptr;
-    const IrradianceCache* indirect_ = nullptr;
-    std::vector<std::vector<IndirectTap>> tapsOfParts_;
-    std::vector<IndirectTap> taps_;
+    const IndirectLight* indirect_ = nullptr;
+    std::vector<IndirectTaps> tapsOfParts_;
+    IndirectTaps taps_;
     StageTimes stageTimes_;
 };
 

@@ -44,9 +44,9 @@ bool LightMeter::findSurfaces(const View& view, RenderControl& control) {
 
 /// frame_ has the light, and surfaces_.aovs what it falls on.
 bool LightMeter::render(const View& view, RenderControl& control) {
-    if (cache_ != nullptr && view.settings.integrator == Integrator::Whitted) {
+    if (light_ != nullptr && view.settings.integrator == Integrator::Whitted) {
         rays_.collectAovs(true);
-        rays_.lightIndirectlyFrom(cache_);
+        rays_.lightIndirectlyFrom(light_);
         if (!rays_.render(view, control, frame_)) return false;
         std::swap(surfaces_.aovs, frame_.aovs);
         return true;

@@ -31,7 +31,7 @@ class LightMeter {
     std::optional<float> roughWhite(const View& view, RenderControl& control);
     /// Images to come by rays are lit by this, which must outlive them; null: each by what it has learned
     /// itself, on which alone white() is what it says.
-    void lightIndirectlyFrom(const IrradianceCache* cache) { cache_ = cache; }
+    void lightIndirectlyFrom(const IndirectLight* light) { light_ = light; }
     /// Where each image learns itself: as ViewLight::beginWith().
     void beginWith(std::shared_ptr<const IndirectState> kept) { images_.beginWith(std::move(kept)); }
 
@@ -45,7 +45,7 @@ class LightMeter {
 
     ImageRenderers images_;
     FrameRenderer rays_; ///< for AOVs that do not come with the image, and for light of the cache
-    const IrradianceCache* cache_ = nullptr;
+    const IndirectLight* light_ = nullptr;
     Frame frame_, surfaces_;
     std::vector<float> whites_; ///< of the pixels that count
 };

@@ -26,7 +26,7 @@ bool RayImages::learnAndRender(const View& view, RenderControl& control, const I
     const bool indirect = view.settings.indirect.mode == IndirectMode::Live;
     learningPart_ = indirect ? learningPartOf(view.settings) : 0;
     if (indirect && !learn(view, control)) return false;
-    renderer_.lightIndirectlyFrom(indirect ? &light_.cache() : nullptr);
+    renderer_.lightIndirectlyFrom(indirect ? &light_.light() : nullptr);
     refines_ = static_cast<bool>(request.show);
     if (!refines_) return renderer_.render(view, control, frame);
     return refinement_.render(

@@ -14,6 +14,13 @@ namespace {
 /// Samples in a row of a tile.
 constexpr int kSamples = 64;
 constexpr std::uint32_t kNoTap = 0xFFFFFFFFU;
+
+/// Of a sample, so that a pixel has some in all.
+std::uint32_t lobeRaysOf(const RenderSettings& settings) {
+    constexpr int kOfPixel = 4;
+    return static_cast<std::uint32_t>(
+        std::max(1, kOfPixel / (settings.antialiasing * settings.antialiasing)));
+}
 constexpr int kMaxSamples = 2 * kSamples; ///< where they are not all taken at once
 
 /// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
@@ -100,9 +107,11 @@ void TileRenderer::begin(const FrameTask& task) {
     settings_ = &view.settings;
     view_ = &task.samples;
     sameOrigin_ = false;
-    needsSampleIds_ = WhittedIntegrator::needsSampleIds(view.scene, view.settings);
+    needsSampleIds_ =
+        WhittedIntegrator::needsSampleIds(view.scene, view.settings) || task.indirect != nullptr;
     samples_.clear();
     indirect_ = task.indirect;
+    integrator_.setLobeRays(lobeRaysOf(view.settings));
     integrator_.collectTaps(indirect_ != nullptr, pixelSizeOf(task.samples.camera));
     integrator_.begin(view.scene, view.tracer, view.settings, task.materials, task.measureStages);
     integrator_.takeShadowsFrom(task.shadowMaps);
@@ -161,8 +170,12 @@ void TileRenderer::addIndirect() {
     receivers_.resize(taps.size());
     arriving_.resize(taps.size());
     std::ranges::transform(taps, receivers_.begin(), &IndirectTap::receiver);
-    indirect_->lookUp(receivers_, arriving_);
+    indirect_->cache().lookUp(receivers_, arriving_);
     integrator_.addIndirect(arriving_);
+    if (integrator_.lobes().empty()) return;
+    alongLobes_.resize(integrator_.lobes().size());
+    indirect_->lookUp(integrator_.lobes(), alongLobes_, lobeScratch_);
+    integrator_.addAlongLobes(alongLobes_);
 }
 
 void TileRenderer::addNormals() {
@@ -276,9 +289,10 @@ void TileRenderer::renderPixels(std::span<const SampleId> pixels, const Rendered
     sameOrigin_ = false;
     integrator_.remember(to.visibility);
     if (!to.seen.empty()) integrator_.collectPrimaryHits(PrimaryHitParts::Surface);
-    const IrradianceCache* const cache = std::exchange(indirect_, nullptr); // taps() tell where it is missing
+    const IndirectLight* const light = std::exchange(indirect_, nullptr); // taps() tell where it is missing
+    integrator_.setLobeRays(1);
     traceSamples();
-    indirect_ = cache;
+    indirect_ = light;
     integrator_.remember({});
     const ArraysOf3& found = integrator_.radiance();
     for (std::size_t i = 0; i < to.seen.size(); ++i)

@@ -1,7 +1,7 @@
 /// One tile of the image: its rays are traced as one wave.
 #pragma once
 
-#include "rtcore/irradiance/irradiance_cache.h"
+#include "rtcore/gathering/indirect_light.h"
 #include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/frame.h"
@@ -39,9 +39,9 @@ class TileRenderer {
     struct FrameTask {
         const View& view;
         const SampleView& samples;
-        const MaterialTable& materials;  ///< of the view's scene and settings
-        const ShadowMaps* shadowMaps;    ///< as WhittedIntegrator takes them; may be null
-        const IrradianceCache* indirect; ///< indirect light is looked up there; may be null
+        const MaterialTable& materials; ///< of the view's scene and settings
+        const ShadowMaps* shadowMaps;   ///< as WhittedIntegrator takes them; may be null
+        const IndirectLight* indirect;  ///< indirect light is looked up there; may be null
         const std::atomic<bool>& cancel;
         bool measureStages;
         Aovs* aovs;                      ///< gets what samples see first; may be null
@@ -63,6 +63,7 @@ class TileRenderer {
     /// Points of the last renderPixels() that take indirect light, which it leaves out; one sample for each
     /// pixel.
     std::span<const IndirectTap> taps() const { return integrator_.taps(); }
+    std::span<const LobeTap> lobes() const { return integrator_.lobes(); }
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
@@ -91,9 +92,11 @@ class TileRenderer {
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool needsSampleIds_ = false;
-    const IrradianceCache* indirect_ = nullptr; ///< null: there is none
-    std::vector<Receiver> receivers_;           ///< of a wave's taps
-    std::vector<ArrivingLight> arriving_;       ///< the same
+    const IndirectLight* indirect_ = nullptr; ///< null: there is none
+    std::vector<Receiver> receivers_;         ///< of a wave's taps
+    std::vector<ArrivingLight> arriving_;     ///< the same
+    std::vector<Colour> alongLobes_;
+    LobeScratch lobeScratch_;
     Aovs* aovs_ = nullptr;                      ///< that samples are added to; null: not asked for
     std::vector<SeenPoint>* seen_ = nullptr;    ///< the same
     std::vector<SeenMatter>* matter_ = nullptr; ///< the same

@@ -24,7 +24,7 @@ class ViewLight {
     bool learn(const View& view, RenderControl& control);
     /// Progress of learn(), 0..1. Any thread.
     float fraction() const { return done_; }
-    const IrradianceCache& cache() const { return light_.cache(); }
+    const IndirectLight& light() const { return light_; }
 
   private:
     bool learnWhatLacks(const View& view, RenderControl& control);

@@ -47,7 +47,7 @@ bool ViewSteps::step(const View& view, std::span<const SampleId> pixels, const G
                      RenderControl& control, IndirectLight& light) {
     const Scene dark = unlit(view.scene);
     const RenderSettings settings = oneSample(view.settings);
-    renderer_.lightIndirectlyFrom(&light.cache());
+    renderer_.lightIndirectlyFrom(&light);
     radiance_.resize(pixels.size());
     RayStatistics statistics;
     if (!renderer_.renderPixels({dark, view.tracer, view.camera, settings}, pixels, control, {radiance_},
@@ -57,7 +57,10 @@ bool ViewSteps::step(const View& view, std::span<const SampleId> pixels, const G
     receivers_.resize(taps.size());
     arriving_.resize(taps.size());
     std::ranges::transform(taps, receivers_.begin(), &IndirectTap::receiver);
-    return light.step(receivers_, arriving_, budget, control.threads, &control.cancel);
+    if (!light.step(receivers_, arriving_, budget, control.threads, &control.cancel)) return false;
+    alongLobes_.resize(renderer_.lobes().size());
+    light.learnLobes(renderer_.lobes(), alongLobes_, budget.lobePaths(), control.threads);
+    return true;
 }
 
 bool ViewSteps::stepOfTurn(const View& view, std::uint32_t turn, std::uint32_t turns,

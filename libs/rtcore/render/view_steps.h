@@ -31,6 +31,7 @@ class ViewSteps {
     std::vector<Colour> radiance_; ///< of the pixels; not used
     std::vector<Receiver> receivers_;
     std::vector<ArrivingLight> arriving_;
+    std::vector<Colour> alongLobes_; ///< not used
 };
 
 } // namespace rtcore

@@ -30,8 +30,9 @@ struct FrameContext {
     std::span<LightVisibility> visibility;
     /// Get the points that take indirect light, which ambient light, occlusion and the light of the sky give
     /// way to. Null: those there are.
-    std::vector<IndirectTap>* indirectTaps = nullptr;
+    IndirectTaps* indirectTaps = nullptr;
     PixelSize pixelSize;                     ///< for these
+    std::uint32_t lobeRays = 1;              ///< the same: TapRules
     const std::atomic<bool>* stop = nullptr; ///< true: return soon, the result is not wanted; may be null
     RayStatistics* statistics = nullptr;     ///< counts all rays of the frame
     StageClock* clock = nullptr;

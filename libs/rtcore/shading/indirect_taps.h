@@ -4,6 +4,7 @@
 
 #include "rtcore/irradiance/irradiance_record.h"
 #include "rtcore/math/colour.h"
+#include "rtcore/shading/lobe_taps.h"
 #include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/wave.h"
 
@@ -27,8 +28,24 @@ struct PixelSize {
     float at(float length) const { return atEye + perLength * length; }
 };
 
-/// Appends the points of a wave whose light has been divided.
-void addTaps(const MaterialTable& materials, const Wave& wave, const PixelSize& pixel,
-             std::vector<IndirectTap>& taps);
+/// How points are collected.
+struct TapRules {
+    PixelSize pixel;
+    std::uint32_t lobeRays = 1; ///< of each point with a narrow lobe
+    float minLobe = 0;          ///< of the weight of a lobe in its sample; fainter ones count as matte
+};
+
+/// The points of waves that take indirect light.
+struct IndirectTaps {
+    std::vector<IndirectTap> matte; ///< all lobes but those of `lobes`
+    std::vector<LobeTap> lobes;
+
+    void clear() {
+        matte.clear();
+        lobes.clear();
+    }
+    /// Appends the points of a wave whose light has been divided.
+    void add(const MaterialTable& materials, const Wave& wave, const TapRules& rules);
+};
 
 } // namespace rtcore

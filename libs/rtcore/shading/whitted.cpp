@@ -100,17 +100,24 @@ void WhittedIntegrator::traceWave() {
 }
 
 void WhittedIntegrator::addTaps() {
-    const std::size_t before = taps_.size();
-    rtcore::addTaps(*frame_.materials, wave_, frame_.pixelSize, taps_);
-    if (hitParts_ != PrimaryHitParts::None) primaryHits_.noteTaps(std::span(taps_).subspan(before));
+    const std::size_t before = taps_.matte.size();
+    taps_.add(*frame_.materials, wave_,
+              {frame_.pixelSize, frame_.lobeRays, frame_.settings->minContribution});
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.noteTaps(std::span(taps_.matte).subspan(before));
 }
 
 void WhittedIntegrator::addIndirect(std::span<const ArrivingLight> arriving) {
-    for (std::size_t i = 0; i < taps_.size(); ++i) {
-        const Colour light = taps_[i].light(arriving[i].irradiance);
-        sums_.add(taps_[i].sample, light);
-        if (taps_[i].primary) primaryHits_.addIndirect(taps_[i].sample, light);
+    for (std::size_t i = 0; i < taps_.matte.size(); ++i) {
+        const IndirectTap& tap = taps_.matte[i];
+        const Colour light = tap.light(arriving[i].irradiance);
+        sums_.add(tap.sample, light);
+        if (tap.primary) primaryHits_.addIndirect(tap.sample, light);
     }
+}
+
+void WhittedIntegrator::addAlongLobes(std::span<const Colour> radiance) {
+    for (std::size_t i = 0; i < taps_.lobes.size(); ++i)
+        sums_.add(taps_.lobes[i].sample, taps_.lobes[i].factor * radiance[i]);
 }
 
 /// The weight of each hit in its sample if all light were scattered; and which samples hit something. Starts

@@ -66,10 +66,15 @@ class WhittedIntegrator {
         frame_.indirectTaps = on ? &taps_ : nullptr;
         frame_.pixelSize = pixel;
     }
+    /// Points with narrow lobes send out so many rays each, in the next waves.
+    void setLobeRays(std::uint32_t rays) { frame_.lobeRays = rays; }
     /// Those of the last wave.
-    std::span<const IndirectTap> taps() const { return taps_; }
+    std::span<const IndirectTap> taps() const { return taps_.matte; }
+    std::span<const LobeTap> lobes() const { return taps_.lobes; }
     /// Adds their light, which arrives in their order, to radiance() and primaryHits().
     void addIndirect(std::span<const ArrivingLight> arriving);
+    /// The same of the radiance along the rays of lobes. That of what mirrors counts as mirrored.
+    void addAlongLobes(std::span<const Colour> radiance);
 
     /// Known visibility of lights at the primary hits of the next wave, by sample; shadow rays add their
     /// results. Empty: nothing is known or kept.
@@ -111,7 +116,7 @@ class WhittedIntegrator {
     SecondaryRays secondary_;
     PrimaryHitParts hitParts_ = PrimaryHitParts::None;
     PrimaryHits primaryHits_;
-    std::vector<IndirectTap> taps_;
+    IndirectTaps taps_;
     bool collectsNormals_ = false;
     NormalSums normals_;
 };

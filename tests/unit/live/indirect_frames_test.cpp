@@ -162,7 +162,7 @@ TEST_F(IndirectFrames, SamplesOfWholeFramesFollow) {
         Frame direct, whole;
         renderer.render({matte.scene, matte.tracer, cameraAt(0), plain()}, control, direct);
         EXPECT_TRUE(direct.matter.empty()) << "there is no indirect light";
-        renderer.lightIndirectlyFrom(&light.cache());
+        renderer.lightIndirectlyFrom(&light);
         renderer.render({matte.scene, matte.tracer, cameraAt(0), finer}, control, whole);
         LiveRenderer live;
         live.lightIndirectly(&light, {16384, 1536}, 4);
@@ -184,7 +184,7 @@ TEST_F(IndirectFrames, WholeFramesOfAViewHaveItsLightAndTheSameBits) {
         RenderControl control{.threads = threads};
         EXPECT_TRUE(light.learn(view, control));
         FrameRenderer renderer;
-        renderer.lightIndirectlyFrom(&light.cache());
+        renderer.lightIndirectlyFrom(&light.light());
         Frame frame;
         EXPECT_TRUE(renderer.render(view, control, frame));
         return frame.radiance;

@@ -142,7 +142,7 @@ TEST(LightMeter, TakesIndirectLightThatIsKnown) {
     const std::optional<float> own = white();
     ViewLight light;
     ASSERT_TRUE(light.learn({traced.scene, traced.tracer, camera, settings}, control));
-    meter.lightIndirectlyFrom(&light.cache());
+    meter.lightIndirectlyFrom(&light.light());
     const std::optional<float> known = white();
     ASSERT_TRUE(direct && own && known);
     EXPECT_GT(*own, 1.2F * *direct);
