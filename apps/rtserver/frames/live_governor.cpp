@@ -13,7 +13,7 @@ constexpr double kFilled = 0.85;                                 ///< of the tim
 constexpr double kSecondsPerRay = 1e-6, kSecondsPerPixel = 1e-7; ///< guesses
 constexpr double kMinSamples = 0.004, kMaxSamples = 1;           ///< of the pixels of a frame
 constexpr double kWantedSamples = 0.02;                          ///< of them: for these the size gives way
-constexpr double kMinLearning = 0.25, kMaxLearning = rtcore::GatherBudget::kMostTimes; ///< of its rays
+constexpr double kMinLearning = 0.25, kMaxLearning = rtcore::GatherBudget::kMaxTimes; ///< of its rays
 constexpr double kCoarseRays = 0.5; ///< of the time of a coarse frame, whose pixels take little
 constexpr double kStep = 1.0 / 12;  ///< of the scale
 constexpr double kGrows = 0.9;      ///< of the time, in which a larger frame must fit before there is one

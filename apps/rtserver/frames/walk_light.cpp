@@ -12,7 +12,7 @@ rtcore::GatherBudget WalkLight::budgetOf(double learning) {
     const double part = std::min(learning, 1.0);
     return {.rays = static_cast<std::uint32_t>(kBudget.rays * part),
             .paths = static_cast<std::uint32_t>(kBudget.paths * part),
-            .most = learning / part};
+            .maxTimes = learning / part};
 }
 
 void WalkLight::follow(const Document& document, int threads) {
@@ -54,7 +54,7 @@ int WalkLight::turns() const {
 bool WalkLight::learn(const rtcore::View& view, double times, rtcore::RenderControl& control) {
     const rtcore::GatherBudget budget{.rays = static_cast<std::uint32_t>(kBudget.rays * times),
                                       .paths = static_cast<std::uint32_t>(kBudget.paths * times),
-                                      .most = times < kAtLeisure ? 1 : rtcore::GatherBudget::kMostTimes};
+                                      .maxTimes = times < kAtLeisure ? 1 : rtcore::GatherBudget::kMaxTimes};
     constexpr int kMaxPixels = 1 << 16;
     int apart = 1; // pixels each way
     while (view.settings.width / apart * (view.settings.height / apart) > kMaxPixels) ++apart;

@@ -108,7 +108,7 @@ void IndirectLight::findLacking(std::span<const Receiver> receivers,
 
 /// More where little is known of what is seen.
 GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, double unknown) {
-    const double times = 1 + (budget.most - 1) * unknown;
+    const double times = 1 + (budget.maxTimes - 1) * unknown;
     return {static_cast<std::uint32_t>(budget.rays * times), static_cast<std::uint32_t>(budget.paths * times),
             budget.enough};
 }

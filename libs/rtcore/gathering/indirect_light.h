@@ -36,8 +36,8 @@ struct GatherBudget {
     std::uint32_t enough = std::numeric_limits<std::uint32_t>::max();
     /// Times as many rays and paths where nothing is known of what is seen, as far as that is all of it; 1 at
     /// least.
-    double most = kMostTimes;
-    static constexpr double kMostTimes = 4;
+    double maxTimes = kMaxTimes;
+    static constexpr double kMaxTimes = 4;
 
     /// Of lobes, in addition.
     std::uint32_t lobePaths() const { return paths / 4; }

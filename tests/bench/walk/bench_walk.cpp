@@ -159,8 +159,8 @@ std::vector<Published> publishedOf(const WalkOptions& options, LiveServer& serve
     if (options.newSamples > 0) {
         std::vector<WalkStep> steps{{.camera = cameras.front()}};
         for (const rtcore::Camera& camera : cameras)
-            steps.push_back({.detail = {1, true, options.newSamples, rtcore::GatherBudget::kMostTimes},
-                             .camera = camera});
+            steps.push_back(
+                {.detail = {1, true, options.newSamples, rtcore::GatherBudget::kMaxTimes}, .camera = camera});
         std::vector<Published> published = server.draw(steps);
         published.erase(published.begin()); // the whole frame that it began with
         return published;

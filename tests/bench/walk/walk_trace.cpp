@@ -34,7 +34,7 @@ bool read(std::istream& line, WalkStep& step) {
     const auto isPart = [](double value) { return value > 0 && value <= 1; };
     return line && line.eof() && kind <= 1 && isPart(step.detail.scale) &&
            (step.detail.newSamples == 0 || isPart(step.detail.newSamples)) &&
-           isPart(step.detail.learning / rtcore::GatherBudget::kMostTimes);
+           isPart(step.detail.learning / rtcore::GatherBudget::kMaxTimes);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// What records learn from their passes, as to their radii.
+// Radii that follow from what the passes of records tell.
 
 #include "rtcore/gathering/record_passes.h"
 

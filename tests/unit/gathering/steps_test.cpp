@@ -43,14 +43,14 @@ TEST(Steps, TheSameBitsForAllThreadsAndInstructionSets) {
 }
 
 TEST(Steps, LearnByAsManyRaysAsAreAllowedWhereNothingIsKnown) {
-    for (const double most : {1.0, 2.5, GatherBudget::kMostTimes}) {
+    for (const double max : {1.0, 2.5, GatherBudget::kMaxTimes}) {
         test::GatheringScene room(test::furnishedRoom());
         room.addReceiversOfBox({0, 0, 0}, {4, 3, 4}, 400, 0.006F);
-        room.budget = {.rays = 4096, .paths = 700, .most = most};
+        room.budget = {.rays = 4096, .paths = 700, .maxTimes = max};
         room.learn(1);
         EXPECT_EQ(room.light.learned().unknown, 1);
-        EXPECT_LE(room.light.learned().rays, most * 4096);
-        EXPECT_GT(room.light.learned().rays, 0.9 * most * 4096);
+        EXPECT_LE(room.light.learned().rays, max * 4096);
+        EXPECT_GT(room.light.learned().rays, 0.9 * max * 4096);
         room.learn(30);
         EXPECT_LT(room.light.learned().unknown, 0.2);
         EXPECT_LT(room.light.learned().rays, 1.5 * 4096);

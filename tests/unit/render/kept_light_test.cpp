@@ -99,10 +99,10 @@ TEST_F(KeptViewLight, LearnsWhatIsMissing) {
     back.forward = {0, 0, 1};
     back.eye.z = -1;
     ASSERT_TRUE(view.learn(viewAt(back), control));
-    const std::size_t before = light->irradiance.records.size(), of = view.cache().size() - before;
+    const std::size_t before = light->irradiance.records.size(), of = view.light().cache().size() - before;
     EXPECT_GT(of, 10U);
     ASSERT_TRUE(view.learn(viewAt(cameraAt(0.3F)), control));
-    EXPECT_LT(view.cache().size() - before, of / 2) << "nearly all of that is known";
+    EXPECT_LT(view.light().cache().size() - before, of / 2) << "nearly all of that is known";
     EXPECT_EQ(view.fraction(), 1);
 }
 

@@ -104,9 +104,9 @@ TEST(LiveGovernor, PlansMoreRaysForAPlaceThatNothingIsKnownOf) {
     for (const FrameDetail& detail : {some, all})
         EXPECT_LT(secondsOf(detail, kPixel, kSample) + detail.learning * kAll, kFrameTarget) << "in time";
     EXPECT_EQ(WalkLight::budgetOf(some.learning).rays, WalkLight::kBudget.rays);
-    EXPECT_NEAR(WalkLight::budgetOf(some.learning).most, 1.9, 0.01);
+    EXPECT_NEAR(WalkLight::budgetOf(some.learning).maxTimes, 1.9, 0.01);
     EXPECT_EQ(WalkLight::budgetOf(0.5).rays, WalkLight::kBudget.rays / 2);
-    EXPECT_EQ(WalkLight::budgetOf(0.5).most, 1) << "there is no time for more";
+    EXPECT_EQ(WalkLight::budgetOf(0.5).maxTimes, 1) << "there is no time for more";
 }
 
 TEST(LiveGovernor, PlansTheRaysOfCoarseFrames) {

@@ -16,7 +16,7 @@ namespace rtcore {
 /// As that of .bsp files (bsp_layout.h).
 inline constexpr std::array<std::uint8_t, 8> kLightMagic{0x89, 'R', 'T', 'L', '\r', '\n', 0x1A, '\n'};
 /// Another one for each change of how light is learned, too: what was learned goes on as it would have.
-inline constexpr std::uint32_t kLightVersion = 1;
+inline constexpr std::uint32_t kLightVersion = 2;
 
 struct LightHead {
     std::array<std::uint8_t, 8> magic = kLightMagic;
