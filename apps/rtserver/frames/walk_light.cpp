@@ -12,7 +12,8 @@ rtcore::GatherBudget WalkLight::budgetOf(double learning) {
     const double part = std::min(learning, 1.0);
     return {.rays = static_cast<std::uint32_t>(kBudget.rays * part),
             .paths = static_cast<std::uint32_t>(kBudget.paths * part),
-            .maxTimes = learning / part};
+            .maxTimes = learning / part,
+            .compared = kBudget.compared};
 }
 
 void WalkLight::follow(const Document& document, int threads) {
@@ -25,12 +26,13 @@ void WalkLight::follow(const Document& document, int threads) {
                other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
                        !rtcore::sameLight(settings, settings_);
     const bool rebinds = tracer_ != document.tracer(); // a better tree of the same surfaces
-    frames_ = (parts || other) && !begins ? 0 : std::min(frames_ + 1, kTurns);
+    const bool stillChanges = light_ != nullptr && light_->changing();
+    frames_ = (parts || other || stillChanges) && !begins ? 0 : std::min(frames_ + 1, kTurns);
+    if (!stillChanges) before_.clear();
     if (!begins && !parts && !other && !rebinds) return;
     if (light_ == nullptr) light_ = std::make_unique<rtcore::IndirectLight>();
-    // What the light was of until now lives until it has taken the change.
-    const auto before =
-        std::pair(std::exchange(scene_, document.scene()), std::exchange(tracer_, document.tracer()));
+    // What the light was of until now lives until it has followed the change.
+    before_.emplace_back(std::exchange(scene_, document.scene()), std::exchange(tracer_, document.tracer()));
     settings_ = settings;
     if (begins) {
         light_->begin(*scene_, *tracer_, settings_);
@@ -54,7 +56,8 @@ int WalkLight::turns() const {
 bool WalkLight::learn(const rtcore::View& view, double times, rtcore::RenderControl& control) {
     const rtcore::GatherBudget budget{.rays = static_cast<std::uint32_t>(kBudget.rays * times),
                                       .paths = static_cast<std::uint32_t>(kBudget.paths * times),
-                                      .maxTimes = times < kAtLeisure ? 1 : rtcore::GatherBudget::kMaxTimes};
+                                      .maxTimes = times < kAtLeisure ? 1 : rtcore::GatherBudget::kMaxTimes,
+                                      .compared = 2 * kBudget.compared};
     constexpr int kMaxPixels = 1 << 16;
     int apart = 1; // pixels each way
     while (view.settings.width / apart * (view.settings.height / apart) > kMaxPixels) ++apart;

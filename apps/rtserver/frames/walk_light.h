@@ -8,6 +8,8 @@
 #include "rtcore/render/view_steps.h"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -15,7 +17,7 @@ namespace rtserver {
 class WalkLight {
   public:
     /// The work of a live frame at most, and in how many of them samples follow what is learned.
-    static constexpr rtcore::GatherBudget kBudget{8192, 768};
+    static constexpr rtcore::GatherBudget kBudget{.rays = 8192, .paths = 768, .compared = 256};
     /// By FrameDetail::learning: a part of it; beyond 1 it itself, and more only where nothing is known.
     static rtcore::GatherBudget budgetOf(double learning);
     static constexpr int kTurns = 48;
@@ -31,8 +33,10 @@ class WalkLight {
     /// Goes on until the view that rests is known about as well as one whose light is learned for it alone.
     bool learnRest(const rtcore::View& view, rtcore::RenderControl& control);
     rtcore::IndirectLight& light() { return *light_; }
-    /// Null before the first follow().
-    const rtcore::IndirectLight* known() const { return light_.get(); }
+    /// Null before the first follow(), and while what is known does not suit the state yet.
+    const rtcore::IndirectLight* known() const {
+        return light_ != nullptr && !light_->changing() ? light_.get() : nullptr;
+    }
     /// Goes on from what is kept of the light of the state.
     void beginWith(const Document& document, const rtcore::IndirectState& kept) {
         follow(document, 1);
@@ -44,6 +48,9 @@ class WalkLight {
     rtcore::ViewSteps steps_;
     std::shared_ptr<const rtcore::Scene> scene_; ///< whose light is known
     std::shared_ptr<const rtcore::RayTracer> tracer_;
+    /// Those before, while the light changes from theirs.
+    std::vector<std::pair<std::shared_ptr<const rtcore::Scene>, std::shared_ptr<const rtcore::RayTracer>>>
+        before_;
     rtcore::RenderSettings settings_;
     rtcore::Subscription known_;
     int frames_ = kTurns; ///< since light changed, as far as that counts

@@ -16,7 +16,21 @@ namespace rtcore {
 
 namespace {
 
+/// Passes by which states are compared have numbers from there on, by which their rays are others than those
+/// of passes that records learn of.
+constexpr std::uint32_t kFirstCompared = 1U << 24U;
 constexpr float kAnotherLight = 0.1F; ///< by such a difference what was known of it is of no use
+
+/// Whether emissive triangles are hidden in the scene or there alone.
+bool emittersDiffer(const Scene& scene, const HiddenParts& hidden) {
+    const std::vector<std::uint8_t> here = hiddenTriangles(scene.model, scene.hiddenParts),
+                                    there = hiddenTriangles(scene.model, hidden);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const bool differs = (here[i] != 0) != (there[i] != 0);
+        if (differs && !isBlack(scene.material(scene.mesh().shading[i].material).emission)) return true;
+    }
+    return false;
+}
 
 /// Calls `use` with each number below `count`, in several threads.
 template <typename Use>
@@ -30,6 +44,7 @@ void forEachNumber(std::size_t count, int threads, Use&& use) {
 } // namespace
 
 void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
+    change_.reset(); // nothing of it is of use any more
     lit_.prepare(scene, tracer, settings);
     cells_.clear(tracer.bounds());
     forgetValues();
@@ -37,33 +52,96 @@ void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, con
 
 void IndirectLight::changeParts(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                                 int threads) {
-    constexpr std::uint32_t kPathsOfForgotten = 6144;
     ChangedSurfaces changed;
     changed.find(scene.model.mesh, hiddenTriangles(scene.model, lit_.scene().hiddenParts),
                  hiddenTriangles(scene.model, scene.hiddenParts));
-    const LitScene before = std::exchange(lit_, {});
-    lit_.prepare(scene, tracer, settings);
-    if (changed.empty()) return;
+    if (changed.empty()) {
+        rebind(scene, tracer, settings);
+        return;
+    }
     ++frame_;
+    if (change_ && change_->taken()) change_.reset(); // what is known is of the state that it led to
+    if (!change_) {
+        change_.emplace(std::exchange(lit_, {}), std::exchange(cells_, {}));
+    } else { // records that were made since know of a state that is no more
+        for (auto i = static_cast<std::uint32_t>(change_->records()); i < cache_.size(); ++i) forget(i);
+    }
     forgetNear(changed, threads);
+    if (sameHidden(change_->before().scene().hiddenParts, scene.hiddenParts)) {
+        cells_ = std::move(change_->cells());
+        change_.reset();
+        lit_.prepare(scene, tracer, settings);
+        return;
+    }
+    prepareCompared(scene, tracer, settings);
+    cells_.clear(tracer.bounds());
     chooseCompared();
     passes_.clear();
-    for (const std::uint32_t number : chosen_) passes_.push_back(records_.next(cache_, number));
-    OutgoingCells old = std::exchange(cells_, {});
-    cells_.clear(tracer.bounds());
-    LightDifference difference;
-    difference.find({before, surfaces_, frame_, threads}, {lit_, surfaces_, frame_, threads}, cache_, passes_,
-                    gatherer_, cells_);
-    takeCells(old, difference, threads);
-    takeDifference(difference, threads);
-    std::erase_if(chosen_, [&](std::uint32_t number) { return records_.passes(number) > 0; });
-    if (gather({0, kPathsOfForgotten}, threads, nullptr)) enterResults();
+    for (const std::uint32_t number : chosen_) {
+        passes_.push_back(records_.next(cache_, number));
+        passes_.back().number = kFirstCompared + frame_;
+    }
+    change_->begin(passes_, cache_.size(), tracer.bounds(), frame_);
+}
+
+void IndirectLight::rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
+    if (change_)
+        prepareCompared(scene, tracer, settings);
+    else
+        lit_.prepare(scene, tracer, settings);
+}
+
+/// Where emitters are hidden or shown, too, random numbers mean the same in both states.
+void IndirectLight::prepareCompared(const Scene& scene, const RayTracer& tracer,
+                                    const RenderSettings& settings) {
+    LitScene& before = change_->before();
+    const HiddenParts& hidden = before.scene().hiddenParts;
+    if (!emittersDiffer(scene, hidden)) {
+        if (before.isBeside()) before.prepare(before.scene(), before.tracer(), before.settings());
+        lit_.prepare(scene, tracer, settings);
+        return;
+    }
+    before.prepareBeside(before.scene(), before.tracer(), before.settings(), scene.hiddenParts);
+    lit_.prepareBeside(scene, tracer, settings, hidden);
+}
+
+/// Compares some more records; once all are, takes what was found. Returns false when stopped.
+bool IndirectLight::follow(std::size_t compared, int threads, const std::atomic<bool>* stop) {
+    PartsChange& change = *change_;
+    if (!change.taken()) {
+        const GatherTask now{lit_, surfaces_, change.frame(), threads, stop};
+        if (!change.compare(now, frame_, compared, gatherer_, cells_)) return false;
+        if (!change.compared()) return true;
+        const LightDifference& difference = change.difference(now, cache_, gatherer_, cells_);
+        takeCells(difference, threads);
+        takeDifference(difference, threads);
+        // Cells knew little when those that were made since had their first pass: the next one counts alone.
+        for (auto i = static_cast<std::uint32_t>(change.records()); i < cache_.size(); ++i)
+            records_.forgetLight(i);
+        if (lit_.isBeside()) lit_.prepare(lit_.scene(), lit_.tracer(), lit_.settings());
+        change.take();
+    }
+    if (!gatherForgotten(threads, stop)) return false;
+    change_.reset();
+    return true;
+}
+
+/// Compared records that have forgotten their light pass first, with more paths than others.
+bool IndirectLight::gatherForgotten(int threads, const std::atomic<bool>* stop) {
+    constexpr std::size_t kPaths = 16384;
+    chosen_.clear();
+    for (const GatherPass& pass : change_->passes())
+        if (records_.passes(pass.record) == 0) chosen_.push_back(pass.record);
+    orderChosen();
+    if (!gather(kPaths, change_->frame(), threads, stop)) return false;
+    enterResults();
+    return true;
 }
 
 /// Cells that rays have met stay known as far as their light is the same.
-void IndirectLight::takeCells(OutgoingCells& old, const LightDifference& difference, int threads) {
+void IndirectLight::takeCells(const LightDifference& difference, int threads) {
     constexpr float kMaxSamples = 128, kOfFaded = 2, kMin = 1e-6F;
-    const std::span<const OutgoingCells::Site> sites = gatherer_.hits().sites();
+    const std::span<const OutgoingCells::Site> sites = change_->sites();
     std::vector<std::uint32_t> kept(sites.size());
     forEachNumber(kept.size(), threads, [&](std::size_t i) {
         if (sites[i].level == OutgoingCells::kNowhere) return;
@@ -71,7 +149,7 @@ void IndirectLight::takeCells(OutgoingCells& old, const LightDifference& differe
         if (differs < kAnotherLight)
             kept[i] = static_cast<std::uint32_t>(std::min(kMaxSamples, kOfFaded / std::max(differs, kMin)));
     });
-    cells_.takeOver(old, sites, kept);
+    cells_.takeOver(change_->cells(), sites, kept);
 }
 
 /// They are made anew where they lack.
@@ -114,18 +192,17 @@ void IndirectLight::chooseEvenly(std::size_t max) {
         chosen_.push_back(static_cast<std::uint32_t>(order_[i * order_.size() / count]));
 }
 
-/// Each record forgets as much as its light differs.
+/// Each record that was there before forgets as much as its light differs.
 void IndirectLight::takeDifference(const LightDifference& difference, int threads) {
     constexpr float kSame = 1e-4F;
-    std::vector<LightDifference::Arriving> found(cache_.size());
+    std::vector<LightDifference::Arriving> found(change_->records());
     forEachNumber(found.size(), threads, [&](std::size_t i) {
         found[i] = difference.arrivingAt(cache_.record(static_cast<std::uint32_t>(i)));
     });
     for (std::uint32_t number = 0; number < found.size(); ++number) {
         const LightDifference::Arriving& arriving = found[number];
         if (arriving.difference >= kAnotherLight) {
-            records_.forgetLight(number);
-            cache_.values(number).confidence = 0;
+            forget(number);
         } else if (arriving.difference > kSame) {
             records_.fade(cache_, number, static_cast<std::uint32_t>(kAnotherLight / arriving.difference),
                           arriving.ratio);
@@ -134,7 +211,13 @@ void IndirectLight::takeDifference(const LightDifference& difference, int thread
     guesses_ = false;
 }
 
-/// Positions and radii of records stay.
+/// Its position and its radius stay.
+void IndirectLight::forget(std::uint32_t number) {
+    records_.forgetLight(number);
+    cache_.values(number).confidence = 0;
+}
+
+/// Those of all.
 void IndirectLight::forgetValues() {
     records_.forgetLight();
     for (std::uint32_t number = 0; number < cache_.size(); ++number) cache_.values(number).confidence = 0;

@@ -12,6 +12,13 @@
 
 namespace rtcore {
 
+namespace {
+
+/// Coarse records that have forgotten what they knew come first until they had so many.
+constexpr std::uint32_t kFewPasses = 4;
+
+} // namespace
+
 void IndirectLight::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
     lit_.prepare(scene, tracer, settings);
     surfaces_.find(scene.model.mesh);
@@ -20,6 +27,7 @@ void IndirectLight::begin(const Scene& scene, const RayTracer& tracer, const Ren
     records_.clear();
     frame_ = 0;
     guesses_ = false;
+    change_.reset();
 }
 
 IndirectState IndirectLight::state() const {
@@ -32,20 +40,29 @@ void IndirectLight::restore(const IndirectState& kept) {
     records_.restore(kept.passes);
     frame_ = kept.frame;
     guesses_ = kept.guesses;
+    change_.reset();
 }
 
 bool IndirectLight::step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
                          const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
     ++frame_;
-    forgetUnused();
+    const auto edited = Clock::now();
+    if (change_ && !follow(budget.compared, threads, stop)) {
+        --frame_;
+        return false;
+    }
+    const Seconds following = Clock::now() - edited;
+    if (!change_) forgetUnused(); // while it is, numbers of records stay
     lookUp(curve_.of(receivers, lit_.tracer().bounds()), receivers, arriving, frame_, threads);
     findLacking(receivers, arriving);
-    const auto begun = std::chrono::steady_clock::now();
+    const auto begun = Clock::now();
     const double unknown =
         receivers.empty() ? 0 : static_cast<double>(lacking_.size()) / static_cast<double>(receivers.size());
     if (!learn(receivers, arriving, budgetFor(budget, unknown), threads, stop)) return false;
-    const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begun;
-    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses(), unknown};
+    const Seconds lasted = Clock::now() - begun;
+    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses(), unknown, following.count()};
     lookUp(lacking_, receivers, arriving, 0, threads);
     return true;
 }
@@ -57,9 +74,11 @@ bool IndirectLight::learn(std::span<const Receiver> receivers, std::span<const A
     chosen_.clear();
     bool done = makeRecords(receivers, arriving, passes, stop);
     if (done) {
-        chooseRecords(passes - (cache_.size() - before), budget.enough);
+        // The light that old ones know is not judged yet, and cells know of what is compared alone.
+        if (!change_) chooseRecords(passes - (cache_.size() - before), budget.enough);
+        const std::uint32_t paths = change_ ? 0 : pathsFor(budget.paths);
         orderChosen();
-        done = gather(budget, threads, stop);
+        done = gather(paths, frame_, threads, stop);
     }
     if (done)
         enterResults();
@@ -113,6 +132,21 @@ GatherBudget IndirectLight::budgetFor(const GatherBudget& budget, double unknown
             budget.enough};
 }
 
+/// More where what is seen was forgotten: what cells learn now is what is shown for long, since each record
+/// has its next pass long after.
+std::uint32_t IndirectLight::pathsFor(std::uint32_t paths) const {
+    constexpr double kMaxTimes = 4;
+    if (chosen_.empty()) return paths;
+    std::size_t forgotten = 0;
+    for (const std::uint32_t number : chosen_)
+        forgotten += records_.density(number) > 0 && records_.passes(number) < kFewPasses &&
+                             records_.hasForgotten(number)
+                         ? 1
+                         : 0;
+    const double part = static_cast<double>(forgotten) / static_cast<double>(chosen_.size());
+    return static_cast<std::uint32_t>(paths * (1 + (kMaxTimes - 1) * part));
+}
+
 /// For the receivers of these numbers: groups of those that follow each other are looked up together.
 void IndirectLight::lookUp(std::span<const std::uint32_t> numbers, std::span<const Receiver> receivers,
                            std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const {
@@ -157,7 +191,6 @@ bool IndirectLight::makeRecords(std::span<const Receiver> receivers, std::span<c
 /// ones take their part; but before the first pass they come first, since few of them tell of all that is
 /// seen, and where they have forgotten what they knew until a few passes.
 std::uint64_t IndirectLight::turnOf(std::uint32_t number) const {
-    constexpr std::uint32_t kFewPasses = 4;
     const std::uint32_t passes = records_.passes(number);
     const int density = records_.density(number);
     const bool coarse = density > 0, few = passes < kFewPasses && records_.hasForgotten(number);
@@ -198,10 +231,11 @@ void IndirectLight::orderChosen() {
     for (std::size_t i = 0; i < order_.size(); ++i) chosen_[i] = static_cast<std::uint32_t>(order_[i]);
 }
 
-bool IndirectLight::gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop) {
+bool IndirectLight::gather(std::size_t paths, std::uint32_t frame, int threads,
+                           const std::atomic<bool>* stop) {
     passes_.clear();
     for (const std::uint32_t number : chosen_) passes_.push_back(records_.next(cache_, number));
-    return gatherer_.gather({lit_, surfaces_, frame_, threads, stop}, passes_, budget.paths, cells_);
+    return gatherer_.gather({lit_, surfaces_, frame, threads, stop}, passes_, paths, cells_);
 }
 
 /// In the order of the passes. The guess follows what new records find.
@@ -260,7 +294,8 @@ void IndirectLight::learnLobes(std::span<const LobeTap> lobes, std::span<Colour>
             return {{taps[i].origin, 0, taps[i].direction, std::numeric_limits<float>::max()},
                     {static_cast<std::uint16_t>(name), static_cast<std::uint16_t>(name >> 16), frame_}};
         }};
-    lobePaths_.fill(lit_.paths(), rays, paths, frame_, threads, nullptr, cells_);
+    // While states are compared, cells know of what paths of both found alone.
+    lobePaths_.fill(lit_.paths(), rays, change_ ? 0 : paths, frame_, threads, nullptr, cells_);
     forEachLobes([&](std::size_t first, std::size_t count) {
         addFromCells(std::span(lobeSites_).subspan(first, count), radiance.subspan(first, count));
     });

@@ -11,6 +11,7 @@
 #include "rtcore/gathering/indirect_state.h"
 #include "rtcore/gathering/lit_scene.h"
 #include "rtcore/gathering/lobe_rays.h"
+#include "rtcore/gathering/parts_change.h"
 #include "rtcore/gathering/pass_gatherer.h"
 #include "rtcore/gathering/record_passes.h"
 #include "rtcore/irradiance/irradiance_cache.h"
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,9 @@ struct GatherBudget {
     /// least.
     double maxTimes = kMaxTimes;
     static constexpr double kMaxTimes = 4;
+    /// After an edit of parts so many of some 1,000 records are compared in a step, each by 128 rays and 32
+    /// paths, before others learn.
+    std::uint32_t compared = std::numeric_limits<std::uint32_t>::max();
 
     /// Of lobes, in addition.
     std::uint32_t lobePaths() const { return paths / 4; }
@@ -59,25 +64,26 @@ class IndirectLight {
     /// Takes a scene in which lights, materials or surroundings differ, but no surface: positions and radii
     /// of records stay, and each tells nothing until its next pass; coarse ones have theirs first.
     void changeLight(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
-    /// Takes a scene in which other parts of the same model are hidden, and nothing else differs; those of
-    /// before must live until it returns. Records near what is hidden or shown go, and others forget as much
-    /// as their light differs: where it is the same they are as they were. Takes as long as some twenty
-    /// steps of a live frame.
+    /// Takes a scene in which other parts of the same model are hidden, and nothing else differs. Records
+    /// near what is hidden or shown go at once. The next steps find out by how much the light of others
+    /// differs, and so much they forget then: where it is the same they are as they were. Until then they
+    /// show what they did, new ones are made, and the state before must live.
     void changeParts(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                      int threads);
+    bool changing() const { return change_.has_value(); } ///< the last changeParts() is not yet followed
 
-    /// All that was learned since begin(), between two steps; as much memory as memory() tells, or less.
+    /// All that was learned since begin(), between two steps, while it is not changing(); as much memory as
+    /// memory() tells, or less.
     IndirectState state() const;
     /// Goes on where the light was that the state is of: its surfaces and all that lights them are those of
     /// the last begin(), and checkIndirectState() has nothing against it. Then all to come has the same bits.
     void restore(const IndirectState& kept);
     /// Takes another tracer of the same surfaces.
-    void rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings) {
-        lit_.prepare(scene, tracer, settings);
-    }
+    void rebind(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
 
     /// Learns, first of all about the receivers, and looks up the light of each. Returns false when `stop`
-    /// (may be null) became true: then all is as before, but for which records were of use lately.
+    /// (may be null) became true: then all is as before, but for which records were of use lately, and what
+    /// was compared after an edit, with which the next step goes on.
     bool step(std::span<const Receiver> receivers, std::span<ArrivingLight> arriving,
               const GatherBudget& budget, int threads, const std::atomic<bool>* stop = nullptr);
     /// Looks up the radiance that comes along lobes; and learns of it, by about `paths` paths, after a step
@@ -89,12 +95,14 @@ class IndirectLight {
 
     /// Learning in the last step: rays from records, the seconds that all of it took, the fewest passes of a
     /// record that was of use lately and had one, where those of coarse ones count four times, and the part
-    /// of the receivers that nothing was known of before, or not much.
+    /// of the receivers that nothing was known of before, or not much. Before it, the seconds that the last
+    /// changeParts() took of the step.
     struct Learned {
         std::size_t rays = 0;
         double seconds = 0;
         std::uint32_t minPasses = 0;
         double unknown = 0;
+        double secondsOfEdits = 0;
     };
     const Learned& learned() const { return learned_; }
     /// Looks up what is known. From many threads, while none learns.
@@ -118,11 +126,15 @@ class IndirectLight {
                 std::span<ArrivingLight> arriving, std::uint32_t frame, int threads) const;
     bool learn(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
+    void forget(std::uint32_t number);
     void forgetValues();
     void forgetNear(const ChangedSurfaces& changed, int threads);
+    void prepareCompared(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
     void chooseCompared();
     void chooseEvenly(std::size_t max);
-    void takeCells(OutgoingCells& old, const LightDifference& difference, int threads);
+    bool follow(std::size_t compared, int threads, const std::atomic<bool>* stop);
+    bool gatherForgotten(int threads, const std::atomic<bool>* stop);
+    void takeCells(const LightDifference& difference, int threads);
     void takeDifference(const LightDifference& difference, int threads);
     void forgetUnused();
     void undo(std::size_t records);
@@ -131,6 +143,7 @@ class IndirectLight {
     bool makeRecords(std::span<const Receiver> receivers, std::span<const ArrivingLight> arriving,
                      std::size_t max, const std::atomic<bool>* stop);
     std::uint64_t turnOf(std::uint32_t number) const;
+    std::uint32_t pathsFor(std::uint32_t paths) const;
     void chooseRecords(std::size_t max, std::uint32_t enough);
     std::uint32_t countedPasses(std::uint32_t number) const {
         return records_.passes(number) * (records_.density(number) > 0 ? 4U : 1U);
@@ -138,7 +151,7 @@ class IndirectLight {
     std::uint32_t minPasses() const;
     void orderChosen();
     void enterResults();
-    bool gather(const GatherBudget& budget, int threads, const std::atomic<bool>* stop);
+    bool gather(std::size_t paths, std::uint32_t frame, int threads, const std::atomic<bool>* stop);
 
     LitScene lit_;
     ConnectedSurfaces surfaces_;
@@ -148,6 +161,7 @@ class IndirectLight {
     std::uint32_t frame_ = 0;
     std::size_t maxRecords_ = kMaxRecords;
     bool guesses_ = false; ///< the cache's guess is of this light
+    std::optional<PartsChange> change_;
     Learned learned_;
 
     CurveOrder curve_;

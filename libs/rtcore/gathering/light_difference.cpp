@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rtcore {
 
@@ -52,7 +53,7 @@ void LightDifference::Sum::add(const Passed& passed) {
 
 /// Whether rays met the light that is known to be there, or any.
 bool LightDifference::Sum::tellsEnough() const {
-    constexpr float kPart = 0.5F, kForDarkness = 16;
+    constexpr float kPart = 0.5F, kForDarkness = 64;
     const float found = luminance(before) + luminance(now);
     return found >= kPart * luminance(known) && (found > 0 || count >= kForDarkness);
 }
@@ -62,32 +63,57 @@ float LightDifference::Sum::mean() const {
     return std::max(difference / count, differenceOf(pathsBefore, pathsNow));
 }
 
-void LightDifference::find(const GatherTask& before, const GatherTask& now, const IrradianceCache& cache,
-                           std::span<const GatherPass> passes, PassGatherer& gatherer, OutgoingCells& cells) {
-    before_.clear(now.lit.tracer().bounds());
-    std::vector<Colour> were, are, pathsWere, pathsAre;
-    gather(before, passes, gatherer, before_, were, pathsWere);
-    gather(now, passes, gatherer, cells, are, pathsAre);
-    now_ = cells;
+void LightDifference::begin(const Box3& bounds) {
+    before_.clear(bounds);
+    now_.clear(bounds);
     passed_.clear();
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        passed_.push_back({cache.record(passes[i].record), were[i], are[i], pathsWere[i], pathsAre[i],
-                           differenceOf(were[i], are[i])});
+    parts_.clear();
+}
+
+bool LightDifference::passBefore(const GatherTask& task, std::span<const GatherPass> passes,
+                                 PassGatherer& gatherer) {
+    return gather(task, passes, gatherer, before_, were_);
+}
+
+bool LightDifference::passNow(const GatherTask& task, std::span<const GatherPass> passes,
+                              PassGatherer& gatherer, OutgoingCells& cells) {
+    Rays are;
+    if (!gather(task, passes, gatherer, cells, are)) return false;
+    parts_.push_back({{passes.begin(), passes.end()}, std::move(were_), std::move(are)});
+    return true;
+}
+
+/// Only now, since cells know little at first.
+void LightDifference::finish(const GatherTask& before, const GatherTask& now, const IrradianceCache& cache,
+                             PassGatherer& gatherer, const OutgoingCells& cells) {
+    now_ = cells;
+    for (Part& part : parts_) {
+        gatherer.sumUp(before, part.passes, std::move(part.before.hits), before_);
+        std::vector<Colour> were;
+        for (const PassResult& result : gatherer.results()) were.push_back(result.light.irradiance);
+        gatherer.sumUp(now, part.passes, std::move(part.now.hits), now_);
+        for (std::size_t i = 0; i < part.passes.size(); ++i) {
+            const Colour is = gatherer.results()[i].light.irradiance;
+            passed_.push_back({cache.record(part.passes[i].record), were[i], is, part.before.byPaths[i],
+                               part.now.byPaths[i], differenceOf(were[i], is)});
+        }
+    }
+    parts_.clear();
     order(0, passed_.size(), 0);
     forEachPart(passed_.size(), threadsFor(now.threads),
                 [&](std::size_t i) { passed_[i].around = differenceAround(passed_[i].record); });
 }
 
-void LightDifference::gather(const GatherTask& task, std::span<const GatherPass> passes,
-                             PassGatherer& gatherer, OutgoingCells& cells, std::vector<Colour>& arriving,
-                             std::vector<Colour>& byPaths) {
+bool LightDifference::gather(const GatherTask& task, std::span<const GatherPass> passes,
+                             PassGatherer& gatherer, OutgoingCells& cells, Rays& found) {
     constexpr std::size_t kStep = 4; // of the rays
-    gatherer.gatherEvenly(task, passes, kStep, cells);
-    for (const PassResult& result : gatherer.results()) arriving.push_back(result.light.irradiance);
-    byPaths.resize(passes.size());
+    if (!gatherer.gatherEvenly(task, passes, kStep, cells)) return false;
+    found.hits = gatherer.hits();
+    found.byPaths.assign(passes.size(), {});
     const std::span<const std::uint32_t> rays = gatherer.paths().chosen();
     for (std::size_t i = 0; i < rays.size(); ++i)
-        byPaths[rays[i] / kPassRays] += gatherer.paths().radiance()[i];
+        found.byPaths[rays[i] / kPassRays] += gatherer.paths().radiance()[i];
+    return true;
 }
 
 void LightDifference::order(std::size_t first, std::size_t last, int axis) {

@@ -6,6 +6,7 @@
 #include "rtcore/irradiance/irradiance_cache.h"
 #include "rtcore/irradiance/irradiance_record.h"
 #include "rtcore/irradiance/outgoing_cells.h"
+#include "rtcore/math/box.h"
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 
@@ -21,10 +22,17 @@ namespace rtcore {
 /// where none of them meets anything else. At most a difference is 1, at least 0.
 class LightDifference {
   public:
-    /// Of some records of a cache, which pass once in each state. `gatherer` has the results of `now` then,
-    /// and `cells`, which are to be empty, what their paths found.
-    void find(const GatherTask& before, const GatherTask& now, const IrradianceCache& cache,
-              std::span<const GatherPass> passes, PassGatherer& gatherer, OutgoingCells& cells);
+    /// Forgets all; cells lie in these bounds.
+    void begin(const Box3& bounds);
+    /// Some records pass in the state before. Returns false when that was stopped: then all is as it was.
+    bool passBefore(const GatherTask& task, std::span<const GatherPass> passes, PassGatherer& gatherer);
+    /// The same ones pass in the state now. What paths find there goes to `cells`, which know what paths of
+    /// this comparison found, and nothing else.
+    bool passNow(const GatherTask& task, std::span<const GatherPass> passes, PassGatherer& gatherer,
+                 OutgoingCells& cells);
+    /// Once all have passed, of the cache. The tasks are those of the passes.
+    void finish(const GatherTask& before, const GatherTask& now, const IrradianceCache& cache,
+                PassGatherer& gatherer, const OutgoingCells& cells);
     /// Of what arrives at a record, by those that passed around it.
     struct Arriving {
         float difference = 1;
@@ -51,8 +59,18 @@ class LightDifference {
         bool tellsEnough() const;
         float mean() const;
     };
-    static void gather(const GatherTask& task, std::span<const GatherPass> passes, PassGatherer& gatherer,
-                       OutgoingCells& cells, std::vector<Colour>& arriving, std::vector<Colour>& byPaths);
+    /// Where rays of passes ended, and what came along paths, by pass.
+    struct Rays {
+        GatherHits hits;
+        std::vector<Colour> byPaths;
+    };
+    /// Passes of the same time, in both states.
+    struct Part {
+        std::vector<GatherPass> passes;
+        Rays before, now;
+    };
+    static bool gather(const GatherTask& task, std::span<const GatherPass> passes, PassGatherer& gatherer,
+                       OutgoingCells& cells, Rays& found);
     void order(std::size_t first, std::size_t last, int axis);
     template <typename Suits>
     void findNearest(Vec3 point, std::size_t first, std::size_t last, int axis, const Suits& suits,
@@ -64,6 +82,8 @@ class LightDifference {
     float meanOfNearest(Vec3 point, const Suits& suits) const;
 
     std::vector<Passed> passed_; ///< a tree: the middle one of a range splits it, along x, y and z in turns
+    std::vector<Part> parts_;    ///< until all have passed
+    Rays were_;                  ///< of those that have passed in the state before alone
     OutgoingCells before_, now_; ///< of the paths
 };
 

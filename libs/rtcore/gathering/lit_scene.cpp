@@ -2,9 +2,9 @@
 
 #include "rtcore/math/octahedron-inl.h"
 #include "rtcore/scene/environment.h"
-#include "rtcore/scene/part_list.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace rtcore {
 
@@ -26,6 +26,30 @@ void LitScene::prepare(const Scene& scene, const RayTracer& tracer, const Render
     fog_ = fogMedium(scene, settings_);
     materials_.prepare(scene, settings_, Colour{});
     lights_.prepare(scene, settings_, tracer.bounds(), hiddenTriangles(scene.model, scene.hiddenParts));
+    darkened_ = nullptr;
+}
+
+void LitScene::prepareBeside(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                             const HiddenParts& other) {
+    const auto emits = [&](std::uint32_t material) { return !isBlack(scene.material(material).emission); };
+    std::uint32_t dark = 0;
+    while (dark < scene.materials.size() && emits(dark)) ++dark;
+    prepare(scene, tracer, settings);
+    if (dark == scene.materials.size()) return; // nothing to make them of
+    const std::vector<std::uint8_t> here = hiddenTriangles(scene.model, scene.hiddenParts);
+    std::vector<std::uint8_t> inBoth = hiddenTriangles(scene.model, other);
+    // Rays do not meet them, so that any material which emits nothing will do.
+    const std::span<const ShadingTriangle> shading = scene.mesh().shading;
+    auto darkened = std::make_shared<Darkened>();
+    darkened->shading.assign(shading.begin(), shading.end());
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        inBoth[i] = inBoth[i] != 0 && here[i] != 0 ? 1 : 0;
+        if (here[i] != 0 && emits(shading[i].material)) darkened->shading[i].material = dark;
+    }
+    lights_.prepare(scene, settings_, tracer.bounds(), inBoth);
+    darkened->scene = scene;
+    darkened->scene.model.mesh.shading = darkened->shading;
+    darkened_ = std::move(darkened);
 }
 
 Colour LitScene::fromSurroundings(Vec3 origin, Vec3 direction, Vec3 normal) const {

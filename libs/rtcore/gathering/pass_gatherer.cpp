@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace rtcore {
 
@@ -22,11 +23,14 @@ bool PassGatherer::gather(const GatherTask& task, std::span<const GatherPass> pa
 
 bool PassGatherer::gatherEvenly(const GatherTask& task, std::span<const GatherPass> passes, std::size_t step,
                                 OutgoingCells& cells) {
-    if (!trace(task, passes, cells) || !cellPaths_.fillEvenly(task.lit.paths(), hits_, passes, step,
-                                                              task.frame, task.threads, task.stop, cells))
-        return false;
+    return trace(task, passes, cells) && cellPaths_.fillEvenly(task.lit.paths(), hits_, passes, step,
+                                                               task.frame, task.threads, task.stop, cells);
+}
+
+void PassGatherer::sumUp(const GatherTask& task, std::span<const GatherPass> passes, GatherHits&& hits,
+                         const OutgoingCells& cells) {
+    hits_ = std::move(hits);
     sumUp(task, passes, cells);
-    return true;
 }
 
 bool PassGatherer::trace(const GatherTask& task, std::span<const GatherPass> passes,

@@ -34,8 +34,12 @@ class PassGatherer {
     bool gather(const GatherTask& task, std::span<const GatherPass> passes, std::size_t paths,
                 OutgoingCells& cells);
     /// Every `step`-th ray of each pass goes on as a path, whatever is known: the same ones in each scene.
+    /// There are no results yet.
     bool gatherEvenly(const GatherTask& task, std::span<const GatherPass> passes, std::size_t step,
                       OutgoingCells& cells);
+    /// The results of passes whose rays were traced, by what cells know now.
+    void sumUp(const GatherTask& task, std::span<const GatherPass> passes, GatherHits&& hits,
+               const OutgoingCells& cells);
 
     std::span<const PassResult> results() const { return results_; } ///< by pass
     const GatherHits& hits() const { return hits_; }

@@ -319,7 +319,8 @@ bool LiveRenderer::addIndirect(const View& view, RenderControl& control) {
     const double old = receivers_.empty()
                            ? 0
                            : static_cast<double>(updated_.size()) / static_cast<double>(receivers_.size());
-    otherSeconds_ = learning + (seconds - learning) * old;
+    const double following = indirect_->learned().secondsOfEdits;
+    otherSeconds_ = learning + following + (seconds - learning - following) * old;
     return true;
 }
 

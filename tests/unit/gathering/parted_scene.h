@@ -36,12 +36,14 @@ class PartedScene {
     PartedScene& operator=(const PartedScene&) = delete;
 
     const rtcore::Scene& scene() const { return state_->scene; }
+    const rtcore::RayTracer& tracer() const { return state_->tracer; }
     /// By part of the model: 1 where it is hidden.
     void hide(const std::vector<std::uint8_t>& hidden) { change(withHidden(state_->scene, hidden)); }
     /// Another scene of the same model: of lights and materials, or of parts.
     void change(rtcore::Scene scene) {
         const bool parts = !rtcore::sameHidden(scene.hiddenParts, state_->scene.hiddenParts);
-        const auto before = std::exchange(state_, std::make_shared<VisibleScene>(whole_, std::move(scene)));
+        if (!light.changing()) before_.clear();
+        before_.push_back(std::exchange(state_, std::make_shared<VisibleScene>(whole_, std::move(scene))));
         if (parts)
             light.changeParts(state_->scene, state_->tracer, settings, threads);
         else
@@ -93,6 +95,7 @@ class PartedScene {
 
     rtcore::KdTree whole_;
     std::shared_ptr<const VisibleScene> state_;
+    std::vector<std::shared_ptr<const VisibleScene>> before_; ///< while the light changes from theirs
 };
 
 } // namespace test

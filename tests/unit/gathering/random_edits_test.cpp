@@ -100,7 +100,7 @@ TEST(Edits, AtRandomEndInTheLightOfTheLastState) {
     const int edits = wanted != nullptr ? std::atoi(wanted) : 200;
     RandomEdits random;
     test::PartedScene& room = random.room;
-    room.budget = {1024, 128};
+    room.budget = {.rays = 1024, .paths = 128, .compared = 300}; // edits come while others are followed
     for (int i = 0; i < edits; ++i) {
         random.edit();
         if (i % 3 != 0) room.learn(i % 3, 150);
