@@ -120,6 +120,10 @@ for check in "$@"; do
         # The same of indirect light, which ends as one that is learned of the last state alone.
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_gathering --gtest_filter='Edits.*'
+        # Edits in all buildings, by other random numbers.
+        for seed in 1 2 3; do
+            RT_BUILDINGS=$seed $release/test_gathering --gtest_filter='EditedRooms.*:*/EditsOfRooms.*'
+        done
         # After so many states the scene that is exported shows the same bits.
         RT_EDIT_STATES=${RT_EDIT_STATES:-200} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='SavedEdits.*'
