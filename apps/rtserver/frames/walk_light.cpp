@@ -41,6 +41,8 @@ void WalkLight::follow(const Document& document, int threads) {
     if (parts) light_->changeParts(*scene_, *tracer_, settings_, threads);
     if (other) light_->changeLight(*scene_, *tracer_, settings_);
     if (!parts && !other) light_->rebind(*scene_, *tracer_, settings_);
+    // Edits may come sooner than they are followed, for as long as someone likes.
+    std::erase_if(before_, [&](const auto& of) { return of.first.get() != light_->sceneBefore(); });
 }
 
 int WalkLight::turns() const {

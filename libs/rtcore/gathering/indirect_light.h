@@ -71,6 +71,8 @@ class IndirectLight {
     void changeParts(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                      int threads);
     bool changing() const { return change_.has_value(); } ///< the last changeParts() is not yet followed
+    /// The scene before, which must live; null when it is not changing().
+    const Scene* sceneBefore() { return change_ ? &change_->before().scene() : nullptr; }
 
     /// All that was learned since begin(), between two steps, while it is not changing(); as much memory as
     /// memory() tells, or less.
