@@ -110,7 +110,7 @@ void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
 }
 
 void PictureMaker::shareLight(const FrameTask& task, const rtcore::RenderSettings& settings) {
-    if (!SharedLight::lights(settings)) return;
+    if (!SharedLight::lights(settings)) return sharedLight_.tellUnused();
     const rtcore::Scene lit = loaded_.scene;
     const auto tracer = rtcore::withGround(surfaces_, lit);
     const bool byPaths = settings.integrator == rtcore::Integrator::Path;

@@ -68,6 +68,9 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
         }
     }
 
+    if (options.light && !options.list && !std::filesystem::exists(*options.light))
+        throw rtcore::FileError(rtcore::FailureKind::NoInput, options.light->string(), "no such file");
+
     const auto ffmpeg = findFilmMaker(options);
     std::optional<Preview> preview;
     if (options.preview) preview.emplace(*options.preview);

@@ -17,7 +17,6 @@ bool SharedLight::lights(const rtcore::RenderSettings& settings) {
 
 std::shared_ptr<const rtcore::IndirectState>
 SharedLight::of(const LitScene& lit, const std::function<std::vector<LightView>()>& views) {
-    if (!lights(lit.settings)) return nullptr;
     Switches switches{lit.scene.lights, lit.scene.activeEnvironment};
     if (!switches_) {
         const bool makes = !options_.light || (options_.list && !std::filesystem::exists(*options_.light));
@@ -26,6 +25,11 @@ SharedLight::of(const LitScene& lit, const std::function<std::vector<LightView>(
         return light_;
     }
     return switches == *switches_ ? light_ : nullptr;
+}
+
+void SharedLight::tellUnused() {
+    if (!options_.light || std::exchange(toldUnused_, true)) return;
+    progress_.tell(rtcore::say("warning: {0}", rtcore::lightIsUnused(*options_.light)));
 }
 
 std::shared_ptr<const rtcore::IndirectState> SharedLight::read(const LitScene& lit) const {

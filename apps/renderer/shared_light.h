@@ -28,11 +28,14 @@ class SharedLight {
     /// Whether an image by such settings is lit by it at all.
     static bool lights(const rtcore::RenderSettings& settings);
 
-    /// What images of that scene share; null: nothing, each learns the light of its own view. `views` are
-    /// those of the list that have that light, none where there is no list; asked for once. Throws
-    /// rtcore::FileError: NoInput, BadData for a file that is damaged or of another scene; Stopped.
+    /// What images of that scene share, by settings that lights() is true of; null: nothing, each learns the
+    /// light of its own view. `views` are those of the list that have that light, none where there is no
+    /// list; asked for once. Throws rtcore::FileError: NoInput, BadData for a file that is damaged or of
+    /// another scene; Stopped.
     std::shared_ptr<const rtcore::IndirectState> of(const LitScene& lit,
                                                     const std::function<std::vector<LightView>()>& views);
+    /// Warns once, where there is a file of --light, that an image is not lit by it.
+    void tellUnused();
 
   private:
     /// What .cam files change.
@@ -48,6 +51,7 @@ class SharedLight {
 
     const RendererOptions& options_;
     app::Progress& progress_;
+    bool toldUnused_ = false;
     std::optional<Switches> switches_; ///< those that the light is of, once it is known
     std::shared_ptr<const rtcore::IndirectState> light_;
 };

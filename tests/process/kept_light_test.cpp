@@ -84,6 +84,19 @@ TEST_F(KeptLight, OfAListIsWrittenWhereTheFileIsMissing) {
         EXPECT_EQ(bytes(std::string("a") + number + ".png"), bytes(std::string("b") + number + ".png"));
 }
 
+TEST_F(KeptLight, IsToldOfWhereSettingsDoNotUseIt) {
+    ASSERT_EQ(make({"--camera=1.cam"}).exitCode, 0);
+    const test::ProgramResult unused =
+        render({"--camera=1.cam", "-o", "a.png", "--light=room.light", "--setting=indirect.mode=off"});
+    EXPECT_EQ(unused.exitCode, 0);
+    EXPECT_NE(unused.error.find("warning: room.light: it is not used"), std::string::npos) << unused.error;
+    const test::ProgramResult used = render({"--camera=1.cam", "-o", "b.png", "--light=room.light"});
+    EXPECT_EQ(used.error.find("warning"), std::string::npos) << used.error;
+    const test::ProgramResult missing =
+        render({"--camera=1.cam", "-o", "c.png", "--light=none.light", "--setting=indirect.mode=off"});
+    EXPECT_EQ(missing.exitCode, 66) << missing.error;
+}
+
 TEST_F(KeptLight, IsMadeOfAllThatIsWalkedOn) {
     const test::ProgramResult made = make({"-v"});
     ASSERT_EQ(made.exitCode, 0) << made.error;

@@ -1648,6 +1648,10 @@
         <translation>žádný server '{0}' neběží</translation>
     </message>
     <message>
+        <source>no such file</source>
+        <translation>takový soubor není</translation>
+    </message>
+    <message>
         <source>no temporary file: {0}</source>
         <translation>nelze vytvořit dočasný soubor: {0}</translation>
     </message>
@@ -3162,6 +3166,10 @@
     <message>
         <source>{0}: is the light of another scene; it is not used</source>
         <translation>{0}: je to světlo jiné scény; nepoužije se</translation>
+    </message>
+    <message>
+        <source>{0}: it is not used, since that takes indirect.mode=live</source>
+        <translation>{0}: nepoužije se, protože k tomu je třeba indirect.mode=live</translation>
     </message>
     <message>
         <source>{0}: no memory for it: {1}</source>

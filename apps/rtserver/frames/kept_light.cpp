@@ -79,9 +79,9 @@ void KeptLight::sceneShown() {
     const bool named = std::exchange(first_, false) && options_.light;
     const std::filesystem::path from = named ? *options_.light : file_;
     std::error_code error;
-    if (settings_.indirect.mode != rtcore::IndirectMode::Live || from.empty() ||
-        (!named && !std::filesystem::exists(from, error)))
-        return;
+    const bool off = settings_.indirect.mode != rtcore::IndirectMode::Live;
+    if (off && named) messages_.warn(rtcore::lightIsUnused(from));
+    if (off || from.empty() || (!named && !std::filesystem::exists(from, error))) return;
     reading_ = std::make_unique<DetachedTask<Found>>(
         [from, named, scene = document_.scene(), tracer = document_.tracer(), settings = settings_] {
             Found found;

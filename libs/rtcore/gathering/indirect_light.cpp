@@ -62,7 +62,8 @@ bool IndirectLight::step(std::span<const Receiver> receivers, std::span<Arriving
         receivers.empty() ? 0 : static_cast<double>(lacking_.size()) / static_cast<double>(receivers.size());
     if (!learn(receivers, arriving, budgetFor(budget, unknown), threads, stop)) return false;
     const Seconds lasted = Clock::now() - begun;
-    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses(), unknown, following.count()};
+    learned_ = {chosen_.size() * kPassRays, lasted.count(), minPasses(), unknown,
+                following.count(),          meanError()};
     lookUp(lacking_, receivers, arriving, 0, threads);
     return true;
 }
@@ -253,6 +254,15 @@ void IndirectLight::enterResults() {
     const float weight = guesses_ ? std::min(0.1F, count * 1e-4F) : 1;
     cache_.setGuess(cache_.guess() * (1 - weight) + sum * (weight / count));
     guesses_ = true;
+}
+
+/// By the spread of the rays of the last pass.
+double IndirectLight::meanError() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < chosen_.size(); ++i)
+        sum += gatherer_.results()[i].deviation /
+               std::sqrt(static_cast<double>(records_.passes(chosen_[i]) * kPassRays));
+    return chosen_.empty() ? 0 : sum / static_cast<double>(chosen_.size());
 }
 
 std::size_t IndirectLight::memory() const { return cache_.memory() + cells_.memory() + records_.memory(); }

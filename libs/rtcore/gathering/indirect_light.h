@@ -96,8 +96,9 @@ class IndirectLight {
     void lookUp(std::span<const LobeTap> lobes, std::span<Colour> radiance, LobeScratch& scratch) const;
 
     /// Learning in the last step: rays from records, the seconds that all of it took, the fewest passes of a
-    /// record that was of use lately and had one, where those of coarse ones count four times, and the part
-    /// of the receivers that nothing was known of before, or not much. Before it, the seconds that the last
+    /// record that was of use lately and had one, where those of coarse ones count four times, the part of
+    /// the receivers that nothing was known of before, or not much, and the standard error of records that
+    /// had a pass, on average, as a part of their irradiance. Before it, the seconds that the last
     /// changeParts() took of the step.
     struct Learned {
         std::size_t rays = 0;
@@ -105,6 +106,7 @@ class IndirectLight {
         std::uint32_t minPasses = 0;
         double unknown = 0;
         double secondsOfEdits = 0;
+        double error = 0;
     };
     const Learned& learned() const { return learned_; }
     /// Looks up what is known. From many threads, while none learns.
@@ -153,6 +155,7 @@ class IndirectLight {
     std::uint32_t minPasses() const;
     void orderChosen();
     void enterResults();
+    double meanError() const;
     bool gather(std::size_t paths, std::uint32_t frame, int threads, const std::atomic<bool>* stop);
 
     LitScene lit_;

@@ -17,7 +17,7 @@ constexpr std::uint32_t kNoTap = 0xFFFFFFFFU;
 
 /// Of a sample, so that a pixel has some in all.
 std::uint32_t lobeRaysOf(const RenderSettings& settings) {
-    constexpr int kOfPixel = 4;
+    constexpr int kOfPixel = 16;
     return static_cast<std::uint32_t>(
         std::max(1, kOfPixel / (settings.antialiasing * settings.antialiasing)));
 }

@@ -73,4 +73,8 @@ LightFile readLightFile(std::span<const std::byte> bytes, const LightKey& key, c
     return file;
 }
 
+Sentence lightIsUnused(const std::filesystem::path& path) {
+    return say("{0}: it is not used, since that takes indirect.mode=live", path.string());
+}
+
 } // namespace rtcore

@@ -4,6 +4,7 @@
 
 #include "rtcore/gathering/indirect_state.h"
 #include "rtcore/io/light/light_key.h"
+#include "rtcore/platform/sentence.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,5 +41,8 @@ LightFile readLightFile(const std::filesystem::path& path, const LightKey& key);
 
 /// The same for bytes that are in memory; `name` stands for the file in messages.
 LightFile readLightFile(std::span<const std::byte> bytes, const LightKey& key, const std::string& name);
+
+/// The warning where a file is asked for by settings that images are not lit by any of.
+Sentence lightIsUnused(const std::filesystem::path& path);
 
 } // namespace rtcore
