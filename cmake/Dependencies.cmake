@@ -25,6 +25,11 @@ add_feature_info(OpenMP OpenMP_CXX_FOUND "all cores render and build")
 find_package(OpenSSL QUIET)
 add_feature_info(Nets OpenSSL_FOUND "nets that denoise, whose files are checked by OpenSSL")
 
+find_package(draco QUIET)
+add_feature_info(Draco draco_FOUND "glTF compressed by Draco")
+find_package(meshoptimizer QUIET)
+add_feature_info(Meshoptimizer meshoptimizer_FOUND "glTF compressed by meshoptimizer")
+
 if(RT_WITH_OPENEXR)
     # By pkg-config: the CMake files of Debian's Imath refuse to load without a Python library packaged elsewhere.
     pkg_check_modules(OpenEXR IMPORTED_TARGET OpenEXR)

@@ -1,6 +1,7 @@
 #include "rtcore/io/import/file_import.h"
 
 #include "rtcore/io/import/assimp/assimp_import.h"
+#include "rtcore/io/import/gltf/gltf_import.h"
 #include "rtcore/io/import/inspection/foreign_formats.h"
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/scan/scan_import.h"
@@ -32,7 +33,8 @@ void greyWhereNoColourIs(FileImport& import) {
 FileImport importFile(const std::filesystem::path& path, const FileImportOptions& options) {
     if (const auto sentence = unreadFormat(path)) throw FileError(FailureKind::BadData, "", *sentence);
     auto scan = importScan(path, options);
-    FileImport import = scan ? std::move(*scan) : importWithAssimp(path, options);
+    auto gltf = scan ? std::nullopt : importGltf(path, options);
+    FileImport import = scan ? std::move(*scan) : gltf ? std::move(*gltf) : importWithAssimp(path, options);
     greyWhereNoColourIs(import);
     return import;
 }

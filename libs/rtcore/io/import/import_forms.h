@@ -19,6 +19,11 @@ inline constexpr const char *
    *kMissingLibrary = "material library {0} is missing; what it describes is plain grey",
    *kMissingLibraries = "material library {0} are missing; what it describes is plain grey",
    *kNeeds = "{0}: part of it is missing or wrong here", *kIgnored = "ignored, since not supported: {0}",
+   *kIgnoredLost = "ignored, since not supported: {0}; lost: {1}",
+   *kPlainLuminaire =
+       "the luminaire of {0} shines to all sides alike: profiles that a model names are not read",
+   *kBrokenMeshes = "{0} of its meshes are left out: their data are damaged or missing",
+   *kBrokenLists = "{0} lists of normals, colours, texture coordinates or joints are damaged and left out",
    *kDamaged = "{0} of {1} triangles were damaged and left out: {2}",
    *kOneDamaged = "{0} of {1} triangles was damaged and left out: {2}",
    *kOnlyDamaged = "{0} of {1} triangle was damaged and left out: {2}",

@@ -3,7 +3,7 @@
 #include "rtcore/io/import/assimp/assimp_files.h"
 #include "rtcore/io/import/assimp/assimp_parts.h"
 #include "rtcore/io/import/assimp/unread_content.h"
-#include "rtcore/io/import/gltf/gltf_file.h"
+#include "rtcore/io/import/gltf/gltf_damage.h"
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/inspection/cut_off.h"
 #include "rtcore/io/import/inspection/exporter_notes.h"
@@ -27,8 +27,6 @@
 #include <cmath>
 #include <new>
 #include <optional>
-#include <ranges>
-#include <set>
 #include <utility>
 
 namespace rtcore {
@@ -92,8 +90,8 @@ class MeshReader {
     MeshReader(const FormatQuirks& quirks, ImportReport& report)
         : quirks_(quirks), report_(report), decode_(quirks.linearVertexColours) {}
 
-    /// Valid until the next call. `alphas`: those of its colours count.
-    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use, bool alphas) {
+    /// Valid until the next call.
+    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use) {
         SourceMesh out;
         readTriangles(mesh, toWorld.determinant() < 0);
         out.triangles = triangles_;
@@ -103,7 +101,6 @@ class MeshReader {
         if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, toWorld);
         out.texcoords = readTexcoords(mesh, use);
         if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
-        if (alphas) out.alphas = readAlphas(mesh);
         return out;
     }
 
@@ -194,13 +191,6 @@ class MeshReader {
         return colours_;
     }
 
-    std::span<const float> readAlphas(const aiMesh& mesh) {
-        alphas_.clear();
-        alphas_.reserve(mesh.mNumVertices);
-        for (unsigned i = 0; i < mesh.mNumVertices; ++i) alphas_.push_back(mesh.mColors[0][i].a);
-        return alphas_;
-    }
-
     const FormatQuirks& quirks_;
     ImportReport& report_;
     ColourDecoder decode_;
@@ -209,21 +199,11 @@ class MeshReader {
     std::vector<Vec3> positions_, normals_, corners_;
     std::vector<Vec2> texcoords_;
     std::vector<Colour> colours_;
-    std::vector<float> alphas_;
 };
-
-/// Whether the colours of its vertices say that they cover less than all.
-bool hasAlphas(const aiMesh& mesh, const std::optional<GltfFile>& gltf) {
-    if (mesh.mColors[0] == nullptr || !gltf || !gltf->countsWithAlpha.contains(mesh.mNumVertices))
-        return false;
-    return std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
-                       [](const aiColor4D& c) { return c.a < 1; });
-}
 
 /// Sources of facts about the materials that Assimp does not hand over.
 struct MaterialSources {
     const FormatQuirks& quirks;
-    const std::optional<GltfFile>& gltf;
     MaterialTexts texts;
 };
 
@@ -232,27 +212,19 @@ class Materials {
   public:
     Materials(const aiScene& scene, const NodeWalk& walk, const MaterialSources& from, FileImport& to,
               TextureStore& textures)
-        : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials),
-          alphas_(scene.mNumMaterials, 0), model_(&to.model) {
+        : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials), model_(&to.model) {
         std::vector<char> used(scene.mNumMaterials, 0);
         for (const Instance& i : walk.instances) {
             const aiMesh& mesh = *scene.mMeshes[i.mesh];
-            if (mesh.mMaterialIndex >= used.size()) continue;
-            used[mesh.mMaterialIndex] = 1;
-            if (hasAlphas(mesh, from.gltf)) alphas_[mesh.mMaterialIndex] = 1;
+            if (mesh.mMaterialIndex < used.size()) used[mesh.mMaterialIndex] = 1;
         }
         for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
             if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
             const aiMaterial& material = *scene.mMaterials[m];
             const MaterialText text = from.texts.of(material.GetName().C_Str(), m, scene.mNumMaterials);
-            SourceMaterial source = sourceMaterialOf(material, from.quirks, text);
-            if (from.gltf && m < from.gltf->emissiveStrengths.size())
-                source.emission = source.emission * from.gltf->emissiveStrengths[m];
-            source.vertexAlpha = alphas_[m] != 0;
+            const SourceMaterial source = sourceMaterialOf(material, from.quirks, text);
             uses_[m] = texcoordUseOf(material, text, to.report);
-            const Material mapped = mapMaterial(source, textures);
-            alphas_[m] = static_cast<char>(mapped.vertexAlpha);
-            numbers_[m] = append(mapped, source.name, to.model);
+            numbers_[m] = append(mapMaterial(source, textures), source.name, to.model);
         }
     }
     std::uint32_t numberOf(unsigned material) {
@@ -263,8 +235,6 @@ class Materials {
     TexcoordUse texcoordUse(unsigned material) const {
         return material < uses_.size() ? uses_[material] : TexcoordUse{};
     }
-    /// Whether alphas of vertices count.
-    bool vertexAlpha(unsigned material) const { return material < alphas_.size() && alphas_[material] != 0; }
 
   private:
     static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFU;
@@ -275,7 +245,6 @@ class Materials {
     }
     std::vector<std::uint32_t> numbers_;
     std::vector<TexcoordUse> uses_;
-    std::vector<char> alphas_;
     std::uint32_t plain_ = kNoMaterial;
     ModelBuffers* model_ = nullptr;
 };
@@ -291,20 +260,9 @@ void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& i
     if (const auto ending = endingByContent(path)) refuseName(*ending);
 }
 
-/// The extensions that it requires and that are not read, and a remedy; nothing where there are none.
-std::optional<Sentence> needsOf(const GltfFile& gltf) {
-    const std::vector<std::string>& names = gltf.unreadRequirements;
-    if (names.empty()) return std::nullopt;
-    const Sentence remedy = remedyFor(names[0]);
-    if (names.size() == 1) return say(import_forms::kNeedsOne, names[0], remedy);
-    std::string others = names[1];
-    for (const std::string& name : names | std::views::drop(2)) others += " and " + name;
-    return say(import_forms::kNeedsMore, names[0], others, remedy);
-}
-
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path,
-                         const std::optional<GltfFile>& gltf, ImportReport& report) {
+                         ImportReport& report) {
     const auto files = std::make_shared<std::vector<std::string>>();
     importer.SetIOHandler(filesForAssimp(files)); // which the importer owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
@@ -317,18 +275,11 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     if (scene != nullptr) return *scene;
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (const auto needs = gltf ? needsOf(*gltf) : std::nullopt) refuse(*needs);
     if (const auto ending = endingByContent(path)) refuseName(*ending);
     if (const auto sentence = cutOff(path)) refuse(*sentence);
     if (const auto sentence = gltfDamage(path)) refuse(*sentence);
     if (reason.find("No suitable reader") != std::string::npos) {
         refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
-    }
-    if (gltf && !gltf->missingBuffers.empty()) {
-        const bool one = gltf->missingBuffers.size() == 1;
-        refuse(say(one ? "its geometry is in {0}, which is missing; put it beside the model's file"
-                       : "its geometry is in {0}, which are missing; put them beside the model's file",
-                   firstOf(gltf->missingBuffers)));
     }
     refuse(say(
         "Assimp cannot read it: {0}; open it in the program that wrote it and export it again, as glTF or "
@@ -362,12 +313,9 @@ void readFbxSettings(const aiScene& scene, ModelOrigin& origin) {
 }
 
 ModelOrigin originOf(const std::filesystem::path& path, const std::string& format, const FormatQuirks& quirks,
-                     const aiScene& scene, const std::optional<GltfFile>& gltf) {
+                     const aiScene& scene) {
     ModelOrigin origin{format, exporterNotes(path), {}, {}};
-    if (origin.exporter.empty()) {
-        origin.exporter =
-            gltf && !gltf->generator.empty() ? gltf->generator : textOf(scene, AI_METADATA_SOURCE_GENERATOR);
-    }
+    if (origin.exporter.empty()) origin.exporter = textOf(scene, AI_METADATA_SOURCE_GENERATOR);
     origin.metresPerUnit = statedUnit(origin.exporter);
     if (quirks.metresAndYUp) {
         origin.up = Vec3{0, 1, 0};
@@ -390,31 +338,13 @@ void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLi
     refuseTooMuch(vertices, triangles, memoryLimit, assembler);
 }
 
-/// Counts the triangles that Assimp drops silently, by those that the file declares.
-void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, const NodeWalk& walk,
-                           ImportReport& report) {
-    std::set<unsigned> shown;
-    for (const Instance& instance : walk.instances) shown.insert(instance.mesh);
-    std::uint64_t read = 0;
-    for (const unsigned m : shown) {
-        const aiMesh& mesh = *scene.mMeshes[m];
-        for (unsigned f = 0; f < mesh.mNumFaces; ++f) read += mesh.mFaces[f].mNumIndices > 2 ? 1 : 0;
-    }
-    if (gltf.triangles > read) report.unconnectedTriangles += gltf.triangles - read;
-}
-
-void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile>& gltf,
-                 ImportReport& report) {
+void warnOfFiles(const std::filesystem::path& path, ImportReport& report) {
     if (const auto libraries = missingMaterialLibraries(path); !libraries.empty()) {
         addWarning(report, say(libraries.size() == 1 ? import_forms::kMissingLibrary
                                                      : import_forms::kMissingLibraries,
                                firstOf(libraries)));
     }
     for (const char* const form : unreadInCollada(path)) addWarning(report, form);
-    if (const auto needs = gltf ? needsOf(*gltf) : std::nullopt)
-        addWarning(report, say(import_forms::kNeeds, *needs));
-    if (gltf && !gltf->ignoredExtensions.empty())
-        addWarning(report, say(import_forms::kIgnored, firstOf(gltf->ignoredExtensions)));
 }
 
 /// The names of the nodes from below the root on, with slashes between them.
@@ -448,27 +378,23 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 
 FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
-    const std::optional<GltfFile> gltf = readGltfFile(path);
-    if (gltf && gltf->geometryUnread) refuse(needsOf(*gltf).value());
     FileImport result;
-    const aiScene& scene = readScene(*importer, path, gltf, result.report);
+    const aiScene& scene = readScene(*importer, path, result.report);
     options.alive();
     result.source = importer;
     const FormatQuirks quirks = quirksOf(formatOf(*importer));
-    result.report.origin = originOf(path, formatOf(*importer), quirks, scene, gltf);
+    result.report.origin = originOf(path, formatOf(*importer), quirks, scene);
     const NodeWalk walk = walkNodes(scene);
     MeshAssembler assembler;
     makeRoom(scene, walk, options.memoryLimit, assembler);
 
     const SceneEmbeddedPictures embedded(scene);
     TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
-    Materials materials(scene, walk, {quirks, gltf, MaterialTexts(path)}, result, textures);
+    Materials materials(scene, walk, {quirks, MaterialTexts(path)}, result, textures);
     MeshReader reader(quirks, result.report);
     for (const Instance& instance : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
-        const bool alphas = materials.vertexAlpha(mesh.mMaterialIndex) && hasAlphas(mesh, gltf);
-        SourceMesh source =
-            reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex), alphas);
+        SourceMesh source = reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex));
         if (source.triangles.empty()) continue;
         source.material = materials.numberOf(mesh.mMaterialIndex);
         const std::uint32_t first = assembler.triangleCount();
@@ -478,14 +404,13 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
         options.alive();
     }
     finishGeometry(assembler, options.creaseAngle, result);
-    if (gltf) countDroppedTriangles(*gltf, scene, walk, result.report);
     const std::optional<Sentence> cut = cutOff(path);
     if (cut && result.model.triangles.empty()) refuse(*cut);
     refuseUseless(assembler, scene.mNumMeshes, result);
 
     if (cut) addWarning(result.report, *cut);
     warnOfLostTriangles(result.model, result.report);
-    warnOfFiles(path, gltf, result.report);
+    warnOfFiles(path, result.report);
     warnOfMissingTextures(textures.missing(), result.report);
     warnWhenInvisible(result.model, result.report);
     warnOfOutliers(result.model, result.report);

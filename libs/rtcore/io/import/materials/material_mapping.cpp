@@ -101,12 +101,22 @@ void coverEmission(const SourceMaterial& s, Material& m) {
     if (covers && m.opacity < 1 && isVeil(m)) m.emission = m.emission * m.opacity;
 }
 
+/// Straight on, of what is no metal.
+Colour reflectanceOf(const SourceMaterial& s, TextureStore& textures) {
+    Colour colour{bounded(s.specularColour.r, 0, 1e6F, 1), bounded(s.specularColour.g, 0, 1e6F, 1),
+                  bounded(s.specularColour.b, 0, 1e6F, 1)};
+    float weight = unit(s.specularWeight, 1);
+    if (const auto map = textures.summary(s.specularColourMap)) colour *= map->meanColour;
+    if (const auto map = textures.summary(s.specularWeightMap)) weight *= map->meanChannel[3];
+    return unit(colour * unit(s.reflectance)) * weight;
+}
+
 /// Where the image is missing that says what is metal, its factor would make all of it metal.
 void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.metallicRoughnessTexture = textures.texture(s.metallicRoughnessMap);
     const bool missing = !s.metallicRoughnessMap.empty() && m.metallicRoughnessTexture == kNoTexture;
     setMetallicRoughness(m, m.diffuse, missing ? 0 : unit(s.metallic), unit(s.roughness, 1));
-    m.specular = kWhite * unit(s.reflectance);
+    m.specular = reflectanceOf(s, textures);
     mapTransparency(s, m, m.diffuse);
     if (unit(s.transmissionFactor) > 0) m.transmissionTexture = textures.texture(s.transmissionMap);
 }

@@ -39,6 +39,8 @@ struct SourceMaterial {
     float transmissionFactor = 0;               ///< KHR_materials_transmission
     float attenuationDistance = 0;              ///< KHR_materials_volume; 0 = none
     float reflectance = kDielectricReflectance; ///< straight on, of what is no metal; MetallicRoughness
+    Colour specularColour{1, 1, 1};             ///< KHR_materials_specular: factor on `reflectance`
+    float specularWeight = 1;                   ///< the same
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5F;
     bool vertexAlpha = false;  ///< alphas of vertices multiply the opacity
@@ -53,6 +55,8 @@ struct SourceMaterial {
     SourceMap transmissionMap;       ///< red multiplies `transmissionFactor`
     SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue
     SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
+    SourceMap specularColourMap;     ///< multiplies `specularColour`; only its mean is used
+    SourceMap specularWeightMap;     ///< alpha multiplies `specularWeight`; only its mean is used
     bool alphaInDiffuseMap = false;
     bool mapReplacesDiffuse = false; ///< `diffuse` counts only without an image
     bool mapScalesEmission =

@@ -15,22 +15,6 @@ std::string lower(std::string text) {
     return text;
 }
 
-std::string percentDecoded(const std::string& text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto hex = [&](std::size_t k) {
-            return k < text.size() && std::isxdigit(static_cast<unsigned char>(text[k])) != 0;
-        };
-        if (text[i] == '%' && hex(i + 1) && hex(i + 2)) {
-            out += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
-            i += 2;
-        } else {
-            out += text[i];
-        }
-    }
-    return out;
-}
-
 /// The entry of `folder` that is called `name` but for the case of its letters; the first by name of several.
 std::optional<fs::path> entryAnyCase(const fs::path& folder, const std::string& name) {
     std::error_code error;
@@ -62,6 +46,22 @@ std::optional<fs::path> fileAt(const fs::path& folder, const fs::path& relative)
 }
 
 } // namespace
+
+std::string percentDecoded(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto hex = [&](std::size_t k) {
+            return k < text.size() && std::isxdigit(static_cast<unsigned char>(text[k])) != 0;
+        };
+        if (text[i] == '%' && hex(i + 1) && hex(i + 2)) {
+            out += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+            i += 2;
+        } else {
+            out += text[i];
+        }
+    }
+    return out;
+}
 
 std::optional<fs::path> findTextureFile(const fs::path& folder, const std::string& name) {
     std::string spelled = name.substr(0, name.find('\0'));

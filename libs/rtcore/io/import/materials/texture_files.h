@@ -7,6 +7,9 @@
 
 namespace rtcore {
 
+/// `text` with %20 and the like decoded; what is no such code stays.
+std::string percentDecoded(const std::string& text);
+
 /// The file that `name` in a model in `folder` means. Tried in this order, each with / for \ and, where
 /// nothing of that spelling exists, whatever the case of its letters: the path itself relative to `folder`
 /// (or absolute), the same with %20 and the like decoded; then its last part alone in `folder`,

@@ -40,6 +40,7 @@ class Smoother {
         const auto missing = [](const Vec3& normal) { return normal == Vec3{}; };
         if (std::none_of(model_.normals.begin(), model_.normals.end(), missing)) return;
         allLack_ = std::all_of(model_.normals.begin(), model_.normals.end(), missing);
+        if (flat_ && allLack_ && isPlain()) return giveEachItsOwn();
         sharp_.assign(model_.vertices.size(), flat_ ? 1 : 0);
         measure();
         if (!flat_) smoothWhatIsRound();
@@ -58,6 +59,29 @@ class Smoother {
     static constexpr std::size_t kExact = 64;    ///< more triangles at a vertex are put into clusters instead
     static constexpr std::size_t kSearched = 64; ///< entries looked through for one that can be shared
     static constexpr std::size_t kBlock = 4096;  ///< of triangles
+
+    bool isPlain() const {
+        return model_.texcoords.empty() && model_.colours.empty() && model_.alphas.empty();
+    }
+
+    /// One entry for each triangle.
+    void giveEachItsOwn() {
+        model_.normals.clear();
+        resizeLarge(model_.normals, model_.triangles.size());
+        blocks_.resize((model_.triangles.size() + kBlock - 1) / kBlock);
+#pragma omp parallel for schedule(static)
+        for (std::size_t block = 0; block < blocks_.size(); ++block) {
+            const std::size_t first = block * kBlock;
+            const auto own = std::span<const Triangle>(model_.triangles).subspan(first, endOf(block) - first);
+            std::vector<Facet> facets(own.size());
+            measureFacets(model_.vertices, own, facets.data());
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                const auto entry = static_cast<std::uint32_t>(first + i);
+                model_.normals[entry] = normalize(facets[i].normal());
+                for (std::uint32_t& v : model_.shading[entry].v) v = entry;
+            }
+        }
+    }
 
     static float cosine(float degrees) {
         return portableCos(std::clamp(degrees, 0.0F, 180.0F) * (kPi / 180));

@@ -118,23 +118,60 @@ std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
     return entry;
 }
 
-std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, const Attributes& of) {
+std::uint64_t MeshAssembler::hashOf(std::uint32_t vertex, const Attributes& of) const {
     const auto& [normal, texcoord, colour, alpha] = of;
     std::uint64_t hash =
         mixedHash(mixedHash(vertex, bitsOfPair(normal.x, normal.y)), bitsOfPair(normal.z, texcoord.x));
     hash = mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b));
     if (hasAlphas_) hash = mixedHash(hash, bitsOfPair(alpha, 0));
-    hash = finishedHash(hash);
+    return finishedHash(hash);
+}
+
+MeshAssembler::Attributes MeshAssembler::attributesOf(std::uint32_t entry) const {
+    return {out_.normals[entry], hasTexcoords_ ? out_.texcoords[entry] : Vec2{},
+            hasColours_ ? out_.colours[entry] : kWhite, hasAlphas_ ? out_.alphas[entry] : 1};
+}
+
+void MeshAssembler::tabulate(std::uint64_t hash, std::uint32_t entry) {
+    entries_.insert(hash, static_cast<std::uint32_t>(hashedEntries_.size()));
+    hashedEntries_.push_back(entry);
+}
+
+/// Those that the last mesh had alone are not looked for before the next one comes.
+void MeshAssembler::tabulateEntries() {
+    for (const Range& range : untabulated_) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            tabulate(hashOf(vertexOfEntry_[i], attributesOf(i)), i);
+    }
+    untabulated_.clear();
+}
+
+std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, const Attributes& of) {
+    const std::uint64_t hash = hashOf(vertex, of);
     const std::uint32_t known = entries_.find(hash, [&](std::uint32_t number) {
         const std::uint32_t i = hashedEntries_[number];
-        return vertexOfEntry_[i] == vertex && out_.normals[i] == normal &&
-               (!hasTexcoords_ || out_.texcoords[i] == texcoord) &&
-               (!hasColours_ || out_.colours[i] == colour) && (!hasAlphas_ || out_.alphas[i] == alpha);
+        return vertexOfEntry_[i] == vertex && out_.normals[i] == of.normal &&
+               (!hasTexcoords_ || out_.texcoords[i] == of.texcoord) &&
+               (!hasColours_ || out_.colours[i] == of.colour) && (!hasAlphas_ || out_.alphas[i] == of.alpha);
     });
     if (known != IndexTable::kNone) return hashedEntries_[known];
-    entries_.insert(hash, static_cast<std::uint32_t>(hashedEntries_.size()));
-    hashedEntries_.push_back(appendEntry(vertex, of));
-    return hashedEntries_.back();
+    const std::uint32_t entry = appendEntry(vertex, of);
+    tabulate(hash, entry);
+    return entry;
+}
+
+/// The entry of a vertex that nothing has used before and one corner of the mesh alone uses.
+std::uint32_t MeshAssembler::onlyEntryFor(std::uint32_t vertex, const Attributes& of) {
+    const std::uint32_t entry = appendEntry(vertex, of);
+    if (untabulated_.empty() || untabulated_.back().end != entry) untabulated_.push_back({entry, entry});
+    ++untabulated_.back().end;
+    return entry;
+}
+
+void MeshAssembler::findAlone() {
+    alone_.assign(firstOfEqual_.size(), 1);
+    for (std::size_t i = 0; i < firstOfEqual_.size(); ++i)
+        if (firstOfEqual_[i] != i) alone_[i] = alone_[firstOfEqual_[i]] = 0;
 }
 
 /// Classifies the triangles, and extends the bounds by all that are finite.
@@ -177,38 +214,121 @@ void MeshAssembler::addTriangle(const SourceMesh& mesh, const Triangle& t) {
     out_.shading.push_back(shading);
 }
 
-/// The first mesh, if it is plain: all its vertices are new, in the order in which triangles come to them.
-void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& uses) {
-    const auto welded = [&](const Triangle& t) {
-        return Triangle{{firstOfEqual_[t.v[0]], firstOfEqual_[t.v[1]], firstOfEqual_[t.v[2]]}};
+/// The good triangles of a mesh, with other numbers for their corners.
+std::vector<Triangle> MeshAssembler::renumbered(const SourceMesh& mesh, const std::vector<Use>& uses,
+                                                const std::vector<std::uint32_t>& numbers) {
+    const auto numbered = [&](const Triangle& t) {
+        return Triangle{{numbers[t.v[0]], numbers[t.v[1]], numbers[t.v[2]]}};
     };
     const auto good = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), Use::Good));
-    resizeLarge(out_.triangles, good);
+    std::vector<Triangle> list;
+    resizeLarge(list, good);
     if (good == uses.size()) {
 #pragma omp parallel for schedule(static) if (good > kManyTriangles)
-        for (std::size_t i = 0; i < good; ++i) out_.triangles[i] = welded(mesh.triangles[i]);
-    } else {
-        std::size_t next = 0;
-        for (std::size_t i = 0; i < uses.size(); ++i) {
-            if (uses[i] == Use::Good) out_.triangles[next++] = welded(mesh.triangles[i]);
-        }
+        for (std::size_t i = 0; i < good; ++i) list[i] = numbered(mesh.triangles[i]);
+        return list;
     }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i] == Use::Good) list[next++] = numbered(mesh.triangles[i]);
+    }
+    return list;
+}
+
+/// The first mesh: all its vertices and entries are new, in the order in which triangles come to them.
+void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& uses) {
+    out_.triangles = renumbered(mesh, uses, firstOfEqual_);
     const std::vector<std::uint32_t> order = renumberByFirstUse(out_.triangles, mesh.positions.size());
+    const std::size_t good = out_.triangles.size();
     resizeLarge(out_.vertices, order.size());
     resizeLarge(out_.shading, good);
-#pragma omp parallel if (good > kManyTriangles)
-    {
-#pragma omp for schedule(static) nowait
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            const Vec3 p = withoutTraces(mesh.positions[order[i]]);
-            out_.vertices[i] = {p.x, p.y, p.z, 0};
-        }
-#pragma omp for schedule(static)
-        for (std::size_t i = 0; i < good; ++i) {
-            const Triangle& t = out_.triangles[i];
-            out_.shading[i] = {{t.v[0], t.v[1], t.v[2]}, mesh.material};
+#pragma omp parallel for schedule(static) if (good > kManyTriangles)
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Vec3 p = withoutTraces(mesh.positions[order[i]]);
+        out_.vertices[i] = {p.x, p.y, p.z, 0};
+    }
+    if (entriesAreVertices_) return shadeLike(out_.triangles, mesh.material);
+    const std::vector<std::uint32_t> same = firstOfSame(mesh);
+    if (same.empty()) {
+        shadeLike(out_.triangles, mesh.material);
+        addFirstEntries(mesh, order);
+    } else {
+        std::vector<Triangle> corners = renumbered(mesh, uses, same);
+        const std::vector<std::uint32_t> entries = renumberByFirstUse(corners, mesh.positions.size());
+        shadeLike(corners, mesh.material);
+        addFirstEntries(mesh, entries);
+    }
+}
+
+/// Gives all triangles the entries that `corners` has.
+void MeshAssembler::shadeLike(const std::vector<Triangle>& corners, std::uint32_t material) {
+#pragma omp parallel for schedule(static) if (corners.size() > kManyTriangles)
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Triangle& t = corners[i];
+        out_.shading[i] = {{t.v[0], t.v[1], t.v[2]}, material};
+    }
+}
+
+/// For each vertex of a mesh the number of the first with its position and attributes; none where each is the
+/// only one at its position.
+std::vector<std::uint32_t> MeshAssembler::firstOfSame(const SourceMesh& mesh) {
+    findAlone();
+    if (std::ranges::find(alone_, 0) == alone_.end()) return {};
+    std::vector<std::uint32_t> same, found;
+    resizeLarge(same, firstOfEqual_.size());
+    IndexTable table;
+    for (std::uint32_t i = 0; i < same.size(); ++i) {
+        same[i] = i;
+        if (alone_[i] != 0) continue;
+        const Attributes own = attributesAt(mesh, i);
+        const std::uint64_t hash = hashOf(firstOfEqual_[i], own);
+        const std::uint32_t known = table.find(hash, [&](std::uint32_t number) {
+            const std::uint32_t j = found[number];
+            return firstOfEqual_[j] == firstOfEqual_[i] && attributesAt(mesh, j) == own;
+        });
+        if (known != IndexTable::kNone) {
+            same[i] = found[known];
+        } else {
+            table.insert(hash, static_cast<std::uint32_t>(found.size()));
+            found.push_back(i);
         }
     }
+    return same;
+}
+
+/// `corners`: the vertices of the mesh that entries are made of.
+void MeshAssembler::addFirstEntries(const SourceMesh& mesh, const std::vector<std::uint32_t>& corners) {
+    const std::size_t count = corners.size();
+    resizeLarge(out_.normals, count);
+    if (hasTexcoords_) resizeLarge(out_.texcoords, count);
+    if (hasColours_) resizeLarge(out_.colours, count);
+    if (hasAlphas_) resizeLarge(out_.alphas, count);
+#pragma omp parallel for schedule(static) if (count > kManyTriangles)
+    for (std::size_t i = 0; i < count; ++i) {
+        const Attributes of = attributesAt(mesh, corners[i]);
+        out_.normals[i] = of.normal;
+        if (hasTexcoords_) out_.texcoords[i] = of.texcoord;
+        if (hasColours_) out_.colours[i] = of.colour;
+        if (hasAlphas_) out_.alphas[i] = of.alpha;
+    }
+    untabulated_.push_back({0, static_cast<std::uint32_t>(count)});
+}
+
+/// Which the first mesh left out.
+void MeshAssembler::findVerticesOfEntries() {
+    if (vertexOfEntry_.size() >= out_.normals.size()) return;
+    resizeLarge(vertexOfEntry_, out_.normals.size());
+    for (std::size_t t = 0; t < out_.triangles.size(); ++t) {
+        for (std::size_t i = 0; i < 3; ++i) vertexOfEntry_[out_.shading[t].v[i]] = out_.triangles[t].v[i];
+    }
+}
+
+/// As they go into entries.
+MeshAssembler::Attributes MeshAssembler::attributesAt(const SourceMesh& mesh, std::size_t corner) {
+    return {mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
+            mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
+            mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]),
+            mesh.alphas.empty() ? 1 : finiteOrOne(mesh.alphas[corner])};
 }
 
 std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t corner,
@@ -216,10 +336,9 @@ std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t
     std::uint32_t& entry = localEntry_[corner];
     if (entry != IndexTable::kNone) return entry;
     if (isPlain(mesh)) return entry = plainEntryFor(vertex);
-    return entry = entryFor(vertex, {mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
-                                     mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
-                                     mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]),
-                                     mesh.alphas.empty() ? 1 : finiteOrOne(mesh.alphas[corner])});
+    const Attributes attributes = attributesAt(mesh, corner);
+    const bool only = alone_[corner] != 0 && vertex >= firstNewVertex_;
+    return entry = only ? onlyEntryFor(vertex, attributes) : entryFor(vertex, attributes);
 }
 
 /// Those of vertices, so that others can follow.
@@ -255,6 +374,8 @@ void MeshAssembler::addFurther(const SourceMesh& mesh, const std::vector<Use>& u
     };
     clear(localVertex_);
     if (!entriesAreVertices_) clear(localEntry_);
+    if (!isPlain(mesh)) findAlone();
+    firstNewVertex_ = static_cast<std::uint32_t>(out_.vertices.size());
     for (std::size_t i = 0; i < uses.size(); ++i) {
         if (uses[i] == Use::Good) addTriangle(mesh, mesh.triangles[i]);
     }
@@ -265,11 +386,13 @@ void MeshAssembler::add(const SourceMesh& mesh) {
         throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
     }
     if (entriesAreVertices_ && !isPlain(mesh)) makeEntries();
+    if (!entriesAreVertices_) findVerticesOfEntries();
+    tabulateEntries();
     widen(mesh);
     tabulateVertices();
     firstOfEqual_ = firstOfEqualPositions(mesh.positions);
     const std::vector<Use> uses = measure(mesh);
-    if (entriesAreVertices_ && out_.triangles.empty()) {
+    if (out_.triangles.empty() && (entriesAreVertices_ || !isPlain(mesh))) {
         addFirst(mesh, uses);
     } else {
         addFurther(mesh, uses);
@@ -289,6 +412,8 @@ void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
     model.alphas = std::move(out_.alphas);
     vertexOfEntry_ = hashedEntries_ = plainEntry_ = {};
     firstOfEqual_ = localVertex_ = localEntry_ = {};
+    alone_ = {};
+    untabulated_ = {};
     vertices_ = entries_ = {};
     computeMissingNormals(model, creaseAngle);
 }

@@ -78,17 +78,31 @@ class MeshAssembler {
         Vec2 texcoord;
         Colour colour = kWhite;
         float alpha = 1;
+        friend bool operator==(const Attributes&, const Attributes&) = default;
     };
+    static Attributes attributesAt(const SourceMesh& mesh, std::size_t corner);
     std::vector<Use> measure(const SourceMesh& mesh);
+    static std::vector<Triangle> renumbered(const SourceMesh& mesh, const std::vector<Use>& uses,
+                                            const std::vector<std::uint32_t>& numbers);
     void addFirst(const SourceMesh& mesh, const std::vector<Use>& uses);
+    void shadeLike(const std::vector<Triangle>& corners, std::uint32_t material);
+    std::vector<std::uint32_t> firstOfSame(const SourceMesh& mesh);
+    void addFirstEntries(const SourceMesh& mesh, const std::vector<std::uint32_t>& corners);
+    void findVerticesOfEntries();
     void addFurther(const SourceMesh& mesh, const std::vector<Use>& uses);
     void addTriangle(const SourceMesh& mesh, const Triangle& t);
     std::uint32_t knownVertexAt(Vec3 p);
     std::uint32_t vertexAt(Vec3 p);
     void tabulateVertices();
+    void tabulateEntries();
+    void findAlone();
     std::uint32_t plainEntryFor(std::uint32_t vertex);
     std::uint32_t appendEntry(std::uint32_t vertex, const Attributes& attributes);
     std::uint32_t entryFor(std::uint32_t vertex, const Attributes& attributes);
+    std::uint32_t onlyEntryFor(std::uint32_t vertex, const Attributes& attributes);
+    void tabulate(std::uint64_t hash, std::uint32_t entry);
+    std::uint64_t hashOf(std::uint32_t vertex, const Attributes& attributes) const;
+    Attributes attributesOf(std::uint32_t entry) const;
     std::uint32_t entryOfCorner(const SourceMesh& mesh, std::uint32_t corner, std::uint32_t vertex);
     void widen(const SourceMesh& mesh);
     void makeEntries();
@@ -99,10 +113,16 @@ class MeshAssembler {
     std::vector<std::uint32_t> vertexOfEntry_;
     std::vector<std::uint32_t> hashedEntries_; ///< entries by their number in `entries_`
     IndexTable vertices_, entries_;
+    struct Range {
+        std::uint32_t begin, end;
+    };
+    std::vector<Range> untabulated_;        ///< entries that are not in `entries_` yet
     std::vector<std::uint32_t> plainEntry_; ///< by vertex: the one with nothing of its own, if there is one
     /// Indexed by the own vertices of the mesh being added; numbers in the model are kNone until a triangle
     /// needs them.
     std::vector<std::uint32_t> firstOfEqual_, localVertex_, localEntry_;
+    std::vector<std::uint8_t> alone_;  ///< no other vertex of the mesh has this position
+    std::uint32_t firstNewVertex_ = 0; ///< in the model: of those that the mesh being added brought
     bool hasTexcoords_ = false, hasColours_ = false, hasAlphas_ = false;
     Box3 bounds_;
     std::uint64_t degenerate_ = 0, nonFinite_ = 0;

@@ -1,0 +1,209 @@
+#include "rtcore/io/import/gltf/gltf_import.h"
+
+#include "rtcore/io/import/gltf/extensions.h"
+#include "rtcore/io/import/gltf/lights.h"
+#include "rtcore/io/import/gltf/model_materials.h"
+#include "rtcore/io/import/gltf/placed_mesh.h"
+#include "rtcore/io/import/gltf/scene_meshes.h"
+#include "rtcore/io/import/gltf/skin.h"
+#include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/inspection/cut_off.h"
+#include "rtcore/io/import/inspection/import_warnings.h"
+#include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/model_import.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/platform/paths.h"
+
+#include <map>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+using gltf::Json;
+
+/// Meshes without normals are flat in this format, unless another angle than the usual one is asked for.
+float creaseOf(const FileImportOptions& options) {
+    return options.creaseAngle == kCreaseAngle ? 0 : options.creaseAngle;
+}
+
+[[noreturn]] void refuseGltf(const Sentence& why) { throw FileError(FailureKind::BadData, "", why); }
+
+void refuseMissing(const std::vector<std::string>& buffers) {
+    if (buffers.empty()) return;
+    const bool one = buffers.size() == 1;
+    refuseGltf(say(one ? "its geometry is in {0}, which is missing; put it beside the model's file"
+                       : "its geometry is in {0}, which are missing; put them beside the model's file",
+                   firstOf(buffers)));
+}
+
+/// Reads one file.
+class GltfReader {
+  public:
+    GltfReader(const std::filesystem::path& path, const gltf::Container& container,
+               const FileImportOptions& options)
+        : path_(path), root_(container.root), options_(options), buffers_(container, path, import_.report),
+          views_(root_, buffers_), accessors_(root_, views_), primitives_(root_, accessors_, views_),
+          skins_(root_, accessors_) {}
+
+    FileImport read() {
+        const gltf::Needs needs = gltf::needsOf(root_);
+        if (needs.fatal) refuseGltf(*needs.fatal);
+        describe();
+        walk_ = gltf::walkNodes(root_);
+        placements_ = gltf::placementsOf(root_, walk_, accessors_, options_.memoryLimit);
+        MeshAssembler assembler;
+        makeRoom(assembler);
+        refuseMissing(buffers_.missing());
+        const gltf::Images images(root_, views_);
+        TextureStore textures(import_.model, import_.report, path_.parent_path(), images, options_.alive);
+        gltf::ModelMaterials materials(root_, walk_, placements_, images, primitives_);
+        materials.addTo(import_, textures);
+        addMeshes(materials, assembler);
+        finish(assembler);
+        warn(needs, textures.missing());
+        gltf::addLights(root_, walk_, import_.model, import_.report);
+        gltf::addCameras(root_, walk_, import_.model, import_.report);
+        return std::move(import_);
+    }
+
+  private:
+    const Json& primitivesOf(std::size_t mesh) const {
+        return gltf::member(gltf::member(root_, "meshes")[mesh], "primitives");
+    }
+
+    void describe() {
+        import_.report.origin = {"glTF2 Importer", gltf::text(gltf::member(root_, "asset"), "generator"),
+                                 Vec3{0, 1, 0}, 1};
+        addFile(import_.report, plainPath(path_).string());
+    }
+
+    /// Instances multiply: a small file can stand for more triangles than any memory holds.
+    void makeRoom(MeshAssembler& assembler) {
+        std::map<std::size_t, gltf::PrimitiveReader::Size> sizes; // by mesh
+        std::uint64_t vertices = 0, faces = 0;
+        for (const gltf::Placement& at : placements_) {
+            const auto [entry, isNew] = sizes.try_emplace(at.mesh);
+            auto& [_, size] = *entry;
+            for (const Json& primitive : primitivesOf(at.mesh)) {
+                if (!isNew) break;
+                const auto own = primitives_.sizeOf(primitive);
+                size.vertices += own.vertices;
+                size.faces += own.faces;
+            }
+            vertices += size.vertices;
+            faces += size.faces;
+        }
+        refuseTooMuch(vertices, faces, options_.memoryLimit, assembler);
+    }
+
+    std::vector<float> weightsOf(const gltf::Placement& at) const {
+        const Json& mesh = gltf::member(root_, "meshes")[at.mesh];
+        const Json* weights = &gltf::member(mesh, "weights");
+        if (at.placed < walk_.nodes.size()) {
+            const Json& own =
+                gltf::member(gltf::member(root_, "nodes")[walk_.nodes[at.placed].node], "weights");
+            if (!own.is_null()) weights = &own;
+        }
+        std::vector<float> list;
+        for (const Json& weight : *weights) list.push_back(weight.is_number() ? weight.get<float>() : 0.0F);
+        return list;
+    }
+
+    void addMeshes(const gltf::ModelMaterials& materials, MeshAssembler& assembler) {
+        std::map<std::size_t, std::uint64_t> times; // that a mesh is shown
+        for (const gltf::Placement& at : placements_) ++times[at.mesh];
+        std::vector<gltf::Primitive> kept;
+        std::pair<std::size_t, std::vector<float>> keptOf{~std::size_t{0}, {}};
+        for (const gltf::Placement& at : placements_) {
+            const std::vector<float> weights = weightsOf(at);
+            const Json& list = primitivesOf(at.mesh);
+            if (keptOf != std::pair(at.mesh, weights)) kept.clear();
+            keptOf = {at.mesh, weights};
+            for (std::size_t p = 0; p < gltf::sizeOf(list); ++p) {
+                if (kept.size() > p) {
+                    addMesh(kept[p], at, p, materials, assembler);
+                    continue;
+                }
+                gltf::PrimitiveUse use = materials.useOf(list[p]);
+                use.weights = weights;
+                use.skinned = at.skin && skins_.has(*at.skin);
+                gltf::Primitive primitive = primitives_.read(list[p], use);
+                addMesh(primitive, at, p, materials, assembler);
+                if (times[at.mesh] > 1) kept.push_back(std::move(primitive));
+            }
+        }
+    }
+
+    void addMesh(const gltf::Primitive& primitive, const gltf::Placement& at, std::size_t number,
+                 const gltf::ModelMaterials& materials, MeshAssembler& assembler) {
+        damagedPrimitives_ += primitive.damaged ? 1 : 0;
+        damagedAttributes_ += primitive.damagedAttributes;
+        import_.report.ignoredPrimitives += primitive.list.pointsAndLines;
+        import_.report.unconnectedTriangles += primitive.list.unconnected;
+        const bool skinned = at.skin && skins_.has(*at.skin);
+        SourceMesh mesh = placer_.place(primitive, at.toWorld,
+                                        skinned ? skins_.joints(*at.skin) : std::span<const Affine>());
+        if (mesh.triangles.empty()) return;
+        mesh.material = materials.numberOf(primitivesOf(at.mesh)[number]);
+        const std::uint32_t first = assembler.triangleCount();
+        assembler.add(mesh);
+        import_.model.parts.push_back({import_.model.addName(gltf::nameOf(root_, walk_, at, number)), first,
+                                       assembler.triangleCount() - first});
+        options_.alive();
+    }
+
+    void finish(MeshAssembler& assembler) {
+        finishGeometry(assembler, creaseOf(options_), import_);
+        cut_ = cutOff(path_);
+        if (import_.model.triangles.empty()) {
+            if (cut_) refuseGltf(*cut_);
+            if (damagedPrimitives_ > 0)
+                refuseGltf(say("all of its geometry is damaged; copy or export it again"));
+        }
+        std::size_t primitives = 0;
+        for (const Json& mesh : gltf::member(root_, "meshes"))
+            primitives += gltf::sizeOf(gltf::member(mesh, "primitives"));
+        refuseUseless(assembler, primitives, import_);
+    }
+
+    void warn(const gltf::Needs& needs, const std::vector<std::string>& missingTextures) {
+        ImportReport& report = import_.report;
+        if (cut_) addWarning(report, *cut_);
+        warnOfLostTriangles(import_.model, report);
+        if (damagedPrimitives_ > 0) addWarning(report, say(import_forms::kBrokenMeshes, damagedPrimitives_));
+        if (damagedAttributes_ > 0) addWarning(report, say(import_forms::kBrokenLists, damagedAttributes_));
+        if (needs.loss) addWarning(report, say(import_forms::kNeeds, *needs.loss));
+        if (const auto ignored = gltf::ignoredOf(root_)) addWarning(report, *ignored);
+        warnOfMissingTextures(missingTextures, report);
+        warnWhenInvisible(import_.model, report);
+        warnOfOutliers(import_.model, report);
+    }
+
+    const std::filesystem::path& path_;
+    const Json& root_;
+    const FileImportOptions& options_;
+    FileImport import_;
+    gltf::Buffers buffers_;
+    gltf::Views views_;
+    gltf::Accessors accessors_;
+    gltf::PrimitiveReader primitives_;
+    gltf::Skins skins_;
+    gltf::MeshPlacer placer_;
+    gltf::NodeWalk walk_;
+    std::vector<gltf::Placement> placements_;
+    std::uint64_t damagedPrimitives_ = 0, damagedAttributes_ = 0;
+    std::optional<Sentence> cut_;
+};
+
+} // namespace
+
+std::optional<FileImport> importGltf(const std::filesystem::path& path, const FileImportOptions& options) {
+    const std::optional<gltf::Container> container = gltf::openContainer(path);
+    if (!container) return std::nullopt;
+    options.alive();
+    return GltfReader(path, *container, options).read();
+}
+
+} // namespace rtcore
