@@ -28,8 +28,8 @@ namespace {
 
 bool isPossible(const MeshoptView& view, std::size_t codeBytes) {
     // The densest code has two bits for sixteen bytes.
-    constexpr std::uint64_t kMaxBytesOfOne = 64, kOfShortCode = 4096, kMaxElements = 0xFFFFFFFFU;
-    if (view.count == 0 || view.count > kMaxElements || view.stride > 256) return false;
+    constexpr std::uint64_t kMaxBytesOfOne = 64, kOfShortCode = 4096, kMaxCount = 0xFFFFFFFFU;
+    if (view.count == 0 || view.count > kMaxCount || view.stride > 256) return false;
     const bool attributes = view.mode == MeshoptMode::Attributes;
     if (attributes ? view.stride == 0 || view.stride % 4 != 0 : view.stride != 2 && view.stride != 4)
         return false;
