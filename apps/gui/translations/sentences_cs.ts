@@ -600,6 +600,14 @@
         <translation>všechny svítivosti jsou nulové; vyberte soubor svítidla, které svítí</translation>
     </message>
     <message>
+        <source>all of its geometry is damaged; copy or export it again</source>
+        <translation>celá jeho geometrie je poškozená; zkopírujte nebo exportujte jej znovu</translation>
+    </message>
+    <message>
+        <source>all variants of its materials but the first</source>
+        <translation>všechny varianty jeho materiálů kromě první</translation>
+    </message>
+    <message>
         <source>alphas: there must be none or one per normal</source>
         <translation>alphas: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
@@ -762,6 +770,10 @@
     <message>
         <source>chrome</source>
         <translation>chrom</translation>
+    </message>
+    <message>
+        <source>coats of varnish</source>
+        <translation>vrstvy laku</translation>
     </message>
     <message>
         <source>colours: there must be none or one per normal</source>
@@ -932,6 +944,10 @@
         <translation>exportujte bez něj</translation>
     </message>
     <message>
+        <source>export without it (gltf-pipeline without -d)</source>
+        <translation>exportujte bez něj (gltf-pipeline bez -d)</translation>
+    </message>
+    <message>
         <source>export without it (gltfpack -noq, without -c and -cc)</source>
         <translation>exportujte bez něj (gltfpack -noq, bez -c a -cc)</translation>
     </message>
@@ -1050,6 +1066,18 @@
     <message>
         <source>ignored, since not supported: {0}</source>
         <translation>ignorováno, protože se nepodporuje: {0}</translation>
+    </message>
+    <message>
+        <source>ignored, since not supported: {0}; lost: {1}</source>
+        <translation>ignorováno, protože to není podporováno: {0}; ztraceno: {1}</translation>
+    </message>
+    <message>
+        <source>images of AVIF, whose materials are plain</source>
+        <translation>obrázky AVIF, jejichž materiály jsou jednobarevné</translation>
+    </message>
+    <message>
+        <source>images of Basis Universal, whose materials are plain</source>
+        <translation>obrázky Basis Universal, jejichž materiály jsou jednobarevné</translation>
     </message>
     <message>
         <source>indirect light is not kept: {0}</source>
@@ -1304,6 +1332,10 @@
         <translation>potřebuje rozšíření {0}, které nelze načíst; {1}</translation>
     </message>
     <message>
+        <source>it shows its meshes {0} times, more than fit into the memory that it may use; raise the limit or export fewer instances</source>
+        <translation>zobrazuje své sítě {0}krát, víc než se vejde do paměti, kterou smí použít; zvyšte limit nebo exportujte méně instancí</translation>
+    </message>
+    <message>
         <source>it was changed while it was read; build again</source>
         <translation>během čtení se změnil; vytvořte strom znovu</translation>
     </message>
@@ -1500,6 +1532,10 @@
         <translation>libtiff nemůže zapsat adresář</translation>
     </message>
     <message>
+        <source>light that passes through leaves and paper</source>
+        <translation>světlo, které prochází listím a papírem</translation>
+    </message>
+    <message>
         <source>light {0} is left out: it is not a point, directional, spot or area light, or gives no light</source>
         <translation>světlo {0} je vynecháno: není bodové, směrové, kuželové ani plošné, nebo nesvítí</translation>
     </message>
@@ -1530,6 +1566,10 @@
     <message>
         <source>lx is for directional lights; others give off lm or W</source>
         <translation>lx je pro směrová světla; ostatní mají lm nebo W</translation>
+    </message>
+    <message>
+        <source>make a mesh of it</source>
+        <translation>udělejte z toho síť</translation>
     </message>
     <message>
         <source>make a mesh of it (CloudCompare, MeshLab) and save that as PLY</source>
@@ -2100,6 +2140,14 @@
         <translation>barva zdrojů</translation>
     </message>
     <message>
+        <source>the colours of thin films</source>
+        <translation>barvy tenkých vrstev</translation>
+    </message>
+    <message>
+        <source>the colours that glass parts light into</source>
+        <translation>barvy, na které sklo rozkládá světlo</translation>
+    </message>
+    <message>
         <source>the command ends with a backslash</source>
         <translation>příkaz končí zpětným lomítkem</translation>
     </message>
@@ -2134,6 +2182,10 @@
     <message>
         <source>the downward flux fraction</source>
         <translation>podíl toku dolů</translation>
+    </message>
+    <message>
+        <source>the drawn-out highlights of brushed metal</source>
+        <translation>protažené odlesky kartáčovaného kovu</translation>
     </message>
     <message>
         <source>the driver is asked</source>
@@ -2312,6 +2364,10 @@
         <translation>vrstva {0} není konvoluce 3 x 3</translation>
     </message>
     <message>
+        <source>the light of its surroundings</source>
+        <translation>světlo jeho okolí</translation>
+    </message>
+    <message>
         <source>the light output ratio</source>
         <translation>účinnost svítidla</translation>
     </message>
@@ -2338,6 +2394,10 @@
     <message>
         <source>the lumens of the light sources</source>
         <translation>lumeny zdrojů</translation>
+    </message>
+    <message>
+        <source>the luminaire of {0} shines to all sides alike: profiles that a model names are not read</source>
+        <translation>svítidlo {0} svítí na všechny strany stejně: profily, které model jmenuje, se nečtou</translation>
     </message>
     <message>
         <source>the maker</source>
@@ -2462,6 +2522,10 @@
     <message>
         <source>the server was paused in the midst of a frame; resume it first</source>
         <translation>server byl pozastaven uprostřed snímku; nejdřív ho nechte pokračovat</translation>
+    </message>
+    <message>
+        <source>the sheen of cloth</source>
+        <translation>lesk látky</translation>
     </message>
     <message>
         <source>the sky is turned by 'sky north'</source>
@@ -3008,6 +3072,10 @@
         <translation>{0} je {1}, což je pro výsledné obrazy, ne pro živý pohled; dejte to do [still], nebo použijte 'Renderer --setting {0}={1}'</translation>
     </message>
     <message>
+        <source>{0} lists of normals, colours, texture coordinates or joints are damaged and left out</source>
+        <translation>seznamů normál, barev, souřadnic textur nebo kloubů poškozených a vynechaných: {0}</translation>
+    </message>
+    <message>
         <source>{0} m are taken for a unit ({1}); 'units' sets another</source>
         <translation>jednotka je asi {0} m ({1}); jinou nastaví 'units'</translation>
     </message>
@@ -3018,6 +3086,10 @@
     <message>
         <source>{0} materials are guessed by name ({1})</source>
         <translation>materiály odhadnuté podle jména: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0} of its meshes are left out: their data are damaged or missing</source>
+        <translation>vynechaných sítí: {0}; jejich data jsou poškozená nebo chybí</translation>
     </message>
     <message>
         <source>{0} of {1} frames are there already (--force renders them again)</source>
