@@ -83,9 +83,9 @@ bool isTextStl(const Ends& file) {
 }
 
 std::uint64_t lengthOfStl(const Ends& file) {
-    constexpr std::uint64_t kHead = 84, kFacet = 50;
+    constexpr std::uint64_t kBegin = 84, kEach = 50;
     if (file.ending != ".stl" || isTextStl(file)) return 0;
-    return file.size < kHead ? kHead : kHead + kFacet * file.number(80, 4);
+    return file.size < kBegin ? kBegin : kBegin + kEach * file.number(80, 4);
 }
 
 std::uint64_t lengthOf3ds(const Ends& file) {
