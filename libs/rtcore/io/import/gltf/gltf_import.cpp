@@ -130,14 +130,16 @@ class GltfReader {
                 use.weights = weights;
                 use.skinned = at.skin && skins_.has(*at.skin);
                 gltf::Primitive primitive = primitives_.read(list[p], use);
-                addMesh(primitive, at, p, materials, assembler);
-                if (times[at.mesh] > 1) kept.push_back(std::move(primitive));
+                const bool once = times[at.mesh] == 1;
+                addMesh(primitive, at, p, materials, assembler, once ? &primitive.list.triangles : nullptr);
+                if (!once) kept.push_back(std::move(primitive));
             }
         }
     }
 
     void addMesh(const gltf::Primitive& primitive, const gltf::Placement& at, std::size_t number,
-                 const gltf::ModelMaterials& materials, MeshAssembler& assembler) {
+                 const gltf::ModelMaterials& materials, MeshAssembler& assembler,
+                 std::vector<Triangle>* spare = nullptr) {
         damagedPrimitives_ += primitive.damaged ? 1 : 0;
         damagedAttributes_ += primitive.damagedAttributes;
         import_.report.ignoredPrimitives += primitive.list.pointsAndLines;
@@ -146,6 +148,7 @@ class GltfReader {
         SourceMesh mesh = placer_.place(primitive, at.toWorld,
                                         skinned ? skins_.joints(*at.skin) : std::span<const Affine>());
         if (mesh.triangles.empty()) return;
+        if (spare != nullptr && spare->data() == mesh.triangles.data()) mesh.spare = spare;
         mesh.material = materials.numberOf(primitivesOf(at.mesh)[number]);
         const std::uint32_t first = assembler.triangleCount();
         assembler.add(mesh);

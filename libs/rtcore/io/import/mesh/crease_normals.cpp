@@ -37,6 +37,7 @@ class Smoother {
           cosHalf_(cosine(creaseAngle / 2) + kSlack) {}
 
     void run() {
+        if (flat_ && model_.normals.empty()) return giveEachItsOwn();
         const auto missing = [](const Vec3& normal) { return normal == Vec3{}; };
         if (std::none_of(model_.normals.begin(), model_.normals.end(), missing)) return;
         allLack_ = std::all_of(model_.normals.begin(), model_.normals.end(), missing);
@@ -73,11 +74,10 @@ class Smoother {
         for (std::size_t block = 0; block < blocks_.size(); ++block) {
             const std::size_t first = block * kBlock;
             const auto own = std::span<const Triangle>(model_.triangles).subspan(first, endOf(block) - first);
-            std::vector<Facet> facets(own.size());
-            measureFacets(model_.vertices, own, facets.data());
+            measureNormals(model_.vertices, own, model_.normals.data() + first);
             for (std::size_t i = 0; i < own.size(); ++i) {
                 const auto entry = static_cast<std::uint32_t>(first + i);
-                model_.normals[entry] = normalize(facets[i].normal());
+                model_.normals[entry] = normalize(model_.normals[entry]);
                 for (std::uint32_t& v : model_.shading[entry].v) v = entry;
             }
         }
@@ -264,6 +264,9 @@ class Smoother {
 
 } // namespace
 
-void computeMissingNormals(ModelBuffers& model, float creaseAngle) { Smoother(model, creaseAngle).run(); }
+void computeMissingNormals(ModelBuffers& model, float creaseAngle) {
+    if (model.normals.empty() && creaseAngle > 0) resizeLarge(model.normals, model.vertices.size());
+    Smoother(model, creaseAngle).run();
+}
 
 } // namespace rtcore

@@ -10,10 +10,10 @@ namespace rtcore {
 /// 0..180) of its own triangle's; 0: its own alone. All normals in `model` are of unit length or zero;
 /// afterwards only those of triangles without area can be zero. One entry of `normals` (with its texture
 /// coordinate and colour) serves all corners that use it where they agree; where a crease parts them, entries
-/// are added. At an angle of 0, without any normals, texture coordinates, colours and alphas, the entries are
-/// those of triangles. Triangles must have valid indices, and be fewer than 2^30. Linear time, about 100
-/// bytes a triangle for its duration. Weights: Thuermer and Wuethrich 1998, "Computing Vertex Normals from
-/// Polygonal Facets".
+/// are added. Where `normals` is empty, all are missing, and entries are vertices. At an angle of 0, without
+/// any normals, texture coordinates, colours and alphas, the entries are those of triangles. Triangles must
+/// have valid indices, and be fewer than 2^30. Linear time, about 100 bytes a triangle for its duration.
+/// Weights: Thuermer and Wuethrich 1998, "Computing Vertex Normals from Polygonal Facets".
 void computeMissingNormals(ModelBuffers& model, float creaseAngle);
 
 } // namespace rtcore

@@ -41,9 +41,9 @@ struct Columns {
     }
 };
 
-/// Up to `lanes()` triangles.
-void measureSome(const Vertex* vertices, const Triangle* triangles, std::size_t count, Facet* facets) {
-    HWY_ALIGN Columns corners;
+/// Of up to `lanes()` triangles, the last of which fills up.
+HWY_INLINE Columns cornersOf(const Vertex* vertices, const Triangle* triangles, std::size_t count) {
+    Columns corners;
     for (std::size_t i = 0; i < lanes(); ++i) {
         const Triangle& t = triangles[std::min(i, count - 1)];
         for (int corner = 0; corner < 3; ++corner) {
@@ -53,31 +53,76 @@ void measureSome(const Vertex* vertices, const Triangle* triangles, std::size_t 
             corners.numbers[3 * corner + 2][i] = v.z;
         }
     }
-    const Float3 a = corners.vectorAt(0), b = corners.vectorAt(3), c = corners.vectorAt(6);
-    const Float3 ab = normalize(b - a), bc = normalize(c - b), ca = normalize(a - c);
-    // From unit edges, so that the products of small ones do not vanish; the shortest cross product is the
-    // worst.
-    const Float3 atA = cross(ca, ab), atB = cross(ab, bc);
-    const Float3 normal = normalize(select(dot(atA, atA) > dot(atB, atB), atA, atB));
-    HWY_ALIGN Columns out;
-    store(normal, out.numbers[0], out.numbers[1], out.numbers[2]);
-    store(roughAcos(-dot(ca, ab)), out.numbers[3]);
-    store(roughAcos(-dot(ab, bc)), out.numbers[4]);
-    store(roughAcos(-dot(bc, ca)), out.numbers[5]);
-    const bool careful = any(isZero(normal));
+    return corners;
+}
+
+/// Unit vectors along the edges of as many triangles as there are lanes.
+struct Edges {
+    HWY_INLINE explicit Edges(const Columns& corners) {
+        const Float3 a = corners.vectorAt(0), b = corners.vectorAt(3), c = corners.vectorAt(6);
+        ab = normalize(b - a);
+        bc = normalize(c - b);
+        ca = normalize(a - c);
+    }
+    /// The shortest cross product is the worst.
+    HWY_INLINE Float3 normal() const {
+        const Float3 atA = cross(ca, ab), atB = cross(ab, bc);
+        return normalize(select(dot(atA, atA) > dot(atB, atB), atA, atB));
+    }
+    Float3 ab, bc, ca; ///< of length 1, so that the products of small ones do not vanish
+};
+
+void setNormal(Facet& facet, Vec3 normal) {
+    facet.x = normal.x;
+    facet.y = normal.y;
+    facet.z = normal.z;
+}
+void setNormal(Vec3& facet, Vec3 normal) { facet = normal; }
+
+/// The normals of up to `lanes()` triangles.
+template <typename Out>
+HWY_INLINE void storeNormals(const Vertex* vertices, const Triangle* triangles, std::size_t count,
+                             const Edges& edges, Out* facets) {
+    const Float3 normal = edges.normal();
+    HWY_ALIGN float n[3][kLanes];
+    store(normal, n[0], n[1], n[2]);
+    for (std::size_t i = 0; i < count; ++i) setNormal(facets[i], {n[0][i], n[1][i], n[2][i]});
+    if (!any(isZero(normal))) return;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto& n = out.numbers;
-        facets[i] = {n[0][i], n[1][i], n[2][i], {n[3][i], n[4][i], n[5][i]}};
-        if (!careful || facets[i].normal() != Vec3{}) continue;
+        if (Vec3{n[0][i], n[1][i], n[2][i]} != Vec3{}) continue;
         const auto corner = [&](int k) { return vertices[triangles[i].v[k]].position(); };
-        const Vec3 own = carefulNormal(corner(0), corner(1), corner(2));
-        facets[i] = {own.x, own.y, own.z, {n[3][i], n[4][i], n[5][i]}};
+        setNormal(facets[i], carefulNormal(corner(0), corner(1), corner(2)));
+    }
+}
+
+HWY_INLINE void storeAngles(std::size_t count, const Edges& edges, Facet* facets) {
+    HWY_ALIGN float angles[3][kLanes];
+    store(roughAcos(-dot(edges.ca, edges.ab)), angles[0]);
+    store(roughAcos(-dot(edges.ab, edges.bc)), angles[1]);
+    store(roughAcos(-dot(edges.bc, edges.ca)), angles[2]);
+    for (std::size_t i = 0; i < count; ++i)
+        for (int corner = 0; corner < 3; ++corner) facets[i].angle[corner] = angles[corner][i];
+}
+
+HWY_INLINE void storeAngles(std::size_t, const Edges&, Vec3*) {}
+
+template <typename Out>
+void measureAll(const Vertex* vertices, const Triangle* triangles, std::size_t count, Out* facets) {
+    for (std::size_t first = 0; first < count; first += lanes()) {
+        const std::size_t some = std::min(lanes(), count - first);
+        HWY_ALIGN const Columns corners = cornersOf(vertices, triangles + first, some);
+        const Edges edges(corners);
+        storeNormals(vertices, triangles + first, some, edges, facets + first);
+        storeAngles(some, edges, facets + first);
     }
 }
 
 void measureFacets(const Vertex* vertices, const Triangle* triangles, std::size_t count, Facet* facets) {
-    for (std::size_t i = 0; i < count; i += lanes())
-        measureSome(vertices, triangles + i, std::min(lanes(), count - i), facets + i);
+    measureAll(vertices, triangles, count, facets);
+}
+
+void measureNormals(const Vertex* vertices, const Triangle* triangles, std::size_t count, Vec3* normals) {
+    measureAll(vertices, triangles, count, normals);
 }
 
 } // namespace HWY_NAMESPACE
@@ -88,9 +133,14 @@ HWY_AFTER_NAMESPACE();
 namespace rtcore {
 
 HWY_EXPORT(measureFacets);
+HWY_EXPORT(measureNormals);
 
 void measureFacets(std::span<const Vertex> vertices, std::span<const Triangle> triangles, Facet* facets) {
     HWY_DYNAMIC_DISPATCH(measureFacets)(vertices.data(), triangles.data(), triangles.size(), facets);
+}
+
+void measureNormals(std::span<const Vertex> vertices, std::span<const Triangle> triangles, Vec3* normals) {
+    HWY_DYNAMIC_DISPATCH(measureNormals)(vertices.data(), triangles.data(), triangles.size(), normals);
 }
 
 } // namespace rtcore

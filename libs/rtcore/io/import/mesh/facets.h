@@ -20,5 +20,7 @@ struct Facet {
 
 /// `facets` has room for all triangles. The same bits with every instruction set. Safe from many threads.
 void measureFacets(std::span<const Vertex> vertices, std::span<const Triangle> triangles, Facet* facets);
+/// Their normals alone.
+void measureNormals(std::span<const Vertex> vertices, std::span<const Triangle> triangles, Vec3* normals);
 
 } // namespace rtcore

@@ -235,9 +235,26 @@ std::vector<Triangle> MeshAssembler::renumbered(const SourceMesh& mesh, const st
     return list;
 }
 
+/// The good triangles of the first mesh, with the first of equal vertices as their corners.
+void MeshAssembler::setTriangles(const SourceMesh& mesh, const std::vector<Use>& uses, bool maySpare) {
+    const auto isGood = [](Use use) { return use == Use::Good; };
+    if (!maySpare || mesh.spare == nullptr || !std::ranges::all_of(uses, isGood)) {
+        out_.triangles = renumbered(mesh, uses, firstOfEqual_);
+        return;
+    }
+    out_.triangles = std::move(*mesh.spare);
+#pragma omp parallel for schedule(static) if (out_.triangles.size() > kManyTriangles)
+    for (Triangle& t : out_.triangles)
+        for (std::uint32_t& v : t.v) v = firstOfEqual_[v];
+}
+
 /// The first mesh: all its vertices and entries are new, in the order in which triangles come to them.
 void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& uses) {
-    out_.triangles = renumbered(mesh, uses, firstOfEqual_);
+    const std::vector<std::uint32_t> same =
+        entriesAreVertices_ ? std::vector<std::uint32_t>() : firstOfSame(mesh);
+    const std::size_t room = out_.triangles.capacity();
+    setTriangles(mesh, uses, same.empty());
+    reserveLarge(out_.triangles, room);
     const std::vector<std::uint32_t> order = renumberByFirstUse(out_.triangles, mesh.positions.size());
     const std::size_t good = out_.triangles.size();
     resizeLarge(out_.vertices, order.size());
@@ -248,7 +265,6 @@ void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& use
         out_.vertices[i] = {p.x, p.y, p.z, 0};
     }
     if (entriesAreVertices_) return shadeLike(out_.triangles, mesh.material);
-    const std::vector<std::uint32_t> same = firstOfSame(mesh);
     if (same.empty()) {
         shadeLike(out_.triangles, mesh.material);
         addFirstEntries(mesh, order);
@@ -402,7 +418,6 @@ void MeshAssembler::add(const SourceMesh& mesh) {
 }
 
 void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
-    if (entriesAreVertices_) resizeLarge(out_.normals, out_.vertices.size());
     model.vertices = std::move(out_.vertices);
     model.triangles = std::move(out_.triangles);
     model.shading = std::move(out_.shading);

@@ -20,6 +20,7 @@ struct SourceMesh {
     std::span<const float> alphas = {};
     std::span<const Triangle> triangles = {}; ///< indices below positions.size(); the caller has checked
     std::uint32_t material = 0;
+    std::vector<Triangle>* spare = nullptr; ///< the list of all of them, where the caller needs it no more
 };
 
 /// An open hash table of numbers of elements that live elsewhere. It grows; nothing is ever removed.
@@ -84,6 +85,7 @@ class MeshAssembler {
     std::vector<Use> measure(const SourceMesh& mesh);
     static std::vector<Triangle> renumbered(const SourceMesh& mesh, const std::vector<Use>& uses,
                                             const std::vector<std::uint32_t>& numbers);
+    void setTriangles(const SourceMesh& mesh, const std::vector<Use>& uses, bool maySpare);
     void addFirst(const SourceMesh& mesh, const std::vector<Use>& uses);
     void shadeLike(const std::vector<Triangle>& corners, std::uint32_t material);
     std::vector<std::uint32_t> firstOfSame(const SourceMesh& mesh);
