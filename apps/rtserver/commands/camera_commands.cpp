@@ -7,6 +7,7 @@
 
 #include "rtcore/motion/orbit.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/render/camera_rays.h"
 #include "rtcore/render/lens.h"
 #include "rtcore/scene/focal_length.h"
 #include "rtcore/scene/part_list.h"
@@ -222,15 +223,32 @@ float zoomedAngle(float degrees, double factor) {
                       std::max(degrees, kWidest));
 }
 
+// The angle of the image that is shown has limits, and is told; the camera's own may be that of another
+// aspect.
+double zoomAngle(const Call& call, rtcore::Camera& camera, double factor) {
+    const rtcore::RenderSettings& settings = call.document().settings();
+    const float shown = rtcore::fieldOfView(camera, settings.width, settings.height);
+    const float wanted = zoomedAngle(shown, factor);
+    const auto widthOf = [](float degrees) { return rtcore::halfWidthOfAngle(static_cast<double>(degrees)); };
+    const double own = widthOf(camera.horizontalFov) * widthOf(wanted) / widthOf(shown);
+    camera.horizontalFov =
+        shown == camera.horizontalFov ? wanted : static_cast<float>(rtcore::angleOfHalfWidth(own));
+    return static_cast<double>(wanted);
+}
+
 Result zoom(const Call& call) {
     const auto factor = static_cast<double>(number(call[0]));
     rtcore::Camera camera = call.document().camera();
-    const bool orthographic = camera.kind == rtcore::CameraKind::Orthographic;
-    float& extent = orthographic ? camera.orthographicWidth : camera.horizontalFov;
-    extent = orthographic ? std::clamp(static_cast<float>(extent / factor), 1e-18F, 1e18F)
-                          : zoomedAngle(extent, factor);
+    double extent = 0;
+    if (camera.kind == rtcore::CameraKind::Orthographic) {
+        float& width = camera.orthographicWidth;
+        width = std::clamp(static_cast<float>(static_cast<double>(width) / factor), 1e-18F, 1e18F);
+        extent = static_cast<double>(width);
+    } else {
+        extent = zoomAngle(call, camera, factor);
+    }
     call.document().setCamera(camera);
-    return {.answer = rtcore::settingText(extent)};
+    return {.answer = rtcore::settingText(static_cast<float>(extent))};
 }
 
 // Without an argument they only tell, and are no step of undo.

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 namespace {
 
 using namespace rtcore;
@@ -154,10 +158,14 @@ TEST(Cameras, OrthographicOnesOfGltf) {
     EXPECT_EQ(m.cameras[1].aspect, 1);
 }
 
-TEST(Cameras, WithoutAnAspectInGltfAreFramedForFourByThree) {
+TEST(Cameras, WithoutAnAspectInGltfHaveTheirVerticalAngleInAnyImage) {
     const Model m = camerasOf(R"({"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}},
 {"type":"orthographic","orthographic":{"xmag":0,"ymag":2,"znear":0.1,"zfar":9}})");
-    EXPECT_EQ(m.cameras[0].aspect, 4.0F / 3);
+    const double narrow = std::tan(double{m.cameras[0].horizontalFov} * std::numbers::pi / 360);
+    for (const auto& [width, height] : {std::pair{1920, 800}, {640, 480}, {100, 100}, {90, 200}, {10, 100}}) {
+        const double wide = narrow * double{widening(m.cameras[0], width, height)};
+        EXPECT_NEAR(2 * std::atan(wide * height / width), 0.7, 1e-5) << width << " x " << height;
+    }
     EXPECT_EQ(m.cameras[1].kind, CameraKind::Perspective) << "of no width";
 }
 

@@ -2,6 +2,8 @@
 #include "command_room.h"
 
 #include "rtcore/io/text/scn.h"
+#include "rtcore/render/camera_rays.h"
+#include "rtcore/scene/focal_length.h"
 #include "rtcore/survey/default_view.h"
 #include "rtcore/survey/subject.h"
 
@@ -249,6 +251,16 @@ TEST_F(Commands, WidenAndNarrowTheFieldOfView) {
     EXPECT_EQ(document.camera().horizontalFov, 170);
     answer("camera angle 175");
     EXPECT_EQ(answer("camera zoom 0.9"), "175") << "never the other way";
+    answer("camera set 0 2 3 0 0 -1 5 0 1 0 0.1");
+    const auto angleShown = [&] {
+        const rtcore::RenderSettings& image = document.settings();
+        return double{rtcore::fieldOfView(document.camera(), image.width, image.height)};
+    };
+    const double before = angleShown();
+    const double told = std::stod(answer("camera zoom 1.5"));
+    EXPECT_NEAR(told, angleShown(), 1e-3) << "of the image, whatever its author's";
+    const auto halfWidth = rtcore::halfWidthOfAngle;
+    EXPECT_NEAR(halfWidth(angleShown()) * 1.5, halfWidth(before), 1e-4);
     answer("camera orthographic 0 2 3 0 0 -1 4");
     EXPECT_EQ(answer("camera zoom 2"), "2");
     EXPECT_EQ(document.camera().kind, rtcore::CameraKind::Orthographic);

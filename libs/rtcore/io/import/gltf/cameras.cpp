@@ -13,7 +13,9 @@ namespace rtcore::gltf {
 namespace {
 
 constexpr float kWidestView = 5e15F;
-constexpr float kUsualAspect = 4.0F / 3; ///< of cameras that state none
+constexpr float kUsualAspect = 4.0F / 3; ///< of cameras that state none, nor an angle
+/// Of cameras that state none: images that are wider, as all are, have the stated vertical angle.
+constexpr float kNarrowestImage = 0.1F;
 
 std::optional<std::size_t> cameraOf(const Json& node) { return index(node, "camera"); }
 
@@ -23,21 +25,23 @@ float aspectWithin(float aspect) {
     return std::clamp(aspect, 1 / kMax, kMax);
 }
 
-/// Degrees. Rounded as the angles that Assimp multiplies by the aspect were.
-float horizontalFov(const Json& lens, float aspect) {
-    const bool stated = number(lens, "aspectRatio", 0) > 0;
-    const float angle = number(lens, "yfov", 0) * (stated ? number(lens, "aspectRatio", 0) : 1.0F);
-    if (!(angle > 0) || !(angle < kPi)) return 60;
-    const float vertical = stated ? angle / aspect : angle;
+/// Degrees, of an image of that aspect.
+float horizontalAngle(float vertical, float aspect) {
     const float half = std::clamp(vertical / 2, 1e-3F, kPi / 2 - 1e-3F);
-    const float horizontal = 2 * portableAtan2(portableSin(half) * aspect, portableCos(half));
-    return std::clamp(horizontal * (180 / kPi), 0.1F, 175.0F);
+    return 2 * portableAtan2(portableSin(half) * aspect, portableCos(half)) * (180 / kPi);
 }
 
+/// Of a camera that states its aspect, the angle is rounded as the one that Assimp multiplies by it was.
 void setLens(const Json& stated, Camera& out) {
     const Json& lens = member(stated, "perspective");
-    out.aspect = aspectWithin(number(lens, "aspectRatio", 0));
-    out.horizontalFov = horizontalFov(lens, out.aspect);
+    const float aspect = number(lens, "aspectRatio", 0);
+    const float angle = number(lens, "yfov", 0) * (aspect > 0 ? aspect : 1.0F);
+    out.aspect = aspectWithin(aspect);
+    out.horizontalFov = 60;
+    if (!(angle > 0) || !(angle < kPi)) return;
+    if (!(aspect > 0)) out.aspect = kNarrowestImage;
+    const float vertical = aspect > 0 ? angle / out.aspect : angle;
+    out.horizontalFov = std::clamp(horizontalAngle(vertical, out.aspect), 0.01F, 175.0F);
 }
 
 void setParallelView(const Json& stated, Camera& out) {
