@@ -87,6 +87,8 @@ std::optional<MaterialState> readMaterialState(const QString& answer) {
         state.reflectivity = m.reflectivity ? maxComponent(*m.reflectivity) : 0;
         state.opacity = m.opacity.value_or(state.opacity);
         state.indexOfRefraction = m.indexOfRefraction.value_or(state.indexOfRefraction);
+        state.coat = m.coat.value_or(state.coat);
+        state.coatRoughness = m.coatRoughness.value_or(state.coatRoughness);
         state.textures = m.textures;
         state.flipTextures = m.flipTextures.value_or(false);
         return state;

@@ -50,6 +50,8 @@ MaterialFields::MaterialFields(QWidget* parent)
     colour_ = addColour(QStringLiteral("diffuse"), tr("Colour"), &MaterialState::diffuse);
     addNumber(QStringLiteral("roughness"), tr("Roughness"), &MaterialState::roughness, 0, 1);
     addNumber(QStringLiteral("metallic"), tr("Metal"), &MaterialState::metallic, 0, 1);
+    addNumber(QStringLiteral("coat"), tr("Varnish"), &MaterialState::coat, 0, 1);
+    addNumber(QStringLiteral("coatRoughness"), tr("Its roughness"), &MaterialState::coatRoughness, 0, 1);
     addNumber(QStringLiteral("reflectivity"), tr("Mirror"), &MaterialState::reflectivity, 0, 1);
     addNumber(QStringLiteral("opacity"), tr("Opacity"), &MaterialState::opacity, 0, 1);
     tint_ = addColour(QStringLiteral("transmission"), tr("Glass colour"), &MaterialState::transmission);

@@ -2375,6 +2375,14 @@ Alt+%2</translation>
         <source>As in the file</source>
         <translation>Jako v souboru</translation>
     </message>
+    <message>
+        <source>Varnish</source>
+        <translation>Lak</translation>
+    </message>
+    <message>
+        <source>Its roughness</source>
+        <translation>Drsnost laku</translation>
+    </message>
 </context>
 <context>
     <name>gui::MessageOperations</name>

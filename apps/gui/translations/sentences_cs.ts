@@ -772,10 +772,6 @@
         <translation>chrom</translation>
     </message>
     <message>
-        <source>coats of varnish</source>
-        <translation>vrstvy laku</translation>
-    </message>
-    <message>
         <source>colours: there must be none or one per normal</source>
         <translation>colours: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
@@ -2134,6 +2130,10 @@
     <message>
         <source>the checksum of its part {0} is wrong</source>
         <translation>nesouhlasí kontrolní součet jeho části {0}</translation>
+    </message>
+    <message>
+        <source>the coat of varnish of material {0} is even: the mean of its textures</source>
+        <translation>lak materiálu {0} je všude stejný: průměr jeho textur</translation>
     </message>
     <message>
         <source>the colour of the light sources</source>

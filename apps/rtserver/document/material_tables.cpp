@@ -62,6 +62,7 @@ MaterialOverride speltOut(MaterialOverride table, const rtcore::Material& shown)
         table.metallic = shown.metallic;
         return table;
     }
+    table.coat.reset();
     table.specular = shown.specular;
     table.shininess = shown.shininess;
     table.fresnel = shown.fresnel != 0;

@@ -40,7 +40,7 @@ HWY_INLINE MirrorChoice mirrorChoiceOf(const PointLobes& points) {
 HWY_INLINE Scattered scatteredFrom(const PointLobes& points, const MirrorChoice& mirror, Float3 toLight) {
     const Incidence incidence = incidenceOf(points.normals, toLight);
     const Scattered all =
-        scatteredFrom<false, SumOrder::OfPaths>(points, toLight, incidence, {Float(0), Float(1)});
+        scatteredFrom<false, SumOrder::OfPaths>(points, toLight, incidence, {Float(0), Float(1), Float(1)});
     return {selectOrZero(incidence.above, all.value),
             selectOrZero(incidence.above, (1.0F - mirror.probability) * all.density)};
 }

@@ -11,6 +11,7 @@
 /// Where `roughness` is given, the metallic-roughness model of glTF 2 takes the place of 1 and 3
 /// (scattering/metallic-inl.h): `diffuse` is its base colour, `specular` the reflectance at normal incidence
 /// of what is no metal; `shininess` and all of `mirror` have no effect.
+/// Over that lies a clear coat, as far as `coat` says (scattering/coat-inl.h).
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -55,10 +56,12 @@ struct Material {
     std::uint32_t transmissionTexture = kNoTexture;      ///< red: factor on 1 - opacity
     std::uint32_t specularTexture = kNoTexture;          ///< factor on `specular` and `mirror`; no roughness
     std::uint32_t frontOnly = 0; ///< 1: back faces of closed surfaces are holes where it isVeil()
+    float coat = 0;              ///< 0..1: how much of it a coat of varnish covers; with `roughness` alone
+    float coatRoughness = 0;     ///< 0..1, of that coat
 
     friend bool operator==(const Material&, const Material&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 156);
+static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 164);
 
 /// It is one of the metallic-roughness model.
 inline bool hasRoughness(const Material& m) { return m.roughness != kNoRoughness; }

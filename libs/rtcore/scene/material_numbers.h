@@ -11,7 +11,8 @@ namespace rtcore {
 
 /// Changes of these numbers by a scene file or an edit; absent ones stay.
 struct MaterialNumberChanges {
-    std::optional<float> opacity = {}, attenuationDistance = {}, indexOfRefraction = {};
+    std::optional<float> opacity = {}, attenuationDistance = {}, indexOfRefraction = {}, coat = {},
+                         coatRoughness = {};
 
     friend bool operator==(const MaterialNumberChanges&, const MaterialNumberChanges&) = default;
 };
@@ -32,6 +33,8 @@ inline constexpr MaterialNumber kMaterialNumbers[] = {
     {"attenuationDistance", &MaterialNumberChanges::attenuationDistance, &Material::attenuationDistance, 0,
      kUnlimitedNumber, 1},
     {"indexOfRefraction", &MaterialNumberChanges::indexOfRefraction, &Material::indexOfRefraction, 1, 5, 1},
+    {"coat", &MaterialNumberChanges::coat, &Material::coat, 0, 1, 2},
+    {"coatRoughness", &MaterialNumberChanges::coatRoughness, &Material::coatRoughness, 0, 1, 2},
 };
 
 } // namespace rtcore

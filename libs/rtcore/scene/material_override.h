@@ -19,16 +19,16 @@ struct MaterialOverride : MaterialNumberChanges {
     std::optional<Colour> diffuse = {}, specular = {}, transmission = {}, emission = {};
     std::optional<Colour> reflectivity = {}; ///< the material's `mirror`, with a mirrorScale of 1
     std::optional<float> shininess = {};
-    /// Each of them makes the material one of setMetallicRoughness() that is the same everywhere: its texture
-    /// of both goes. Each of `specular`, `shininess`, `reflectivity` and `fresnel` makes it one of
-    /// setPhong(); with both it is Phong's model of that roughness.
+    /// Each of them, or a coat, makes the material one of setMetallicRoughness() that is the same everywhere:
+    /// its texture of both goes. Each of `specular`, `shininess`, `reflectivity` and `fresnel` makes it one
+    /// of setPhong(); with both it is Phong's model of that roughness.
     std::optional<float> roughness = {}, metallic = {};
     std::optional<bool> fresnel = {};
     std::optional<bool> textures = {};                        ///< false: none of the material's own
     std::optional<bool> flipTextures = {};                    ///< whether these are turned upside down
     std::optional<std::filesystem::path> diffuseTexture = {}; ///< loaded by the scene loader
 
-    bool saysRoughness() const { return roughness || metallic; }
+    bool saysRoughness() const { return roughness || metallic || coat.value_or(0) > 0; }
     bool saysPhong() const { return specular || shininess || reflectivity || fresnel; }
     /// applyTo() needs the means of textures.
     bool needsMeans() const { return saysRoughness() || saysPhong(); }

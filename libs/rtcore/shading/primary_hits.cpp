@@ -27,6 +27,7 @@ Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
     }
     Colour albedo = surfaces.diffuseBrdf.colourAt(i) * kPi;
     if ((point & traits::kMetallic) != 0) albedo += surfaces.gloss.colourAt(i);
+    if ((point & traits::kCoated) != 0) albedo += kWhite * surfaces.coatAlbedo[i];
     return {albedo * scattered, mirrored, through};
 }
 

@@ -121,7 +121,7 @@ TEST_F(Refusals, NameWhatAGltfNeeds) {
     };
     expectSays(opens("\"KHR_texture_basisu\""), "it needs KHR_texture_basisu, which", "PNG or JPEG");
     expectSays(opens("\"XYZ_something\""), "it needs XYZ_something, which", "export without it");
-    const std::string said = opens("\"KHR_texture_transform\",\"KHR_materials_clearcoat\"");
+    const std::string said = opens("\"KHR_texture_transform\",\"KHR_materials_iridescence\"");
     EXPECT_EQ(said.find("needs"), std::string::npos) << said;
 }
 

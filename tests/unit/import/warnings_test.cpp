@@ -130,9 +130,22 @@ TEST(ImportWarnings, TexturesThatLieInDifferentWaysAreNamed) {
 TEST(ImportWarnings, ExtensionsThatMatterAreNamed) {
     GltfScene scene;
     scene.more =
-        R"(,"extensionsUsed":["KHR_materials_clearcoat","KHR_materials_ior","KHR_xmp","KHR_materials_sheen"])";
+        R"(,"extensionsUsed":["KHR_materials_iridescence","KHR_materials_ior","KHR_xmp","KHR_materials_sheen"])";
     expectWarning(importText("t.gltf", scene.text()).report,
-                  "ignored, since not supported: 'KHR_materials_clearcoat' and 'KHR_materials_sheen'");
+                  "ignored, since not supported: 'KHR_materials_iridescence' and 'KHR_materials_sheen'");
+}
+
+TEST(ImportWarnings, CoatsThatVaryAreSaidToBeEven) {
+    GltfScene scene;
+    scene.material = R"({"name":"car","extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":0.75,
+"clearcoatRoughnessFactor":0.25}}})";
+    const auto varnished = importText("t.gltf", scene.text());
+    EXPECT_EQ(all(varnished.report), "");
+    EXPECT_EQ(varnished.model.materials[0].coat, 0.75F);
+    EXPECT_EQ(varnished.model.materials[0].coatRoughness, 0.25F);
+    scene.material.insert(scene.material.find("\"clearcoatF"), R"("clearcoatNormalTexture":{"index":0},)");
+    scene.more = R"(,"textures":[{"source":0}],"images":[{"uri":"no.png"}])";
+    expectWarning(importText("t.gltf", scene.text()).report, "the coat of varnish of material 'car' is even");
 }
 
 TEST(ImportWarnings, AModelThatCannotBeSeenIsSaidToBe) {

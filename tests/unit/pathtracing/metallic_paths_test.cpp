@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace rtcore {
 namespace {
@@ -20,12 +22,22 @@ Material metallicMaterial(Colour base, float metallic, float roughness) {
     return m;
 }
 
-/// Metal and plastic from nearly smooth to rough, one with a texture of both.
+Material varnished(Colour base, float metallic, float roughness, float coat, float coatRoughness) {
+    Material m = metallicMaterial(base, metallic, roughness);
+    m.coat = coat;
+    m.coatRoughness = coatRoughness;
+    return m;
+}
+
+/// Metal and plastic from nearly smooth to rough, one with a texture of both, some varnished.
 Scene metallicScene() {
     test::SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 4, b.material(metallicMaterial({0.6F, 0.5F, 0.4F}, 0, 0.5F)));
     b.sphere({-1.5F, 1, 0}, 0.7F, 16, b.material(metallicMaterial({0.9F, 0.6F, 0.3F}, 1, 0.1F)));
     b.sphere({1, 0.8F, 0.5F}, 0.7F, 16, b.material(metallicMaterial({0.2F, 0.4F, 0.9F}, 0.3F, 0.8F)));
+    b.sphere({-0.2F, 0.5F, 1.5F}, 0.4F, 16,
+             b.material(varnished({0.1F, 0.3F, 0.5F}, 0.5F, 0.6F, 0.9F, 0.15F)));
+    b.sphere({2, 0.4F, 1.5F}, 0.4F, 16, b.material(varnished({0.8F, 0.3F, 0.1F}, 0, 0.3F, 0.6F, 0.7F)));
     Material varied = metallicMaterial({0.8F, 0.8F, 0.6F}, 1, 1);
     varied.metallicRoughnessTexture =
         b.texture(2, 2, {{0, 60, 255, 255}, {0, 255, 0, 255}, {0, 128, 128, 255}, {0, 200, 30, 255}});
@@ -85,6 +97,43 @@ TEST(MetallicPaths, WhiteSurfacesGiveOffAllLight) {
                     << metallic << ' ' << roughness << ' ' << angle;
             }
         }
+    }
+}
+
+TEST(MetallicPaths, VarnishedWhiteSurfacesGiveOffAllLight) {
+    for (const float metallic : {0.0F, 1.0F}) {
+        for (const float roughness : {0.0F, 0.2F, 0.7F}) {
+            test::SceneBuilder b;
+            b.square({0, 0, 0}, {0, 1, 0}, 100, b.material(varnished(kWhite, metallic, 0.4F, 1, roughness)));
+            Scene lit = b.finish();
+            lit.background = kWhite;
+            const test::PathScene scene(std::move(lit));
+            for (const double angle : {0.0, 60.0, 80.0}) {
+                const Vec3 to = -test::atAngle(angle);
+                const test::PathMean seen = scene.see(-to, to, 8192, test::bouncesAlone(3));
+                EXPECT_NEAR(seen.mean[1], 1, 5 * seen.error[1] + 0.008)
+                    << metallic << ' ' << roughness << ' ' << angle;
+            }
+        }
+    }
+}
+
+/// By paths and by Whitted's rays: Schlick's curve of 0.04.
+TEST(MetallicPaths, SmoothVarnishMirrors) {
+    test::SceneBuilder b;
+    b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(varnished({0, 0, 0}, 1, 1, 0.8F, 0)));
+    b.square({0, 3, 0}, {0, -1, 0}, 30, b.material(test::emitter({1, 2, 3})));
+    const test::PathScene scene(b.finish());
+    for (const double angle : {0.0, 60.0}) {
+        const Vec3 to = -test::atAngle(angle), eye = to * -1.0F;
+        const double x = 1 - std::cos(angle * std::numbers::pi / 180);
+        const double expected = 2 * 0.8 * (0.04 + 0.96 * x * x * x * x * x);
+        RenderSettings settings = test::exactSettings();
+        EXPECT_NEAR(scene.traced.trace(eye, to, settings).radiance.g, expected, 0.02 * expected) << angle;
+        const test::PathMean paths = scene.see(eye, to, 4096, test::bouncesAlone(1));
+        // Black metal of roughness 1 mirrors at grazing angles, too.
+        EXPECT_NEAR(paths.mean[1], expected, 0.1) << angle;
+        EXPECT_GT(paths.mean[1], expected - 4 * paths.error[1] - 1e-3) << angle;
     }
 }
 

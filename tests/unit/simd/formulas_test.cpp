@@ -30,6 +30,7 @@
 #include "rtcore/sampling/alias-inl.h"
 #include "rtcore/sampling/disc-inl.h"
 #include "rtcore/sampling/owen-inl.h"
+#include "rtcore/scattering/coat-inl.h"
 #include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/scattering/metallic-inl.h"
 #include "rtcore/scattering/phong_scattering-inl.h"
@@ -310,6 +311,10 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         out.add(scattering.reflectance);
         out.add(scattering.density);
         out.add(sampleMetallic<F>(lobes, b, c, x[13], {x[14], x[15]}));
+        const auto coat = coatLobe<F>(ggxAlbedoTable(), x[9], x[10], x[11]);
+        out.add(coat.albedo);
+        out.add(scatterCoat<F>(coat, b, c, a).reflectance);
+        out.add(coatProbability<F>(coat.albedo, lobes.diffuse));
         break;
     }
     case Formulas::PhongPaths: { // cosines of unit vectors, as pow() asks for

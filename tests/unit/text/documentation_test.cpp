@@ -157,8 +157,10 @@ TEST(FormatsDocument, NamesTheRangesOfMaterials) {
         const char *key, *lowest, *highest, *below, *above, *words;
     };
     for (const Range& range :
-         {Range{"opacity", "0.0", "1.0", "-0.01", "1.01", "`opacity`,\n`reflectivity` 0 to 1"},
-          Range{"reflectivity", "0.0", "1.0", "-0.01", "1.01", "`reflectivity` 0 to 1"},
+         {Range{"opacity", "0.0", "1.0", "-0.01", "1.01",
+                "`opacity`,\n`reflectivity`, `coat`, `coatRoughness` 0 to 1"},
+          Range{"reflectivity", "0.0", "1.0", "-0.01", "1.01",
+                "`reflectivity`, `coat`, `coatRoughness` 0 to 1"},
           Range{"shininess", "0.0", "100000.0", "-0.01", "100001.0", "`shininess` 0 to 100000"},
           Range{"indexOfRefraction", "1.0", "5.0", "0.99", "5.01", "`indexOfRefraction` 1 to 5"}}) {
         EXPECT_TRUE(taken(range.key, range.lowest) && taken(range.key, range.highest)) << range.key;

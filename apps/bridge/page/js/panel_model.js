@@ -10,6 +10,8 @@ const fieldsOf = () => [
     ["diffuse", of("MaterialFields", "Colour"), "colour"],
     ["roughness", of("MaterialFields", "Roughness"), [0, 1]],
     ["metallic", of("MaterialFields", "Metal"), [0, 1]],
+    ["coat", of("MaterialFields", "Varnish"), [0, 1]],
+    ["coatRoughness", of("MaterialFields", "Its roughness"), [0, 1]],
     ["reflectivity", of("MaterialFields", "Mirror"), [0, 1]],
     ["opacity", of("MaterialFields", "Opacity"), [0, 1]],
     ["transmission", of("MaterialFields", "Glass colour"), "colour"],

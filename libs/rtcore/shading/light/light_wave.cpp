@@ -85,10 +85,11 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
             continue;
         }
         const PointLobes lobes = lobesOf(rows, s, i, lit, normals);
-        Float metalLeft = 1.0F;
+        Float metalLeft = 1.0F, coatLeft = 1.0F;
         if (mirrored && lobes.anyMetallic) metalLeft = besideMirror(traits, load(s.alpha + i));
+        if (mirrored && lobes.anyCoated) coatLeft = besideMirror(traits, load(s.coatAlpha + i));
         const Float3 scattered = scatteredFrom<area, SumOrder::OfRays>(lobes, arriving.toLight, incidence,
-                                                                       {arriving.spread, metalLeft})
+                                                                       {arriving.spread, metalLeft, coatLeft})
                                      .value;
         const Float3 added = selectOrZero(lit, loadAt(s.weight, i) * scattered * arriving.irradiance);
         storeAt(added, s.contribution, i);

@@ -1,6 +1,7 @@
 // How surfaces scatter light: the one place where the lobes of a material are put together, for all
 // integrators. Included once for each instruction set, inside the loop of foreach_target.h.
 #include "rtcore/math/constants.h"
+#include "rtcore/scattering/coat-inl.h"
 #include "rtcore/scattering/metallic-inl.h"
 #include "rtcore/scattering/phong_scattering-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
@@ -45,14 +46,16 @@ struct PointLobes {
     Mask used;     ///< one at least
     Mask glossy;   ///< these have Phong's lobes beside the diffuse one
     Mask metallic; ///< these have the lobes of metallic-inl.h in place of all of those
-    bool anyGlossy, anyMetallic;
+    Mask coated;   ///< some of these have a coat over them
+    bool anyGlossy, anyMetallic, anyCoated;
 };
 HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std::size_t i, Mask used,
                               const PointNormals& normals) {
     const Uint traits = load(s.traits + i);
     const Mask glossy = used & hasTrait(traits, traits::kGlossy | traits::kRough);
     const Mask metallic = used & hasTrait(traits, traits::kMetallic);
-    return {rows, s, i, normals, used, glossy, metallic, any(glossy), any(metallic)};
+    const Mask coated = used & hasTrait(traits, traits::kCoated);
+    return {rows, s, i, normals, used, glossy, metallic, coated, any(glossy), any(metallic), any(coated)};
 }
 
 /// Lobes of points that are not metallic; undefined for others.
@@ -81,6 +84,18 @@ HWY_INLINE MetallicLobes<Float> metalOf(const PointLobes& points) {
             load(s.alpha + i)};
 }
 
+/// Of coated points; undefined for others.
+HWY_INLINE CoatLobe<Float> coatOf(const PointLobes& points) {
+    const SurfaceWave& s = points.s;
+    return {load(s.coat + points.i), load(s.coatAlbedo + points.i), load(s.coatAlpha + points.i)};
+}
+
+/// The probability that directions of metallic points are sampled by their coat.
+HWY_INLINE Float coatProbability(const PointLobes& points, const CoatLobe<Float>& coat) {
+    const Float3 below = loadAt(points.s.diffuseBrdf, points.i) * kPi + loadAt(points.s.gloss, points.i);
+    return selectOrZero(points.coated, coatProbability<Float>(coat.albedo, below));
+}
+
 /// The fraction of light that all lobes scatter.
 HWY_INLINE Float3 albedoOf(const PointLobes& points) {
     const Float3 diffuse = loadAt(points.s.diffuseBrdf, points.i) * kPi;
@@ -88,6 +103,8 @@ HWY_INLINE Float3 albedoOf(const PointLobes& points) {
     if (points.anyGlossy) albedo = albedo + phongOf(points).specular;
     if (points.anyMetallic)
         albedo = select(points.metallic, diffuse + loadAt(points.s.gloss, points.i), albedo);
+    if (points.anyCoated)
+        albedo = select(points.coated, albedo + broadcast(kWhite) * coatOf(points).albedo, albedo);
     return albedo;
 }
 
@@ -96,6 +113,7 @@ struct Highlights {
     Float spread;    ///< solid angle over pi of the light's stratum that is looked at: they are no narrower,
                      ///< else they are undersampled
     Float metalLeft; ///< fraction of metal's that counts; mirrored rays show the rest
+    Float coatLeft;  ///< the same of coats
 };
 
 /// In which order the lobes of metal are summed up. Each integrator keeps its own, and so the bits of its
@@ -131,6 +149,16 @@ HWY_INLINE Scattered scatteredFrom(const PointLobes& points, Float3 toLight, con
         all = {select(points.metallic, metal, all.reflectance),
                select(points.metallic, metallicDensity<Float>(lobes, terms, incidence.shading), all.density)};
     }
+    if (points.anyCoated) {
+        CoatLobe<Float> coat = coatOf(points);
+        const Float probability = coatProbability(points, coat);
+        if constexpr (widens) coat.alpha = widenedAlpha<Float>(coat.alpha, highlights.spread);
+        const Float3 viewer = liftedViewer<Float>(loadAt(points.s.toViewer, points.i), normal);
+        const Scattering<Float> varnish = scatterCoat<Float>(coat, normal, viewer, toLight);
+        const Float3 both = all.reflectance + varnish.reflectance * highlights.coatLeft;
+        const Float density = all.density + (varnish.density - all.density) * probability;
+        all = {select(points.coated, both, all.reflectance), select(points.coated, density, all.density)};
+    }
     const Float factor = incidence.shading * terminatorFactor<Float>(points.normals.geometric, normal,
                                                                      incidence.geometric, incidence.shading);
     return {all.reflectance * factor, all.density};
@@ -146,6 +174,15 @@ struct LobeSample {
 HWY_INLINE LobeSample sampleLobes(const PointLobes& points, Float lobe, SquarePointOf<Float> point) {
     const Float3 normal = points.normals.shading, toViewer = loadAt(points.s.toViewer, points.i);
     LobeSample sample{Float3{}, points.used};
+    Mask varnished = without(points.coated, points.coated);
+    CoatLobe<Float> coat{};
+    if (points.anyCoated) {
+        coat = coatOf(points);
+        const Float probability = coatProbability(points, coat);
+        varnished = points.coated & (lobe < probability);
+        const Float rest = (lobe - probability) / max(1.0F - probability, 1e-6F);
+        lobe = select(without(points.coated, varnished), min(rest, 0.99999994F), lobe);
+    }
     if (any(without(points.used, points.metallic))) {
         const PhongLobes<Float> lobes = phongOf(points);
         sample.direction = samplePhongScattering<Float>(lobes, normal, toViewer, lobe, point);
@@ -159,6 +196,11 @@ HWY_INLINE LobeSample sampleLobes(const PointLobes& points, Float lobe, SquarePo
         // Multiple scattering of metal is sampled as matte surfaces are, but is not matte.
         const Mask matte = without(!(lobe < glossProbability<Float>(lobes)), isZero(lobes.diffuse));
         sample.matte = (points.metallic & matte) | without(sample.matte, points.metallic);
+        if (any(varnished)) {
+            const Float3 mirrored = sampleGgx<Float>(normal, viewer, coat.alpha, point);
+            sample.direction = select(varnished, mirrored, sample.direction);
+            sample.matte = without(sample.matte, varnished);
+        }
     }
     return sample;
 }

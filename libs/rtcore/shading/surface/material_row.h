@@ -26,6 +26,7 @@ inline constexpr std::uint32_t kMetallic = 1024; ///< of the metallic-roughness 
                                                  ///< and mirrors above
 inline constexpr std::uint32_t kSharp = 2048; ///< of these: no glass, and somewhere so smooth that it mirrors
 inline constexpr std::uint32_t kVaried = 4096; ///< of these: a texture has roughness and metal
+inline constexpr std::uint32_t kCoated = 8192; ///< of these: a clear coat lies over the lobes
 /// Traits of points that vector code alone cannot shade: seen from behind; shading normal turned (surface.h).
 inline constexpr std::uint32_t kFromInside = 256, kTurned = 512;
 /// Vector code alone cannot shade such a point.
@@ -46,7 +47,8 @@ struct alignas(64) MaterialRow {
     float ambient[3] = {}; ///< radiance of reflected ambient light; 0 of kMetallic, where it varies
     float emitted[3] = {}; ///< emission + ambient
     float roughness = 0, metallic = 0; ///< of kMetallic
-    float unused[7] = {};
+    float coat = 0, coatRoughness = 0; ///< of kCoated
+    float unused[5] = {};
 };
 inline constexpr int kRowShift = 5; ///< a row has 2^kRowShift floats
 static_assert(sizeof(MaterialRow) == sizeof(float) << kRowShift);
@@ -61,7 +63,10 @@ inline std::uint32_t traitsOf(const Material& m, const Mesh& mesh, const RenderS
         if (used(m.metallicRoughnessTexture)) result |= traits::kVaried;
         // The covering part of a veil mirrors as if it were opaque.
         const bool covers = !settings.refractions || m.opacity >= 1 || isVeil(m);
-        const bool smooth = m.roughness < kMirrorsBelow || used(m.metallicRoughnessTexture);
+        const bool coated = m.coat > 0;
+        if (coated) result |= traits::kCoated;
+        const bool smooth = m.roughness < kMirrorsBelow || used(m.metallicRoughnessTexture) ||
+                            (coated && m.coatRoughness < kMirrorsBelow);
         if (settings.reflections && covers && smooth) result |= traits::kSharp;
     } else if (!isBlack(m.specular)) {
         if (m.shininess > 0) result |= traits::kGlossy;
@@ -107,6 +112,8 @@ inline MaterialRow rowOf(const Material& m, const Mesh& mesh, const RenderSettin
     row.roughScale = (1 - phong) / (2 * pi);
     row.roughness = m.roughness;
     row.metallic = m.metallic;
+    row.coat = m.coat;
+    row.coatRoughness = m.coatRoughness;
     return row;
 }
 

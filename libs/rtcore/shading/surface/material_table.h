@@ -22,6 +22,7 @@ class MaterialTable {
     bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
     bool anyMetallic() const { return (traits_ & traits::kMetallic) != 0; }
     bool anyVaried() const { return (traits_ & traits::kVaried) != 0; }
+    bool anyCoated() const { return (traits_ & traits::kCoated) != 0; }
     /// A texture has the colour of highlights.
     bool anyTint() const { return anyTint_; }
     /// Mirrored rays may follow from points.

@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/shading/surface/metallic_points.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/scattering/metallic-inl.h"
+#include "rtcore/scattering/coat-inl.h"
 #include "rtcore/shading/surface/faded_mirror-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 
@@ -35,6 +35,23 @@ HWY_INLINE Float mirroredGloss(Mirroring mirroring, Float roughness) {
     return fadedMirror<Float>(roughness);
 }
 
+/// Lays the coats of points over their lobes. Returns what a mirrored ray shows of them.
+HWY_INLINE Float layCoats(const LobeTask& task, const MetallicSources& from, const Rows& row, Mask sharp,
+                          Float cosine, const SurfaceWave& s, std::size_t i, MetallicLobes<Float>& lobes) {
+    const Mask coated =
+        hasTrait(load(s.traits + i), traits::kPoint) & hasTrait(load(s.traits + i), traits::kCoated);
+    const Float weight = selectOrZero(coated, row.get(&MaterialRow::coat));
+    const Float roughness = select(coated, row.get(&MaterialRow::coatRoughness), Float(1));
+    const CoatLobe<Float> coat = coatLobe<Float>(*from.table, weight, roughness, cosine);
+    layUnder<Float>(1.0F - coat.albedo, lobes);
+    const Float fraction = selectOrZero(sharp, mirroredGloss(task.mirroring, roughness));
+    const Mask narrow = sharp & (roughness * roughness < kMinAlpha);
+    store(select(narrow, Float(0), weight), s.coat + i);
+    store(coat.albedo * (1.0F - fraction), s.coatAlbedo + i);
+    store(coat.alpha, s.coatAlpha + i);
+    return weight * coatFresnel<Float>(cosine) * fraction;
+}
+
 void completeMetallic(const LobeTask& task, const MetallicSources& from, const SurfaceWave& s) {
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Uint traits = load(s.traits + i);
@@ -52,10 +69,14 @@ void completeMetallic(const LobeTask& task, const MetallicSources& from, const S
                                                           row.get(&MaterialRow::specular), cosine);
         const Mask sharp = used & hasTrait(traits, traits::kSharp);
         const Float fraction = selectOrZero(sharp, mirroredGloss(task.mirroring, roughness));
-        const Mask mirrors = fraction > 0.0F;
+        Float3 varnish{};
+        if (s.coat != nullptr)
+            varnish = broadcast(kWhite) * layCoats(task, from, row, sharp, cosine, s, i, lobes);
+        const Mask mirrors = (fraction > 0.0F) | (varnish.x > 0.0F);
         const Float3 weight = loadAt(s.weight, i);
         if (any(mirrors)) {
-            const Float3 mirrored = glossFactor<Float>(lobes.straight, lobes.grazing, cosine) * fraction;
+            const Float3 mirrored =
+                glossFactor<Float>(lobes.straight, lobes.grazing, cosine) * fraction + varnish;
             storeAt(select(mirrors, weight * mirrored, loadAt(s.specular, i)), s.specular, i);
             store(select(mirrors, traits | traits::kSpecular, traits), s.traits + i);
             const Mask narrow = sharp & (roughness * roughness < kMinAlpha);
@@ -71,7 +92,9 @@ void completeMetallic(const LobeTask& task, const MetallicSources& from, const S
         store(lobes.alpha, s.alpha + i);
         storeAt(select(used, lobes.diffuse / kPi, base), s.diffuseBrdf, i);
         if (task.emitted == nullptr) continue;
-        const Float3 reflected = weight * (lobes.diffuse + gloss) * broadcast(task.ambient);
+        Float3 scattered = lobes.diffuse + gloss;
+        if (s.coat != nullptr) scattered = scattered + broadcast(kWhite) * load(s.coatAlbedo + i);
+        const Float3 reflected = weight * scattered * broadcast(task.ambient);
         const Float3 emitted = loadAt(*task.emitted, i);
         storeAt(select(used, emitted + reflected, emitted), *task.emitted, i);
     }

@@ -17,6 +17,7 @@ inline Colour scatteredOf(const MaterialTable& materials, const SurfaceWave& sur
     Colour specular =
         metallic ? surfaces.gloss.colourAt(point) : Colour{row.specular[0], row.specular[1], row.specular[2]};
     if (!metallic && surfaces.tint.x != nullptr) specular *= surfaces.tint.colourAt(point);
+    if (surfaces.coat != nullptr && metallic) specular += kWhite * surfaces.coatAlbedo[point];
     return surfaces.weight.colourAt(point) * (surfaces.diffuseBrdf.colourAt(point) * kPi + specular);
 }
 

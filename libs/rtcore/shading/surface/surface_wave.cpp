@@ -161,12 +161,13 @@ class LastRays {
 
 void SurfaceWave::resize(std::size_t count, const MaterialTable& materials) {
     size_ = count;
-    const bool metallic = materials.anyMetallic(), tinted = materials.anyTint();
+    const bool metallic = materials.anyMetallic(), tinted = materials.anyTint(),
+               coated = materials.anyCoated();
     ArraysOf3* const always[] = {&position,    &geometricNormal, &shadingNormal, &toViewer,
                                  &diffuseBrdf, &weight,          &specular,      &contribution};
     ArraysOf3* const ofMetal[] = {&straight, &grazing, &gloss, &further, &furtherShape};
     const std::size_t vectors = std::size(always) + (metallic ? std::size(ofMetal) : 0) + (tinted ? 1 : 0);
-    memory_.resize(3 * vectors + (metallic ? 2 : 1), count);
+    memory_.resize(3 * vectors + (metallic ? 2 : 1) + (coated ? 3 : 0), count);
     std::size_t next = 0;
     const auto place = [&](ArraysOf3& v, bool used) {
         v = used ? memory_.arraysOf3(next) : ArraysOf3{};
@@ -177,6 +178,8 @@ void SurfaceWave::resize(std::size_t count, const MaterialTable& materials) {
     place(tint, tinted);
     clearance = memory_.array(next++);
     alpha = metallic ? memory_.array(next++) : nullptr;
+    for (float** const values : {&coat, &coatAlbedo, &coatAlpha})
+        *values = coated ? memory_.array(next++) : nullptr;
     if (traits_.size() < count + kWaveBlock) {
         traits_.resize(count + kWaveBlock);
         materials_.resize(count + kWaveBlock);
@@ -208,6 +211,11 @@ void SurfaceWave::gather(const SurfaceWave& from, std::span<const std::uint32_t>
         take3(member);
     take(clearance, from.clearance);
     if (alpha != nullptr) take(alpha, from.alpha);
+    if (coat != nullptr) {
+        take(coat, from.coat);
+        take(coatAlbedo, from.coatAlbedo);
+        take(coatAlpha, from.coatAlpha);
+    }
     take(traits, from.traits);
     take(material, from.material);
     // Whole blocks are worked on: nothing is hit behind the last.

@@ -47,6 +47,9 @@ class SurfaceWave {
     /// Null where no material is of that model.
     ArraysOf3 straight, grazing, gloss, further, furtherShape;
     float* alpha = nullptr;
+    /// Set with these: the coat's CoatLobe, its albedo without what is mirrored. Of points without one 0, 0
+    /// and 1. Null where no material has one.
+    float *coat = nullptr, *coatAlbedo = nullptr, *coatAlpha = nullptr;
     ArraysOf3 tint; ///< factor on the Phong lobes; null where no material has a texture of it
     /// Throughput of the path up to here: the fraction of scattered light that reaches the sample; of all
     /// light that leaves the point until it is divided.

@@ -19,7 +19,7 @@ namespace rtcore::gltf {
 namespace {
 
 /// Those from KHR_animation_pointer on change nothing that is seen in a still scene.
-constexpr std::array<std::string_view, 24> kRead{"KHR_lights_punctual",
+constexpr std::array<std::string_view, 25> kRead{"KHR_lights_punctual",
                                                  "KHR_materials_emissive_strength",
                                                  "KHR_materials_ior",
                                                  "KHR_materials_specular",
@@ -30,6 +30,7 @@ constexpr std::array<std::string_view, 24> kRead{"KHR_lights_punctual",
                                                  "KHR_texture_transform",
                                                  "KHR_mesh_quantization",
                                                  "KHR_node_visibility",
+                                                 "KHR_materials_clearcoat",
                                                  "EXT_mesh_gpu_instancing",
                                                  "EXT_lights_ies",
                                                  "EXT_texture_webp",
@@ -59,7 +60,6 @@ constexpr std::array kRemedies{Row{"KHR_texture_basisu", import_forms::kWithoutB
                                Row{"EXT_texture_avif", import_forms::kPlainImages}};
 
 constexpr std::array kLosses{
-    Row{"KHR_materials_clearcoat", form("coats of varnish")},
     Row{"KHR_materials_sheen", form("the sheen of cloth")},
     Row{"KHR_materials_anisotropy", form("the drawn-out highlights of brushed metal")},
     Row{"KHR_materials_iridescence", form("the colours of thin films")},

@@ -11,6 +11,7 @@ namespace {
 constexpr const char *kGlossiness = "KHR_materials_pbrSpecularGlossiness", *kVolume = "KHR_materials_volume",
                      *kTransmission = "KHR_materials_transmission", *kIor = "KHR_materials_ior",
                      *kSpecular = "KHR_materials_specular", *kUnlit = "KHR_materials_unlit",
+                     *kClearcoat = "KHR_materials_clearcoat",
                      *kEmissiveStrength = "KHR_materials_emissive_strength";
 
 std::optional<Colour> colourOf(const Json& object, const char* name) {
@@ -82,6 +83,14 @@ void readTransmission(const Json& material, const Images& images, SourceMaterial
     m.transmission = colourOf(volume, "attenuationColor").value_or(kWhite);
 }
 
+void readCoat(const Json& material, const Images& images, SourceMaterial& m) {
+    const Json& coat = extension(material, kClearcoat);
+    m.coat = number(coat, "clearcoatFactor", 0);
+    m.coatRoughness = number(coat, "clearcoatRoughnessFactor", 0);
+    m.coatMap = images.mapOf(member(coat, "clearcoatTexture"));
+    m.coatRoughnessMap = images.mapOf(member(coat, "clearcoatRoughnessTexture"));
+}
+
 void readEmission(const Json& material, const Images& images, SourceMaterial& m) {
     m.emission = colourOf(material, "emissiveFactor").value_or(Colour{}) *
                  number(extension(material, kEmissiveStrength), "emissiveStrength", 1);
@@ -102,12 +111,21 @@ SourceMaterial sourceMaterialOf(const Json& material, const Images& images) {
     readIndex(material, m);
     readSpecular(material, images, m);
     readTransmission(material, images, m);
+    readCoat(material, images, m);
     readEmission(material, images, m);
     const Json& normal = member(material, "normalTexture");
     m.normalMap = images.mapOf(normal);
     m.normalScale = number(normal, "scale", 1);
     m.unlit = !extension(material, kUnlit).is_null();
     return m;
+}
+
+bool hasUnevenCoat(const Json& material, const Images& images) {
+    const Json& coat = extension(material, kClearcoat);
+    return number(coat, "clearcoatFactor", 0) > 0 &&
+           std::ranges::any_of(
+               std::array{"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"},
+               [&](const char* map) { return !images.mapOf(member(coat, map)).empty(); });
 }
 
 Layout layoutOf(const Json& material, const Images& images) {

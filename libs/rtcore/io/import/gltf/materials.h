@@ -16,5 +16,7 @@ struct Layout {
     bool alike = true; ///< all of them lie so
 };
 Layout layoutOf(const Json& material, const Images& images);
+/// Whether images say how its coat of varnish varies, of which the mean is taken.
+bool hasUnevenCoat(const Json& material, const Images& images);
 
 } // namespace rtcore::gltf

@@ -46,6 +46,8 @@ void ModelMaterials::addTo(FileImport& import, TextureStore& textures) {
         const Layout layout = layoutOf(stated, images_);
         entry.texcoords = layout.use;
         if (!layout.alike) addWarning(import.report, say(import_forms::kLaidAlike, "'" + source.name + "'"));
+        if (hasUnevenCoat(stated, images_))
+            addWarning(import.report, say(import_forms::kEvenCoat, "'" + source.name + "'"));
         Material mapped = mapMaterial(source, textures);
         entry.alphas = mapped.vertexAlpha != 0;
         mapped.nameOffset = import.model.addName(source.name);

@@ -111,12 +111,20 @@ Colour reflectanceOf(const SourceMaterial& s, TextureStore& textures) {
     return unit(colour * unit(s.reflectance)) * weight;
 }
 
+void setCoat(const SourceMaterial& s, Material& m, TextureStore& textures) {
+    m.coat = unit(s.coat);
+    m.coatRoughness = unit(s.coatRoughness);
+    if (const auto map = textures.summary(s.coatMap)) m.coat *= map->meanChannel[0];
+    if (const auto map = textures.summary(s.coatRoughnessMap)) m.coatRoughness *= map->meanChannel[1];
+}
+
 /// Where the image is missing that says what is metal, its factor would make all of it metal.
 void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.metallicRoughnessTexture = textures.texture(s.metallicRoughnessMap);
     const bool missing = !s.metallicRoughnessMap.empty() && m.metallicRoughnessTexture == kNoTexture;
     setMetallicRoughness(m, m.diffuse, missing ? 0 : unit(s.metallic), unit(s.roughness, 1));
     m.specular = reflectanceOf(s, textures);
+    setCoat(s, m, textures);
     mapTransparency(s, m, m.diffuse);
     if (unit(s.transmissionFactor) > 0) m.transmissionTexture = textures.texture(s.transmissionMap);
 }
@@ -171,7 +179,7 @@ void makeUnlit(Material& m, Colour colour) {
     m.diffuse = m.specular = m.mirror = {};
     m.fresnel = 0;
     m.roughness = kNoRoughness;
-    m.metallic = 0;
+    m.metallic = m.coat = 0;
     m.metallicRoughnessTexture = m.specularTexture = kNoTexture;
     m.tintsEmission = 1;
 }

@@ -38,6 +38,7 @@ struct SourceMaterial {
     float glossiness = 1;
     float transmissionFactor = 0;               ///< KHR_materials_transmission
     float attenuationDistance = 0;              ///< KHR_materials_volume; 0 = none
+    float coat = 0, coatRoughness = 0;          ///< KHR_materials_clearcoat
     float reflectance = kDielectricReflectance; ///< straight on, of what is no metal; MetallicRoughness
     Colour specularColour{1, 1, 1};             ///< KHR_materials_specular: factor on `reflectance`
     float specularWeight = 1;                   ///< the same
@@ -56,6 +57,8 @@ struct SourceMaterial {
     SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue
     SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
     SourceMap specularColourMap;     ///< multiplies `specularColour`; only its mean is used
+    SourceMap coatMap;               ///< red multiplies `coat`; only its mean is used
+    SourceMap coatRoughnessMap;      ///< green multiplies `coatRoughness`; only its mean is used
     SourceMap specularWeightMap;     ///< alpha multiplies `specularWeight`; only its mean is used
     bool alphaInDiffuseMap = false;
     bool mapReplacesDiffuse = false; ///< `diffuse` counts only without an image
