@@ -23,6 +23,8 @@ for check in "$@"; do
         # First views of models that nobody prepared, as numbers and as a sheet to be looked at.
         $release/test_strangers
         scripts/strangers.sh build/strangers
+        # So many random glTF files beside plain ones that show the same.
+        RT_GLTF_CENSUS=${RT_GLTF_CENSUS:-2000} $release/test_gltf_census
         ;;
     models)
         # Up axis and unit of 45 real models; what is not there is made by the programs that are installed.
