@@ -15,6 +15,7 @@
 #include "rtcore/platform/paths.h"
 
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace rtcore {
@@ -111,16 +112,19 @@ class GltfReader {
         return list;
     }
 
+    bool isSkinned(const gltf::Placement& at) const { return at.skin && skins_.has(*at.skin); }
+
     void addMeshes(const gltf::ModelMaterials& materials, MeshAssembler& assembler) {
         std::map<std::size_t, std::uint64_t> times; // that a mesh is shown
         for (const gltf::Placement& at : placements_) ++times[at.mesh];
         std::vector<gltf::Primitive> kept;
-        std::pair<std::size_t, std::vector<float>> keptOf{~std::size_t{0}, {}};
+        std::tuple<std::size_t, std::vector<float>, bool> keptOf{~std::size_t{0}, {}, false};
         for (const gltf::Placement& at : placements_) {
             const std::vector<float> weights = weightsOf(at);
             const Json& list = primitivesOf(at.mesh);
-            if (keptOf != std::pair(at.mesh, weights)) kept.clear();
-            keptOf = {at.mesh, weights};
+            const bool skinned = isSkinned(at);
+            if (keptOf != std::tuple(at.mesh, weights, skinned)) kept.clear();
+            keptOf = {at.mesh, weights, skinned};
             for (std::size_t p = 0; p < gltf::sizeOf(list); ++p) {
                 if (kept.size() > p) {
                     addMesh(kept[p], at, p, materials, assembler);
@@ -128,7 +132,7 @@ class GltfReader {
                 }
                 gltf::PrimitiveUse use = materials.useOf(list[p]);
                 use.weights = weights;
-                use.skinned = at.skin && skins_.has(*at.skin);
+                use.skinned = skinned;
                 gltf::Primitive primitive = primitives_.read(list[p], use);
                 const bool once = times[at.mesh] == 1;
                 addMesh(primitive, at, p, materials, assembler, once ? &primitive.list.triangles : nullptr);
@@ -144,9 +148,8 @@ class GltfReader {
         damagedAttributes_ += primitive.damagedAttributes;
         import_.report.ignoredPrimitives += primitive.list.pointsAndLines;
         import_.report.unconnectedTriangles += primitive.list.unconnected;
-        const bool skinned = at.skin && skins_.has(*at.skin);
         SourceMesh mesh = placer_.place(primitive, at.toWorld,
-                                        skinned ? skins_.joints(*at.skin) : std::span<const Affine>());
+                                        isSkinned(at) ? skins_.joints(*at.skin) : std::span<const Affine>());
         if (mesh.triangles.empty()) return;
         if (spare != nullptr && spare->data() == mesh.triangles.data()) mesh.spare = spare;
         mesh.material = materials.numberOf(primitivesOf(at.mesh)[number]);
