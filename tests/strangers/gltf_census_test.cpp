@@ -44,7 +44,23 @@ rtcore::Camera viewOf(const rtcore::LoadedScene& loaded, Vec3 forward) {
     return rtcore::framed(mesh, mesh.bounds(), camera, float{kWidth} / kHeight);
 }
 
-/// The number of the part that is hit first behind each pixel, whatever its material; -1: none.
+/// The number of the part to which a triangle belongs.
+int partOf(const rtcore::Model& model, std::uint32_t triangle) {
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        if (triangle - model.parts[p].firstTriangle < model.parts[p].triangleCount)
+            return static_cast<int>(p);
+    }
+    return -1;
+}
+
+bool isFront(const rtcore::Mesh& mesh, std::uint32_t triangle, Vec3 seenAlong) {
+    const auto corner = [&](int i) { return mesh.vertices[mesh.triangles[triangle].v[i]].position(); };
+    const Vec3 a = corner(0), b = corner(1), c = corner(2);
+    return dot(cross(b - a, c - a), seenAlong) < 0;
+}
+
+/// The part that is hit first behind each pixel, whatever its material: 2 for each before it, 1 where the
+/// front is seen; -1: none.
 std::vector<int> partsSeen(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera) {
     const rtcore::CameraRays rays(camera, kWidth, kHeight);
     const rtcore::Model& model = loaded.scene.model;
@@ -54,10 +70,9 @@ std::vector<int> partsSeen(const rtcore::LoadedScene& loaded, const rtcore::Came
             const rtcore::Ray ray = rays.at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
             const auto hit = rtcore::closestHit(loaded.tree, model.mesh, ray.origin, ray.direction);
             int part = -1;
-            for (std::size_t p = 0; hit && p < model.parts.size(); ++p) {
-                if (hit->triangle - model.parts[p].firstTriangle < model.parts[p].triangleCount)
-                    part = static_cast<int>(p);
-            }
+            if (hit)
+                part = 2 * partOf(model, hit->triangle) +
+                       (isFront(model.mesh, hit->triangle, ray.direction) ? 1 : 0);
             seen.push_back(part);
         }
     }

@@ -9,7 +9,7 @@ import zlib
 BYTE, UBYTE, SHORT, USHORT, UINT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
 CODES = {BYTE: "b", UBYTE: "B", SHORT: "h", USHORT: "H", UINT: "I", FLOAT: "f"}
 RANGES = {BYTE: (-127, 127), UBYTE: (0, 255), SHORT: (-32767, 32767), USHORT: (0, 65535)}
-TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 
 def png(rng, width, height):
@@ -66,8 +66,10 @@ def packings(name, elements):
     signed = [Packing(BYTE, True), Packing(SHORT, True)] if low >= -1 and high <= 1 else []
     if name.startswith("TEXCOORD"):
         return unsigned + [Packing(SHORT, True)] if signed else unsigned
-    if name == "COLOR_0":
+    if name in ("COLOR_0", "WEIGHTS_0"):
         return unsigned
+    if name == "JOINTS_0":
+        return [Packing(UBYTE), Packing(USHORT)]
     if name == "POSITION" and high - low > 50:
         unsigned = [Packing(UBYTE), Packing(USHORT)] if low >= 0 and high <= 255 else []
         signed = [Packing(BYTE), Packing(SHORT)] if low >= -127 and high <= 127 else []
@@ -158,6 +160,10 @@ class File:
         packing = Packing()
         return self.stored([tuple(e) for e in elements], packing), [packing.meaning(e) for e in elements]
 
+    def matrices(self, elements):
+        packing = Packing()
+        return self.tight(elements, packing), [packing.meaning(e) for e in elements]
+
     def rotations(self, elements):
         packing = self.rng.choice((Packing(), Packing(SHORT, True), Packing(BYTE, True)))
         return self.tight(elements, packing), [packing.meaning(e) for e in elements]
@@ -171,10 +177,10 @@ class File:
 
     def packing(self, name, elements):
         choices = packings(name, elements)
-        if not choices or self.rng.random() < 0.5:
+        if name != "JOINTS_0" and (not choices or self.rng.random() < 0.5):
             return Packing()
         packing = self.rng.choice(choices)
-        core = name == "COLOR_0" or (name.startswith("TEXCOORD") and packing.component in (UBYTE, USHORT))
+        core = name in ("COLOR_0", "WEIGHTS_0", "JOINTS_0") or (name.startswith("TEXCOORD") and packing.component in (UBYTE, USHORT))
         if not core:
             self.use("KHR_mesh_quantization", required=True)
         return packing

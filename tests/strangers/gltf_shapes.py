@@ -114,6 +114,18 @@ def point(m, p):
     return tuple(sum(m[r][c] * p[c] for c in range(3)) + m[r][3] for r in range(3))
 
 
+def inverse(m):
+    """Of a matrix that has one."""
+    size = determinant(m)
+    turn = [[v / size for v in column] for column in zip(*cofactors(m))]
+    back = [-sum(turn[r][c] * m[c][3] for c in range(3)) for r in range(3)]
+    return (*(tuple(turn[r]) + (back[r],) for r in range(3)), (0.0, 0.0, 0.0, 1.0))
+
+
+def mixed(matrices, weights):
+    return tuple(tuple(sum(w * m[r][c] for m, w in zip(matrices, weights)) for c in range(4)) for r in range(4))
+
+
 def cofactors(m):
     """By which normals turn, but for their length; with the determinant's sign."""
     def minor(r, c):

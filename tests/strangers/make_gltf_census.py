@@ -23,6 +23,10 @@ class Mesh:
     def __init__(self):
         self.number, self.primitives, self.weights = None, [], None
         self.scale, self.offset = 1.0, 0.0  # of its nodes: for whole numbers as positions
+        self.joints = 0  # that move it
+
+    def to_node(self):
+        return shapes.placement(translation=[self.offset] * 3, scale=[self.scale] * 3)
 
 
 class Shown:
@@ -36,7 +40,7 @@ class Maker:
     def __init__(self, seed):
         self.rng = random.Random(seed)
         self.file = File(self.rng)
-        self.parts = []
+        self.parts, self.bones = [], []
         self.materials = []
         self.meshes = [self.mesh() for _ in range(self.rng.randint(1, 3))]
 
@@ -131,6 +135,8 @@ class Maker:
         entry = {"primitives": []}
         if self.chance(0.2):
             mesh.weights = self.weights(self.rng.randint(1, 2))
+        if self.chance(0.2):
+            mesh.joints = self.rng.randint(1, 4)
         for _ in range(self.rng.choice((1, 1, 2, 3))):
             self.primitives(mesh, entry["primitives"])
         if mesh.weights:
@@ -154,12 +160,14 @@ class Maker:
         if self.chance(0.4):
             components = rng.choice((3, 4))
             wanted["COLOR_0"] = [tuple(rng.uniform(0.2, 1) for _ in range(components)) for _ in s.positions]
+        if mesh.joints:
+            self.bind(wanted, mesh.joints)
         indices = s.indices
         if self.chance(0.2):  # without a list of corners
             wanted = {name: [values[i] for i in indices] for name, values in wanted.items()}
             indices = list(range(len(indices)))
         attributes, lists = self.file.attributes(wanted)
-        targets, moves = self.targets(lists["POSITION"], mesh.weights or [])
+        targets, moves = self.targets(lists, mesh.weights or [])
         cuts = [indices]
         if s.mode == shapes.TRIANGLES and len(indices) >= 12 and self.chance(0.3):
             at = rng.randint(1, len(indices) // 3 - 1) * 3
@@ -180,13 +188,28 @@ class Maker:
         if self.chance(0.1):
             entries.append({"attributes": attributes, "mode": rng.randint(0, 3)})
 
-    def targets(self, positions, weights):
-        """The entries, and how they move each position."""
+    def bind(self, wanted, joints):
+        """Each vertex to up to four of them."""
+        rng = self.rng
+        count = len(wanted["POSITION"])
+        wanted["JOINTS_0"] = [tuple(rng.randrange(joints) for _ in range(4)) for _ in range(count)]
+        wanted["WEIGHTS_0"] = []
+        for _ in range(count):
+            weights = [rng.random() if k == 0 or self.chance(0.5) else 0.0 for k in range(4)]
+            wanted["WEIGHTS_0"].append(tuple(w / sum(weights) for w in weights))
+
+    def targets(self, lists, weights):
+        """The entries, and by attribute how they move each vertex."""
         entries, moves = [], []
-        reach = 0.2 * max(abs(c) for p in positions for c in p)
+        reach = {"POSITION": 0.2 * max(abs(c) for p in lists["POSITION"] for c in p), "NORMAL": 0.3}
+        names = [name for name in reach if name in lists]
         for _ in weights:
-            number, move = self.file.floats([[self.rng.uniform(-reach, reach) for _ in range(3)] for _ in positions])
-            entries.append({"POSITION": number})
+            entry, move = {}, {}
+            for name in names:
+                if name == "POSITION" or self.chance(0.5):
+                    deltas = [[self.rng.uniform(-reach[name], reach[name]) for _ in range(3)] for _ in lists[name]]
+                    entry[name], move[name] = self.file.floats(deltas)
+            entries.append(entry)
             moves.append(move)
         return entries, moves
 
@@ -262,26 +285,64 @@ class Maker:
         node = {"mesh": mesh.number}
         if (mesh.scale, mesh.offset) != (1, 0):
             node["scale"], node["translation"] = [mesh.scale] * 3, [mesh.offset] * 3
-        m = shapes.times(above, shapes.placement(translation=[mesh.offset] * 3, scale=[mesh.scale] * 3))
+        m = shapes.times(above, mesh.to_node())
         weights = mesh.weights
         if weights and self.chance(0.5):
             weights = node["weights"] = self.weights(len(weights))
+        if mesh.joints and self.chance(0.8):
+            node["skin"], joints = self.skin(mesh)
+            for shown in mesh.primitives if visible else ():
+                self.show(shown, weights or [], self.pose(shown, joints))
+            return self.file.add("nodes", node)
         instances = self.instances(node)
         for place in instances if instances is not None else [shapes.IDENTITY]:
             for shown in mesh.primitives if visible else ():
-                self.show(shown, weights or [], shapes.times(m, place))
+                self.show(shown, weights or [], [shapes.times(m, place)] * len(shown.lists["POSITION"]))
         return self.file.add("nodes", node)
 
-    def show(self, shown, weights, m):
-        cofactors = shapes.cofactors(m)
-        side = 1 if shapes.determinant(m) > 0 else -1
+    def skeleton(self):
+        """A chain of nodes, made once: their numbers and where they stand."""
+        if not self.bones:
+            nodes, above = [], shapes.IDENTITY
+            for _ in range(4):
+                nodes.append({})
+                above = shapes.times(above, self.local(nodes[-1]))
+                self.bones.append([self.file.add("nodes", nodes[-1]), above])
+            for node, (child, _) in zip(nodes, self.bones[1:]):
+                node["children"] = [child]
+        return self.bones
+
+    def skin(self, mesh):
+        """Its number, and where each joint moves the mesh."""
+        bones = self.rng.sample(self.skeleton(), mesh.joints)
+        binds = []
+        for _, world in bones:
+            turn = [self.rng.gauss(0, 0.3) for _ in range(3)] + [1]
+            away = shapes.placement([self.rng.uniform(-1, 1) for _ in range(3)], turn, [self.rng.uniform(0.8, 1.2)] * 3)
+            m = shapes.times(shapes.inverse(world), shapes.times(away, mesh.to_node()))
+            binds.append([m[row][column] for column in range(4) for row in range(4)])
+        number, kept = self.file.matrices(binds)
+        skin = {"joints": [node for node, _ in bones], "inverseBindMatrices": number}
+        joints = [shapes.times(world, [[bind[4 * column + row] for column in range(4)] for row in range(4)])
+                  for (_, world), bind in zip(bones, kept)]
+        return self.file.add("skins", skin), joints
+
+    def pose(self, shown, joints):
+        """The matrix of each vertex."""
+        return [shapes.mixed([joints[int(k)] for k in numbers], [w / sum(weights) for w in weights])
+                for numbers, weights in zip(shown.lists["JOINTS_0"], shown.lists["WEIGHTS_0"])]
+
+    def show(self, shown, weights, matrices):
+        """`matrices`: one for each vertex."""
+        side = 1 if shapes.determinant(matrices[shown.triangles[0][0]]) > 0 else -1
         order = [i for a, b, c in shown.triangles for i in ((a, b, c) if side > 0 else (a, c, b))]
-        positions = shown.lists["POSITION"]
+        moved = {name: shown.lists.get(name, []) for name in ("POSITION", "NORMAL")}
         for weight, move in zip(weights, shown.moves):
-            positions = [tuple(a + weight * b for a, b in zip(p, d)) for p, d in zip(positions, move)]
-        place = [shapes.point(m, p) for p in positions]
-        normals = [tuple(side * sum(row[k] * n[k] for k in range(3)) for row in cofactors)
-                   for n in shown.lists.get("NORMAL", [])]
+            for name, deltas in move.items():
+                moved[name] = [tuple(a + weight * b for a, b in zip(v, d)) for v, d in zip(moved[name], deltas)]
+        place = [shapes.point(m, p) for m, p in zip(matrices, moved["POSITION"])]
+        normals = [tuple(side * sum(row[k] * n[k] for k in range(3)) for row in shapes.cofactors(m))
+                   for m, n in zip(matrices, moved["NORMAL"])]
         pick = lambda values: [values[i] for i in order] if values else None  # noqa: E731
         colours = [(*c, 1.0)[:4] for c in shown.lists.get("COLOR_0", [])]
         self.parts.append(plain_glb.PlainPart(f"part{len(self.parts)}", pick(place), pick(normals),
@@ -293,6 +354,10 @@ class Maker:
         kept, self.parts = self.parts, []
         others = [[self.node(shapes.IDENTITY, True, 0)] for _ in range(self.rng.choice((0, 0, 1, 2)))]
         self.parts = kept
+        if self.bones:
+            shown.append(self.bones[0][0])
+        if not others and self.chance(0.15):
+            return  # all nodes that are no children
         number = self.rng.randint(0, len(others))
         lists = others[:number] + [shown] + others[number:]
         self.file.root["scenes"] = [{"nodes": roots} for roots in lists]
