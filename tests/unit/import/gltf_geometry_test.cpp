@@ -201,6 +201,17 @@ TEST(GltfSkins, OneMeshWithTwoOfThemIsTwoMeshes) {
     EXPECT_TRUE(near(mesh.position(4, 1), {8, 0, 0}));
 }
 
+TEST(GltfSkins, HoldWhereTheMeshAlsoStandsWithoutOne) {
+    GltfBuilder file = barFile(1.5707963F);
+    file.node({{"mesh", 0}});
+    file.root["scenes"] = {{{"nodes", {3, 0, 1}}}};
+    const FileImport read = file.import();
+    const Mesh mesh = meshOf(read.model);
+    ASSERT_EQ(mesh.triangles.size(), 8U);
+    EXPECT_TRUE(near(mesh.position(3, 2), {0, 2, 0}));
+    EXPECT_TRUE(near(mesh.position(7, 2), {0, 1, 1}));
+}
+
 TEST(GltfSkins, DamagedOnesDoNoHarm) {
     for (const char* const name : {"joints", "inverseBindMatrices"}) {
         for (const Json& value : {Json(), Json(99), Json::array({99, 98}), Json("x"), Json::array()}) {
