@@ -65,6 +65,8 @@ def packings(name, elements):
     unsigned = [Packing(UBYTE, True), Packing(USHORT, True)] if low >= 0 and high <= 1 else []
     signed = [Packing(BYTE, True), Packing(SHORT, True)] if low >= -1 and high <= 1 else []
     if name.startswith("TEXCOORD"):
+        if high > 50:
+            return [Packing(USHORT), Packing(SHORT)]
         return unsigned + [Packing(SHORT, True)] if signed else unsigned
     if name in ("COLOR_0", "WEIGHTS_0"):
         return unsigned
@@ -180,7 +182,8 @@ class File:
         if name != "JOINTS_0" and (not choices or self.rng.random() < 0.5):
             return Packing()
         packing = self.rng.choice(choices)
-        core = name in ("COLOR_0", "WEIGHTS_0", "JOINTS_0") or (name.startswith("TEXCOORD") and packing.component in (UBYTE, USHORT))
+        core = name in ("COLOR_0", "WEIGHTS_0", "JOINTS_0") or (
+            name.startswith("TEXCOORD") and packing.normalized and packing.component in (UBYTE, USHORT))
         if not core:
             self.use("KHR_mesh_quantization", required=True)
         return packing

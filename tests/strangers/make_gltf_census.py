@@ -49,8 +49,9 @@ class Maker:
 
     # --- materials ---
 
-    def image_use(self):
-        """A textureInfo, the image's bytes, its sampler and how coordinates go to it: set, 2 x 3 matrix."""
+    def image_use(self, stretch):
+        """A textureInfo, the image's bytes, its sampler and how coordinates, which are so many times as large as usual,
+        go to it: set, 2 x 3 matrix."""
         rng = self.rng
         content = png(rng, rng.choice((4, 8)), rng.choice((4, 8)))
         sampler = {"wrapS": rng.choice((10497, 33071, 33648)), "wrapT": rng.choice((10497, 33071, 33648))}
@@ -61,16 +62,18 @@ class Maker:
         if own or self.chance(0.3):
             info["texCoord"] = own
         transform, matrix = None, ((1, 0, 0), (0, 1, 0))
-        if self.chance(0.5):
-            transform, own, matrix = self.transform(own)
+        if stretch != 1 or self.chance(0.5):
+            transform, own, matrix = self.transform(own, stretch)
             info["extensions"] = {"KHR_texture_transform": transform}
             self.file.use("KHR_texture_transform")
         return info, content, sampler, (own, matrix)
 
-    def transform(self, own):
+    def transform(self, own, stretch):
         rng, entry = self.rng, {}
         offset = [rng.uniform(-0.5, 0.5) for _ in range(2)] if self.chance(0.7) else None
         scale = [rng.choice((-1, 1)) * rng.uniform(0.4, 2.5) for _ in range(2)] if self.chance(0.7) else None
+        if stretch != 1:
+            scale = [c / stretch for c in scale or (1, 1)]
         rotation = rng.uniform(-3, 3) if self.chance(0.5) else None
         for name, value in (("offset", offset), ("scale", scale), ("rotation", rotation)):
             if value is not None:
@@ -81,7 +84,7 @@ class Maker:
         c, s = math.cos(a), math.sin(a)
         return entry, own, ((c * sx, s * sy, ox), (-s * sx, c * sy, oy))
 
-    def material(self):
+    def material(self, stretch):
         """Its number, and what it looks like; None: the format's own."""
         rng = self.rng
         if self.chance(0.05):
@@ -96,7 +99,7 @@ class Maker:
         look = plain_glb.PlainMaterial(colour)
         look.roughness = pbr["roughnessFactor"]
         if self.chance(0.6):
-            pbr["baseColorTexture"], look.image, look.sampler, place = self.image_use()
+            pbr["baseColorTexture"], look.image, look.sampler, place = self.image_use(stretch)
         if self.chance(0.2):
             look.unlit = True
             entry["extensions"] = {"KHR_materials_unlit": {}}
@@ -155,8 +158,9 @@ class Maker:
         wanted = {"POSITION": [tuple((c - mesh.offset) / mesh.scale for c in p) for p in s.positions]}
         if self.chance(0.7):
             wanted["NORMAL"] = s.normals
-        wanted["TEXCOORD_0"] = s.sets[0]
-        wanted["TEXCOORD_1"] = s.sets[1]
+        stretch = rng.choice((1, 1, 1, 1, 4095))
+        for k in range(2):
+            wanted[f"TEXCOORD_{k}"] = [tuple(c * stretch for c in uv) for uv in s.sets[k]]
         if self.chance(0.4):
             components = rng.choice((3, 4))
             wanted["COLOR_0"] = [tuple(rng.uniform(0.2, 1) for _ in range(components)) for _ in s.positions]
@@ -173,7 +177,7 @@ class Maker:
             at = rng.randint(1, len(indices) // 3 - 1) * 3
             cuts = [indices[:at], indices[at:]]
         for cut in cuts:
-            number, look, place = self.material()
+            number, look, place = self.material(stretch)
             entry = {"attributes": attributes}
             if number is not None:
                 entry["material"] = number
