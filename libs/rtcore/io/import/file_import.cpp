@@ -4,6 +4,7 @@
 #include "rtcore/io/import/gltf/gltf_import.h"
 #include "rtcore/io/import/inspection/foreign_formats.h"
 #include "rtcore/io/import/materials/material_mapping.h"
+#include "rtcore/io/import/obj/obj_import.h"
 #include "rtcore/io/import/scan/scan_import.h"
 #include "rtcore/platform/error.h"
 
@@ -33,8 +34,10 @@ void greyWhereNoColourIs(FileImport& import) {
 FileImport importFile(const std::filesystem::path& path, const FileImportOptions& options) {
     if (const auto sentence = unreadFormat(path)) throw FileError(FailureKind::BadData, "", *sentence);
     auto scan = importScan(path, options);
-    auto gltf = scan ? std::nullopt : importGltf(path, options);
-    FileImport import = scan ? std::move(*scan) : gltf ? std::move(*gltf) : importWithAssimp(path, options);
+    auto read = importScan(path, options);
+    if (!read) read = importGltf(path, options);
+    if (!read) read = importObj(path, options);
+    FileImport import = read ? std::move(*read) : importWithAssimp(path, options);
     greyWhereNoColourIs(import);
     return import;
 }

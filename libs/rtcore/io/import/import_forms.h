@@ -19,6 +19,15 @@ inline constexpr const char *
    *kCameraLeftOut = "camera {0} is left out: it looks nowhere",
    *kMissingLibrary = "material library {0} is missing; what it describes is plain grey",
    *kMissingLibraries = "material library {0} are missing; what it describes is plain grey",
+   *kForeignLibrary = "material library {0} is not read, as it lies outside of the model's folder; what it "
+                      "describes is plain grey: put it beside the model",
+   *kForeignLibraries =
+       "material library {0} are not read, as they lie outside of the model's folder; what they "
+       "describe is plain grey: put them beside the model",
+   *kOddStatement = "{0}, line {1}: {2} is not understood and passed over",
+   *kTwoOddStatements = "{0}, line {1}: {2} is not understood and passed over, as is {3} line more",
+   *kOddStatements = "{0}, line {1}: {2} is not understood and passed over, as are {3} lines more",
+   *kLinesAndPoints = "{0} lines and points are left out; only surfaces are shown",
    *kNeeds = "{0}: part of it is missing or wrong here", *kIgnored = "ignored, since not supported: {0}",
    *kIgnoredLost = "ignored, since not supported: {0}; lost: {1}",
    *kPlainLuminaire =
@@ -72,6 +81,12 @@ inline constexpr std::array kAll{kMissingTexture,
                                  kCameraLeftOut,
                                  kMissingLibrary,
                                  kMissingLibraries,
+                                 kForeignLibrary,
+                                 kForeignLibraries,
+                                 kOddStatements,
+                                 kTwoOddStatements,
+                                 kOddStatement,
+                                 kLinesAndPoints,
                                  kIgnored,
                                  kDamaged,
                                  kOneDamaged,

@@ -249,15 +249,11 @@ class Materials {
     ModelBuffers* model_ = nullptr;
 };
 
-[[noreturn]] void refuseName(const std::string& ending) {
-    refuse(say("its name does not fit its content; rename it so that it ends in {0}", ending));
-}
-
 /// An importer that is chosen by the name would take it for what it is not.
-void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& importer) {
+void refuseMisnamedFor(const std::filesystem::path& path, const Assimp::Importer& importer) {
     const std::string own = path.extension().string();
     if (own.empty() || !importer.IsExtensionSupported(own)) return;
-    if (const auto ending = endingByContent(path)) refuseName(*ending);
+    refuseMisnamed(path);
 }
 
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
@@ -269,13 +265,13 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
-    refuseMisnamed(path, importer);
+    refuseMisnamedFor(path, importer);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     for (const std::string& file : *files) addFile(report, file);
     if (scene != nullptr) return *scene;
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (const auto ending = endingByContent(path)) refuseName(*ending);
+    refuseMisnamed(path);
     if (const auto sentence = cutOff(path)) refuse(*sentence);
     if (const auto sentence = gltfDamage(path)) refuse(*sentence);
     if (reason.find("No suitable reader") != std::string::npos) {

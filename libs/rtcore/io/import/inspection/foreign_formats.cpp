@@ -1,5 +1,6 @@
 #include "rtcore/io/import/inspection/foreign_formats.h"
 
+#include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
 #include <algorithm>
@@ -253,6 +254,13 @@ std::optional<std::string> endingByContent(const std::filesystem::path& path) {
     if (xml && has(start, "<X3D") && ending != ".x3d" && ending != ".xml") return ".x3d";
     if (json && has(text, "\"asset\"") && has(text, "\"version\"") && ending != ".gltf") return ".gltf";
     return std::nullopt;
+}
+
+void refuseMisnamed(const std::filesystem::path& path) {
+    const auto ending = endingByContent(path);
+    if (!ending) return;
+    throw FileError(FailureKind::BadData, "",
+                    say("its name does not fit its content; rename it so that it ends in {0}", *ending));
 }
 
 } // namespace rtcore

@@ -17,4 +17,8 @@ std::optional<Sentence> unreadFormat(const std::filesystem::path& path);
 /// name fits, or the bytes are those of no format that is known.
 std::optional<std::string> endingByContent(const std::filesystem::path& path);
 
+/// Throws FileError BadData where there is such an ending: a reader that is chosen by the name would take the
+/// file for what it is not.
+void refuseMisnamed(const std::filesystem::path& path);
+
 } // namespace rtcore

@@ -27,7 +27,9 @@ std::optional<fs::path> entryAnyCase(const fs::path& folder, const std::string& 
     return found;
 }
 
-std::optional<fs::path> fileAt(const fs::path& folder, const fs::path& relative) {
+} // namespace
+
+std::optional<fs::path> fileOfAnyCase(const fs::path& folder, const fs::path& relative) {
     std::error_code error;
     const fs::path direct = folder / relative;
     if (fs::is_regular_file(direct, error)) return direct;
@@ -45,7 +47,18 @@ std::optional<fs::path> fileAt(const fs::path& folder, const fs::path& relative)
     return at;
 }
 
-} // namespace
+std::vector<fs::path> shorterPaths(const fs::path& path) {
+    constexpr std::size_t kMaxParts = 32;
+    std::vector<fs::path> shorter;
+    if (!path.has_filename()) return shorter;
+    fs::path rest;
+    for (auto part = --path.end(); part != path.begin() && shorter.size() < kMaxParts; --part) {
+        rest = rest.empty() ? *part : *part / rest;
+        if (*part != "." && *part != "..") shorter.push_back(rest);
+    }
+    std::ranges::reverse(shorter);
+    return shorter;
+}
 
 std::string percentDecoded(const std::string& text) {
     std::string out;
@@ -69,11 +82,13 @@ std::optional<fs::path> findTextureFile(const fs::path& folder, const std::strin
     if (spelled.empty() || spelled.size() > 4096) return {};
     const std::string decoded = percentDecoded(spelled);
     for (const std::string& path : {spelled, decoded}) {
-        if (auto file = fileAt(folder, path)) return file;
+        if (auto file = fileOfAnyCase(folder, path)) return file;
     }
+    for (const fs::path& shorter : shorterPaths(decoded))
+        if (auto file = fileOfAnyCase(folder, shorter)) return file;
     const fs::path last = fs::path(decoded).filename();
-    for (const char* place : {".", "textures", "../textures"}) {
-        if (auto file = fileAt(folder, fs::path(place) / last)) return file;
+    for (const char* place : {"textures", "../textures"}) {
+        if (auto file = fileOfAnyCase(folder, fs::path(place) / last)) return file;
     }
     return {};
 }

@@ -42,6 +42,13 @@ class EmbeddedPictures {
     virtual LdrImage decode(const std::string& name) const = 0;
 };
 
+/// Of formats that hold none.
+class NoEmbeddedPictures : public EmbeddedPictures {
+  public:
+    bool has(const std::string& /*name*/) const override { return false; }
+    LdrImage decode(const std::string& /*name*/) const override { return {}; }
+};
+
 class TextureStore {
   public:
     /// `model` gets textures and texels; `report` a warning for each image that is broken. `alive` is

@@ -28,12 +28,6 @@ struct Scan {
     const char* material; ///< its name
 };
 
-class NoPictures : public EmbeddedPictures {
-  public:
-    bool has(const std::string& /*name*/) const override { return false; }
-    LdrImage decode(const std::string& /*name*/) const override { return {}; }
-};
-
 /// Nothing in an STL file says what it is.
 bool isNamedStl(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -63,7 +57,7 @@ std::optional<Scan> readScan(const std::filesystem::path& path, const std::funct
 /// White; what a highlight would need is not in the file.
 void addMaterial(const char* name, const std::filesystem::path& path, const FileImportOptions& options,
                  FileImport& import) {
-    const NoPictures none;
+    const NoEmbeddedPictures none;
     TextureStore textures(import.model, import.report, path.parent_path(), none, options.alive);
     SourceMaterial source;
     source.diffuse = source.specular = kWhite;

@@ -1,0 +1,284 @@
+#include "rtcore/io/import/obj/obj_reader.h"
+
+#include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/obj/material_libraries.h"
+#include "rtcore/io/import/obj/obj_structure.h"
+#include "rtcore/io/import/obj/statement_text.h"
+#include "rtcore/io/import/obj/statement_warning.h"
+#include "rtcore/platform/files.h"
+#include "rtcore/platform/paths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace rtcore {
+
+namespace {
+
+using View = std::string_view;
+
+constexpr std::uint64_t kBytesBetweenWords = std::uint64_t{64} << 20;
+
+/// Names of statements that say nothing that is seen here: of smoothing, display and rendering.
+constexpr std::array kPassedOver{View("s"),          View("mg"),        View("bevel"),  View("c_interp"),
+                                 View("d_interp"),   View("lod"),       View("usemap"), View("maplib"),
+                                 View("shadow_obj"), View("trace_obj"), View("ctech"),  View("stech"),
+                                 View("vp")};
+
+class ObjStatements {
+  public:
+    ObjStatements(const std::filesystem::path& path, ObjFile& file, ImportReport& report)
+        : model_(file.model), materials_(file.materials), structure_(file.model), libraries_(path),
+          report_(report) {}
+
+    /// `text` is of whole statements.
+    void read(View text) {
+        StatementText in(text);
+        while (!in.atEnd()) {
+            if (!in.hasWord()) {
+                in.endStatement();
+            } else if (in.next() == '#') {
+                in.endLine();
+            } else {
+                readStatement(in);
+            }
+        }
+        lines_ += in.lines();
+    }
+
+    void warn(const std::filesystem::path& path) {
+        odd_.warn(path, report_);
+        warnOf(libraries_.missing(), import_forms::kMissingLibrary, import_forms::kMissingLibraries);
+        warnOf(libraries_.outside(), import_forms::kForeignLibrary, import_forms::kForeignLibraries);
+        if (!unsupported_.empty()) addWarning(report_, say(import_forms::kIgnored, firstOf(unsupported_)));
+        if (model_.segments > 0) addWarning(report_, say(import_forms::kLinesAndPoints, model_.segments));
+    }
+
+  private:
+    void readStatement(StatementText& in) {
+        const std::uint64_t line = lines_ + in.lines() + 1;
+        const View keyword = in.word();
+        const bool understood = keyword == "v"    ? readPosition(in)
+                                : keyword == "f"  ? readFace(in)
+                                : keyword == "vt" ? readTexcoord(in)
+                                : keyword == "vn" ? readNormal(in)
+                                                  : readOther(keyword, in);
+        if (!understood) odd_.add(line, keyword);
+        in.endStatement();
+    }
+
+    /// False for one that is not understood.
+    bool readOther(View keyword, StatementText& in) {
+        if (keyword == "fo") return readFace(in); // of earlier versions
+        if (keyword == "l" || keyword == "p") return countSegments(keyword == "l", in);
+        if (keyword == "g") {
+            structure_.beginGroup(in.rest());
+        } else if (keyword == "o") {
+            structure_.beginObject(in.word());
+        } else if (keyword == "usemtl") {
+            useMaterial(in.rest());
+        } else if (keyword == "mtllib") {
+            readLibraries(in.rest());
+        } else {
+            return std::ranges::find(kPassedOver, keyword) != kPassedOver.end();
+        }
+        return true;
+    }
+
+    /// x y z, and a weight, a colour or a colour with an opacity behind them.
+    bool readPosition(StatementText& in) {
+        std::array<float, 8> numbers{};
+        std::size_t count = 0;
+        bool good = true;
+        while (count < numbers.size() && in.hasWord() && in.next() != '#') {
+            const auto number = in.number();
+            good = good && number.has_value();
+            numbers[count++] = number.value_or(std::numeric_limits<float>::quiet_NaN());
+        }
+        const auto& n = numbers;
+        good = good && count >= 3;
+        Vec3 position =
+            good ? Vec3{n[0], n[1], n[2]} : Vec3{1, 1, 1} * std::numeric_limits<float>::quiet_NaN();
+        if (good && count == 4 && n[3] != 0) position = {n[0] / n[3], n[1] / n[3], n[2] / n[3]};
+        model_.positions.push_back(position);
+        if (good && (count == 6 || count == 7)) {
+            model_.colours.resize(model_.positions.size(), kWhite);
+            model_.colours.back() = {n[3], n[4], n[5]};
+        } else if (!model_.colours.empty()) {
+            model_.colours.push_back(kWhite);
+        }
+        return good;
+    }
+
+    bool readTexcoord(StatementText& in) {
+        const auto x = in.number();
+        const auto y = x && in.hasWord() && in.next() != '#' ? in.number() : std::optional(0.0F);
+        const auto finite = [](float v) { return std::isfinite(v) ? v : 0.0F; };
+        model_.texcoords.push_back(x && y ? Vec2{finite(*x), finite(*y)} : Vec2{});
+        return x && y;
+    }
+
+    bool readNormal(StatementText& in) {
+        const auto x = in.number(), y = in.number(), z = in.number();
+        const bool good = x && y && z;
+        model_.normals.push_back(good ? Vec3{*x, *y, *z} : Vec3{});
+        return good;
+    }
+
+    /// From 0; kNoIndex for one that cannot be there.
+    static std::uint32_t indexOf(std::int64_t number, std::size_t count) {
+        const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
+        return index >= 0 && index < std::int64_t{kNoIndex} ? static_cast<std::uint32_t>(index) : kNoIndex;
+    }
+
+    struct Corner {
+        std::uint32_t position = kNoIndex, texcoord = kNoIndex, normal = kNoIndex;
+    };
+    /// "v", "v/t", "v//n" or "v/t/n"; nothing for what is none.
+    std::optional<Corner> readCorner(StatementText& in) const {
+        Corner corner;
+        const auto position = in.wholeNumber();
+        if (!position) return std::nullopt;
+        corner.position = indexOf(*position, model_.positions.size());
+        if (in.slash()) {
+            const auto second = in.wholeNumber();
+            const bool third = in.slash();
+            const auto normal = third ? in.wholeNumber() : std::nullopt;
+            // Without texture coordinates in the file, programs write "v/n".
+            const bool secondIsNormal =
+                second && !third && model_.texcoords.empty() && !model_.normals.empty();
+            if (second && !secondIsNormal) corner.texcoord = indexOf(*second, model_.texcoords.size());
+            if (secondIsNormal) corner.normal = indexOf(*second, model_.normals.size());
+            if (normal) corner.normal = indexOf(*normal, model_.normals.size());
+        }
+        if (!in.endsWord()) return std::nullopt;
+        return corner;
+    }
+
+    static void addIndex(std::vector<std::uint32_t>& list, std::uint32_t index, std::size_t at) {
+        if (list.empty()) {
+            if (index == kNoIndex) return;
+            list.resize(at, kNoIndex);
+        }
+        list.push_back(index);
+    }
+
+    bool readFace(StatementText& in) {
+        ObjCorners& corners = model_.corners;
+        const std::size_t first = corners.positions.size();
+        while (in.hasWord() && in.next() != '#') {
+            const auto corner = readCorner(in);
+            if (!corner) {
+                corners.positions.resize(first);
+                if (!corners.texcoords.empty()) corners.texcoords.resize(first, kNoIndex);
+                if (!corners.normals.empty()) corners.normals.resize(first, kNoIndex);
+                return false;
+            }
+            const std::size_t at = corners.positions.size();
+            corners.positions.push_back(corner->position);
+            addIndex(corners.texcoords, corner->texcoord, at);
+            addIndex(corners.normals, corner->normal, at);
+        }
+        if (corners.positions.size() == first) return false;
+        addFace(first);
+        return true;
+    }
+
+    /// Of the corners from `first` on.
+    void addFace(std::size_t first) {
+        const std::size_t end = model_.corners.positions.size();
+        const std::size_t size = end - first;
+        if (size != 3 && model_.sizes.empty()) model_.sizes.assign(model_.faces, 3);
+        if (size != 3 || !model_.sizes.empty()) model_.sizes.push_back(static_cast<std::uint32_t>(size));
+        ObjMesh& mesh = model_.meshes[structure_.meshOfNext()];
+        ++mesh.statements;
+        if (mesh.runs.empty() || mesh.runs.back().endFace != model_.faces)
+            mesh.runs.push_back({model_.faces, model_.faces, first, first});
+        mesh.runs.back().endFace = ++model_.faces;
+        mesh.runs.back().endCorner = end;
+    }
+
+    bool countSegments(bool isLine, StatementText& in) {
+        std::uint64_t points = 0;
+        for (; in.hasWord() && in.next() != '#'; in.word()) ++points;
+        if (points == 0) return false;
+        model_.segments += isLine ? points - 1 : points;
+        ++model_.meshes[structure_.meshOfNext()].statements;
+        return true;
+    }
+
+    void useMaterial(const std::string& name) {
+        if (name.empty()) return;
+        structure_.setMaterial(materials_.numberOf(name), name);
+    }
+
+    void readLibraries(const std::string& names) {
+        if (names.empty()) return;
+        for (const MaterialLibrary& library : libraries_.find(names)) {
+            addFile(report_, plainPath(library.path).string());
+            readMtl(library.path, library.folder, materials_, unsupported_, report_);
+        }
+    }
+
+    void warnOf(const std::vector<std::string>& names, const char* one, const char* several) {
+        if (!names.empty()) addWarning(report_, say(names.size() == 1 ? one : several, firstOf(names)));
+    }
+
+    ObjModel& model_;
+    MtlMaterials& materials_;
+    ObjStructure structure_;
+    LibraryFinder libraries_;
+    std::vector<std::string> unsupported_;
+    ImportReport& report_;
+    OddStatements odd_;
+    std::uint64_t lines_ = 0; ///< of the pieces before
+};
+
+/// Hands over the file in pieces of whole statements.
+template <typename Use>
+void forEachPiece(const InputFile& file, const std::function<void()>& alive, const Use& use) {
+    constexpr std::size_t kPiece = std::size_t{1} << 20;
+    std::vector<char> buffer(2 * kPiece + 1);
+    std::size_t kept = 0; // bytes at its beginning that wait for the rest of their statement
+    for (std::uint64_t offset = 0;;) {
+        if (buffer.size() < kept + kPiece + 1) buffer.resize(2 * buffer.size());
+        const std::span<char> room = std::span(buffer).subspan(kept);
+        const std::size_t got = file.readAt(offset, std::as_writable_bytes(room.first(room.size() - 1)));
+        std::size_t end = kept + got;
+        if (got == 0) buffer[end++] = '\n';
+        const View text(buffer.data(), end);
+        const std::size_t whole = got == 0 ? end : wholeStatements(text);
+        if (whole > 0) use(text.substr(0, whole));
+        if (got == 0) return;
+        kept = end - whole;
+        std::memmove(buffer.data(), buffer.data() + whole, kept);
+        const std::uint64_t told = offset / kBytesBetweenWords;
+        offset += got;
+        if (offset / kBytesBetweenWords != told) alive();
+    }
+}
+
+} // namespace
+
+ObjFile readObj(const std::filesystem::path& path, ImportReport& report, const std::function<void()>& alive) {
+    constexpr View kByteOrderMark = "\xEF\xBB\xBF";
+    ObjFile file;
+    const InputFile input(path);
+    ObjStatements statements(path, file, report);
+    bool first = true;
+    forEachPiece(input, alive, [&](View text) {
+        if (first && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+        first = false;
+        statements.read(text);
+    });
+    statements.warn(path);
+    return file;
+}
+
+} // namespace rtcore
