@@ -19,7 +19,7 @@ using View = std::string_view;
 /// Names of statements that say nothing that is seen here.
 constexpr std::array kSilent{
     View("ka"), View("map_ka"), View("sharpness"), View("map_aat"),         View("illum_unit"),
-    View("km"), View("map_km"), View("density"),   View("interpolateMode"), View("fresnel")};
+    View("km"), View("map_km"), View("density"),   View("interpolatemode"), View("fresnel")};
 /// Names of those that would be seen.
 constexpr std::array kUnsupported{View("refl"),    View("map_refl"),  View("disp"),    View("map_disp"),
                                   View("decal"),   View("map_ns"),    View("map_pr"),  View("map_pm"),
@@ -60,6 +60,10 @@ Colour* colourIn(SourceMaterial& m, View keyword) {
     return nullptr;
 }
 
+bool isAbsolute(View path) {
+    return path.starts_with('/') || path.starts_with('\\') || path.substr(1).starts_with(':');
+}
+
 class MtlReader {
   public:
     MtlReader(View text, std::string folder, MtlMaterials& materials, std::vector<std::string>& unsupported)
@@ -70,7 +74,7 @@ class MtlReader {
             const std::uint64_t line = text_.lines() + 1;
             if (text_.hasWord() && text_.next() != '#') {
                 const View keyword = text_.word();
-                if (!readStatement(inSmallLetters(keyword))) odd.add(line, keyword);
+                if (!readStatement(inSmallLetters(keyword), std::string(keyword))) odd.add(line, keyword);
                 text_.endStatement();
             } else {
                 text_.endLine();
@@ -79,18 +83,18 @@ class MtlReader {
     }
 
   private:
-    /// False for one that is not understood.
-    bool readStatement(const std::string& keyword) {
+    /// `keyword` in small letters. False for a statement that is not understood.
+    bool readStatement(const std::string& keyword, const std::string& spelled) {
         if (keyword == "newmtl") {
             const std::string name = text_.rest();
             material_ = materials_.numberOf(name.empty() ? "DefaultMaterial" : name);
             return true;
         }
         if (isOneOf(kSilent, keyword)) return true;
-        if (isOneOf(kUnsupported, keyword)) return leaveOut(keyword);
+        if (isOneOf(kUnsupported, keyword)) return leaveOut(spelled);
         if (isOneOf(kUnsupportedFactors, keyword)) {
             const auto factor = text_.number();
-            if (factor && *factor != 0) leaveOut(keyword);
+            if (factor && *factor != 0) leaveOut(spelled);
             return factor.has_value();
         }
         return material_ && readProperty(keyword, materials_.all()[*material_]);
@@ -108,8 +112,9 @@ class MtlReader {
         if (float* const number = numberIn(m, keyword)) return readNumber(*number);
         if (keyword == "d" || keyword == "tr") return readOpacity(keyword == "tr", m.opacity);
         if (keyword == "pm") {
-            m.rules = MaterialRules::MetallicRoughness;
-            return readNumber(m.metallic);
+            const bool good = readNumber(m.metallic);
+            if (good) m.rules = MaterialRules::MetallicRoughness;
+            return good;
         }
         if (keyword != "illum") return false;
         const auto number = text_.number();
@@ -150,7 +155,7 @@ class MtlReader {
         const MapStatement statement = mapStatementOf(text_.rest());
         if (statement.name.empty()) return false;
         SourceMap& map = material.map(which);
-        map.name = folder_ + statement.name;
+        map.name = isAbsolute(statement.name) ? statement.name : folder_ + statement.name;
         map.wrapU = map.wrapV = statement.clamped ? TextureWrap::ClampToEdge : TextureWrap::Repeat;
         material.layout(which) = statement.layout;
         if (which == MtlMap::Height) material.source.heightScale = statement.bump;
