@@ -11,8 +11,7 @@ class IOSystem;
 
 namespace rtcore {
 
-/// Adds their absolute paths to `files`, and hands over material libraries as Assimp understands them
-/// (material_text.h). The caller deletes it, as Assimp::Importer does for its own.
+/// Adds their absolute paths to `files`. The caller deletes it, as Assimp::Importer does for its own.
 Assimp::IOSystem* filesForAssimp(std::shared_ptr<std::vector<std::string>> files);
 
 } // namespace rtcore

@@ -221,9 +221,9 @@ class Materials {
         for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
             if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
             const aiMaterial& material = *scene.mMaterials[m];
-            const MaterialText text = from.texts.of(material.GetName().C_Str(), m, scene.mNumMaterials);
+            const MaterialText text = from.texts.of(m, scene.mNumMaterials);
             const SourceMaterial source = sourceMaterialOf(material, from.quirks, text);
-            uses_[m] = texcoordUseOf(material, text, to.report);
+            uses_[m] = texcoordUseOf(material, to.report);
             numbers_[m] = append(mapMaterial(source, textures), source.name, to.model);
         }
     }
@@ -335,11 +335,6 @@ void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLi
 }
 
 void warnOfFiles(const std::filesystem::path& path, ImportReport& report) {
-    if (const auto libraries = missingMaterialLibraries(path); !libraries.empty()) {
-        addWarning(report, say(libraries.size() == 1 ? import_forms::kMissingLibrary
-                                                     : import_forms::kMissingLibraries,
-                               firstOf(libraries)));
-    }
     for (const char* const form : unreadInCollada(path)) addWarning(report, form);
 }
 

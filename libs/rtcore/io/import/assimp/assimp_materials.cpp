@@ -186,34 +186,21 @@ SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& 
     readPictures(p, m);
     leaveOutInvented(p, quirks.gouraudIsMatte, text.specular, m);
     if (text.specular == SpecularOrigin::Texture) m.specularMap = p.picture({aiTextureType_SPECULAR});
-    if (p.has(AI_MATKEY_OBJ_ILLUM)) {
-        m.heightScale = text.optionsOf(MapUse::Height).bump;
-        m.normalScale = text.optionsOf(MapUse::Normal).bump;
-    }
     return m;
 }
 
 namespace {
 
 /// The images that are looked up point by point; of others only the mean counts.
-constexpr std::array<std::pair<aiTextureType, MapUse>, 7> kUsedMaps{
-    {{aiTextureType_DIFFUSE, MapUse::Diffuse},
-     {aiTextureType_BASE_COLOR, MapUse::Diffuse},
-     {aiTextureType_OPACITY, MapUse::Opacity},
-     {aiTextureType_NORMALS, MapUse::Normal},
-     {aiTextureType_EMISSIVE, MapUse::Emission},
-     {aiTextureType_HEIGHT, MapUse::Height},
-     {aiTextureType_SPECULAR, MapUse::Specular}}};
+constexpr std::array kUsedMaps{aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR, aiTextureType_OPACITY,
+                               aiTextureType_NORMALS, aiTextureType_EMISSIVE};
 
-TexcoordUse texcoordUseOf(const aiMaterial& material, aiTextureType kind, const MapOptions& options,
-                          ImportReport& report) {
+TexcoordUse texcoordUseOf(const aiMaterial& material, aiTextureType kind, ImportReport& report) {
     TexcoordUse use;
     int set = 0;
     if (material.Get(AI_MATKEY_UVWSRC(kind, 0), set) == aiReturn_SUCCESS && set >= 0) {
         use.set = static_cast<unsigned int>(set);
     }
-    use.scale = options.scale;
-    use.offset = options.offset;
     aiUVTransform t;
     if (material.Get(AI_MATKEY_UVTRANSFORM(kind, 0), t) != aiReturn_SUCCESS) return use;
     if (t.mRotation != 0) {
@@ -226,13 +213,11 @@ TexcoordUse texcoordUseOf(const aiMaterial& material, aiTextureType kind, const 
 
 } // namespace
 
-TexcoordUse texcoordUseOf(const aiMaterial& material, const MaterialText& text, ImportReport& report) {
-    const bool isMtl = Properties(material).has(AI_MATKEY_OBJ_ILLUM);
+TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report) {
     std::optional<TexcoordUse> first;
-    for (const auto& [kind, what] : kUsedMaps) {
-        const bool ofMtl = what == MapUse::Height || what == MapUse::Specular;
-        if (material.GetTextureCount(kind) == 0 || (ofMtl && !isMtl)) continue;
-        const TexcoordUse use = texcoordUseOf(material, kind, text.optionsOf(what), report);
+    for (const aiTextureType kind : kUsedMaps) {
+        if (material.GetTextureCount(kind) == 0) continue;
+        const TexcoordUse use = texcoordUseOf(material, kind, report);
         if (!first) first = use;
         if (use == *first) continue;
         aiString name;

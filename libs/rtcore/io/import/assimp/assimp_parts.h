@@ -30,7 +30,7 @@ SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& 
                                 const MaterialText& text);
 /// The coordinates of the first image, the diffuse one if there is one: one record has one set of coordinates
 /// for all of its images.
-TexcoordUse texcoordUseOf(const aiMaterial& material, const MaterialText& text, ImportReport& report);
+TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report);
 
 class SceneEmbeddedPictures : public EmbeddedPictures {
   public:

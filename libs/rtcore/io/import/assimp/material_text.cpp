@@ -1,12 +1,12 @@
 #include "rtcore/io/import/assimp/material_text.h"
 
-#include "rtcore/io/import/assimp/unread_content.h"
 #include "rtcore/platform/files.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -26,99 +26,6 @@ std::string lowered(View text) {
 std::string contentOf(const std::filesystem::path& path) {
     const FileBytes file = openFileBytes(path);
     return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
-}
-
-View withoutBlanks(View text) {
-    constexpr View kBlanks = " \t\r";
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-/// Takes the first word off `line`.
-View takeWord(View& line) {
-    line = withoutBlanks(line);
-    const View word = line.substr(0, line.find_first_of(" \t"));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-std::optional<float> numberIn(View word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    float value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
-}
-
-/// Up to three numbers; those behind the first need not be there.
-Vec2 takeVector(View& line, Vec2 otherwise) {
-    Vec2 v = otherwise;
-    for (int i = 0; i < 3; ++i) {
-        View rest = line;
-        const auto number = numberIn(takeWord(rest));
-        if (!number) break;
-        if (i == 0) v.x = *number;
-        if (i == 1) v.y = *number;
-        line = rest;
-    }
-    return v;
-}
-
-/// Parses the options before a name; `rest` gets those that Assimp is to see, and the name.
-MapOptions optionsIn(View line, std::string& rest) {
-    MapOptions options;
-    for (line = withoutBlanks(line); line.starts_with('-'); line = withoutBlanks(line)) {
-        const View word = takeWord(line);
-        const std::string option = lowered(word);
-        if (option == "-s") {
-            options.scale = takeVector(line, options.scale);
-        } else if (option == "-o") {
-            options.offset = takeVector(line, options.offset);
-        } else if (option == "-t") {
-            takeVector(line, {});
-        } else if (option == "-mm") {
-            takeWord(line);
-            takeWord(line);
-        } else {
-            const View value = takeWord(line);
-            if (option == "-bm") options.bump = numberIn(value).value_or(1.0F);
-            rest.append(" ").append(word).append(" ").append(value);
-        }
-    }
-    rest.append(" ").append(line);
-    return options;
-}
-
-View takeLine(View& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const View line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line;
-}
-
-std::optional<MapUse> useOf(const std::string& statement) {
-    using Row = std::pair<View, MapUse>;
-    static constexpr std::array kStatements{
-        Row{"map_kd", MapUse::Diffuse},  Row{"map_d", MapUse::Opacity},
-        Row{"map_kn", MapUse::Normal},   Row{"norm", MapUse::Normal},
-        Row{"map_ke", MapUse::Emission}, Row{"map_emissive", MapUse::Emission},
-        Row{"map_bump", MapUse::Height}, Row{"bump", MapUse::Height},
-        Row{"map_ks", MapUse::Specular}};
-    for (const auto& [word, use] : kStatements)
-        if (statement == word) return use;
-    return std::nullopt;
-}
-
-void readMtl(View text, std::map<std::string, MaterialText>& materials) {
-    MaterialText* material = nullptr;
-    while (!text.empty()) {
-        View line = takeLine(text);
-        const std::string statement = lowered(takeWord(line));
-        if (statement == "newmtl") material = &materials[std::string(withoutBlanks(line))];
-        const auto use = useOf(statement);
-        std::string rest;
-        if (material != nullptr && use) material->optionsOf(*use) = optionsIn(line, rest);
-    }
 }
 
 /// An element of XML.
@@ -197,38 +104,18 @@ std::vector<MaterialText> colladaMaterials(const std::filesystem::path& path) {
         if (effect != effects.end()) materials[attributeOf(material->head, "id")] = effect->second;
     }
     std::vector<MaterialText> inOrder;
-    for (const auto& [id, specular] : materials) inOrder.push_back({specular, {}});
+    for (const auto& [id, specular] : materials) inOrder.push_back({specular});
     return inOrder;
 }
 
 } // namespace
 
 MaterialTexts::MaterialTexts(const std::filesystem::path& path) {
-    for (const auto& library : materialLibraries(path)) readMtl(contentOf(library), byName_);
     if (lowered(path.extension().string()) == ".dae") inOrder_ = colladaMaterials(path);
 }
 
-MaterialText MaterialTexts::of(const std::string& name, std::size_t index, std::size_t count) const {
-    if (inOrder_.size() == count && index < count) return inOrder_[index];
-    const auto named = byName_.find(name);
-    return named != byName_.end() ? named->second : MaterialText{};
-}
-
-std::string withoutMapOptions(std::string_view mtl) {
-    std::string text;
-    while (!mtl.empty()) {
-        const View line = takeLine(mtl);
-        View options = line;
-        const View statement = takeWord(options);
-        if (useOf(lowered(statement))) {
-            text += statement;
-            optionsIn(options, text);
-        } else {
-            text += line;
-        }
-        text += '\n';
-    }
-    return text;
+MaterialText MaterialTexts::of(std::size_t index, std::size_t count) const {
+    return inOrder_.size() == count && index < count ? inOrder_[index] : MaterialText{};
 }
 
 } // namespace rtcore

@@ -1,4 +1,4 @@
-/// What is said of statements that a reader does not understand.
+/// A warning of statements that a reader does not understand.
 #pragma once
 
 #include "rtcore/io/import/import_report.h"
