@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -29,15 +30,17 @@ void greyWhereNoColourIs(FileImport& import) {
         if (m.diffuse == kWhite && m.diffuseTexture == kNoTexture) m.diffuse = kUnsetDiffuse;
 }
 
+/// Readers of our own, in the order in which they are asked.
+constexpr std::array kReaders{importScan, importGltf, importObj};
+
 } // namespace
 
 FileImport importFile(const std::filesystem::path& path, const FileImportOptions& options) {
     if (const auto sentence = unreadFormat(path)) throw FileError(FailureKind::BadData, "", *sentence);
-    auto scan = importScan(path, options);
-    auto read = importScan(path, options);
-    if (!read) read = importGltf(path, options);
-    if (!read) read = importObj(path, options);
-    FileImport import = read ? std::move(*read) : importWithAssimp(path, options);
+    std::optional<FileImport> own;
+    for (const auto read : kReaders)
+        if (!own) own = read(path, options);
+    FileImport import = own ? std::move(*own) : importWithAssimp(path, options);
     greyWhereNoColourIs(import);
     return import;
 }

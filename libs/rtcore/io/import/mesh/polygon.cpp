@@ -30,6 +30,12 @@ std::span<const Triangle> PolygonCutter::cut(std::span<const Vec3> corners) {
     }
     if (flatten(corners)) {
         findInward();
+        if (n == 4 && std::ranges::find(inward_, 1) == inward_.end()) {
+            // As clipEars() would have it.
+            triangles_.push_back({{0, 1, 2}});
+            triangles_.push_back({{2, 3, 0}});
+            return triangles_;
+        }
         fillGrid();
         clipEars();
     } else {

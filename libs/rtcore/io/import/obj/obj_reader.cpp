@@ -6,6 +6,7 @@
 #include "rtcore/io/import/obj/statement_text.h"
 #include "rtcore/io/import/obj/statement_warning.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/large_vector.h"
 #include "rtcore/platform/paths.h"
 
 #include <algorithm>
@@ -50,6 +51,24 @@ class ObjStatements {
             }
         }
         lines_ += in.lines();
+    }
+
+    /// After a piece, if as many bytes as `piecesLeft` of that size follow: makes room for more of the same.
+    void makeRoom(double piecesLeft) {
+        const auto widen = [piecesLeft](auto& list, std::size_t& before) {
+            const std::size_t added = list.size() - before;
+            before = list.size();
+            if (list.capacity() - list.size() >= added) return;
+            reserveLarge(list, list.size() +
+                                   static_cast<std::size_t>(static_cast<double>(added) * piecesLeft * 1.02));
+        };
+        widen(model_.positions, known_[0]);
+        widen(model_.normals, known_[1]);
+        widen(model_.texcoords, known_[2]);
+        widen(model_.corners.positions, known_[3]);
+        widen(model_.corners.texcoords, known_[4]);
+        widen(model_.corners.normals, known_[5]);
+        widen(model_.sizes, known_[6]);
     }
 
     void warn(const std::filesystem::path& path) {
@@ -237,7 +256,8 @@ class ObjStatements {
     std::vector<std::string> unsupported_;
     ImportReport& report_;
     OddStatements odd_;
-    std::uint64_t lines_ = 0; ///< of the pieces before
+    std::uint64_t lines_ = 0;            ///< of the pieces before
+    std::array<std::size_t, 7> known_{}; ///< lengths of lists after the last piece
 };
 
 /// Hands over the file in pieces of whole statements.
@@ -254,7 +274,7 @@ void forEachPiece(const InputFile& file, const std::function<void()>& alive, con
         if (got == 0) buffer[end++] = '\n';
         const View text(buffer.data(), end);
         const std::size_t whole = got == 0 ? end : wholeStatements(text);
-        if (whole > 0) use(text.substr(0, whole));
+        if (whole > 0) use(text.substr(0, whole), offset);
         if (got == 0) return;
         kept = end - whole;
         std::memmove(buffer.data(), buffer.data() + whole, kept);
@@ -272,10 +292,12 @@ ObjFile readObj(const std::filesystem::path& path, ImportReport& report, const s
     const InputFile input(path);
     ObjStatements statements(path, file, report);
     bool first = true;
-    forEachPiece(input, alive, [&](View text) {
+    forEachPiece(input, alive, [&](View text, std::uint64_t offset) {
         if (first && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
         first = false;
         statements.read(text);
+        const std::uint64_t left = input.size() - std::min(input.size(), offset + text.size());
+        statements.makeRoom(static_cast<double>(left) / static_cast<double>(text.size() + 1));
     });
     statements.warn(path);
     return file;
