@@ -24,7 +24,7 @@ namespace {
 
 using View = std::string_view;
 
-constexpr std::uint64_t kBytesBetweenWords = std::uint64_t{64} << 20;
+constexpr std::uint64_t kBytesBetweenSigns = std::uint64_t{64} << 20;
 
 /// Names of statements that say nothing that is seen here: of smoothing, display and rendering.
 constexpr std::array kPassedOver{View("s"),          View("mg"),        View("bevel"),  View("c_interp"),
@@ -278,9 +278,9 @@ void forEachPiece(const InputFile& file, const std::function<void()>& alive, con
         if (got == 0) return;
         kept = end - whole;
         std::memmove(buffer.data(), buffer.data() + whole, kept);
-        const std::uint64_t told = offset / kBytesBetweenWords;
+        const std::uint64_t told = offset / kBytesBetweenSigns;
         offset += got;
-        if (offset / kBytesBetweenWords != told) alive();
+        if (offset / kBytesBetweenSigns != told) alive();
     }
 }
 

@@ -10,7 +10,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::string_view kBlanks(" \t\v\f\0", 5);
+constexpr std::string_view kAllBlanks(" \t\v\f\0", 5);
 
 /// Of doubles: floats that are too small are 0, and too large ones infinite.
 std::optional<float> outsideOfFloats(const char* first, const char* last) {
@@ -35,7 +35,7 @@ std::string StatementText::rest() {
         const char* const first = at_;
         while (!isLineEnd(*at_) && !(*at_ == '\\' && isLineEnd(at_[1]))) ++at_;
         std::string_view part(first, static_cast<std::size_t>(at_ - first));
-        part = part.substr(0, part.find_last_not_of(kBlanks) + 1);
+        part = part.substr(0, part.find_last_not_of(kAllBlanks) + 1);
         if (!text.empty()) text += ' ';
         text += part;
     }
@@ -77,8 +77,8 @@ std::string inSmallLetters(std::string_view text) {
 }
 
 std::string_view unquoted(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    text = text.substr(0, text.find_last_not_of(kBlanks) + 1);
+    text.remove_prefix(std::min(text.find_first_not_of(kAllBlanks), text.size()));
+    text = text.substr(0, text.find_last_not_of(kAllBlanks) + 1);
     const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
