@@ -5,7 +5,7 @@
 #include "support/damaged_text.h"
 
 #include "rtcore/io/import/assimp/assimp_import.h"
-#include "rtcore/io/import/obj/statement_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/platform/error.h"
 
 #include <gtest/gtest.h>

@@ -213,8 +213,8 @@ TEST(ScanImport, LargeMeshes) {
 TEST(ScanImport, RealScans) {
     const char* const folder = std::getenv("RT_TEST_SCENES");
     if (folder == nullptr) GTEST_SKIP() << "RT_TEST_SCENES is not set";
-    for (const char* name :
-         {"dragon/dragon.ply", "sibenik/sibenik.ply", "spot/spot_bin.ply", "spot/spot_bin.stl"})
+    for (const char* name : {"dragon/dragon.ply", "sibenik/sibenik.ply", "spot/spot_bin.ply",
+                             "spot/spot_bin.stl", "spot/spot.stl"})
         expectSameAsAssimp(std::filesystem::path(folder) / name, name);
 }
 
@@ -259,9 +259,102 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
     EXPECT_FALSE(isRead("a.raw", stl)) << "nothing in it says what it is";
     EXPECT_FALSE(isRead("a.stl", stl + "x"));
     EXPECT_FALSE(isRead("a.stl", stl.substr(0, stl.size() - 1)));
-    EXPECT_FALSE(isRead("a.stl", test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}}, "COLOR=abcd")));
-    EXPECT_FALSE(isRead("a.stl", test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}}, "colours", 0x8000)));
     EXPECT_FALSE(isRead("a.stl", ""));
+}
+
+constexpr const char* kTwoSolids =
+    "solid one two\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 .5\n"
+    "  endloop\n endfacet\nendsolid one two\nsolid\nendsolid\nsolid b\nfacet normal 1 0 0\nouter loop\n"
+    "vertex 0 0 5\nvertex 1e0 0 5\nvertex 0 1 5\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 1 "
+    "0 0\n"
+    "vertex 0 0 5\nvertex 0 1 5\nendloop\nendfacet\nendsolid b\n";
+
+TEST(ScanImport, StlOfText) {
+    std::string text = kTwoSolids;
+    text.replace(text.find(".5"), 2, "0.5"); // as Assimp knows it
+    expectSameAsAssimp("a.stl", text, "two solids");
+    const auto read = [](const std::string& stl) { return test::importText("a.stl", stl); };
+    const ImportedModel plain = read(kTwoSolids);
+    EXPECT_EQ(plain.model.mesh.triangles.size(), 3U);
+    EXPECT_TRUE(plain.report.warnings.empty());
+    std::string capitals;
+    for (const char c : std::string(kTwoSolids)) capitals += static_cast<char>(std::toupper(c));
+    std::string windows;
+    for (const char c : std::string(kTwoSolids)) windows += c == '\n' ? "\r\n" : std::string(1, c);
+    for (const std::string& other : {capitals, windows, "\xEF\xBB\xBF" + std::string(kTwoSolids)})
+        EXPECT_EQ(read(other).model.mesh.triangles.size(), 3U) << other;
+    // Nobody uses the normals.
+    for (const char* normal : {"nan nan nan", "-nan(ind) -nan(ind) -1.#IND", "a b c", "0 0"})
+        EXPECT_EQ(read(changed(kTwoSolids, "0 0 1", normal)).model.mesh.triangles.size(), 3U) << normal;
+}
+
+TEST(ScanImport, AFacetOfAnStlFileThatIsNoneCostsItselfAlone) {
+    const auto read = [](const std::string& from, const std::string& to) {
+        return test::importText("a.stl", changed(kTwoSolids, from, to));
+    };
+    const ImportedModel word = read("1 0 0\n   vertex 0 1 .5", "1 0 x\n   vertex 0 1 .5");
+    EXPECT_EQ(word.model.mesh.triangles.size(), 2U);
+    ASSERT_EQ(word.report.warnings.size(), 1U);
+    EXPECT_EQ(word.report.warnings[0].english(),
+              "'a.stl', line 5: 'vertex' is not understood and passed over");
+    const ImportedModel two = read("   vertex 0 1 .5\n", "");
+    EXPECT_EQ(two.model.mesh.triangles.size(), 2U);
+    ASSERT_EQ(two.report.warnings.size(), 1U);
+    EXPECT_EQ(two.report.warnings[0].english(), "'a.stl', line 2: 'facet' is not understood and passed over");
+    EXPECT_EQ(read("   vertex 0 1 .5\n", "   vertex 0 1 .5\nvertex -1 1 .5\n").model.mesh.triangles.size(),
+              4U);
+    const std::string first(kTwoSolids, std::string(kTwoSolids).find("  endloop"));
+    const ImportedModel cut = test::importText("a.stl", first);
+    EXPECT_EQ(cut.model.mesh.triangles.size(), 1U);
+    ASSERT_EQ(cut.report.warnings.size(), 1U);
+    EXPECT_EQ(cut.report.warnings[0].english(),
+              "it is cut off: 'endsolid' is missing at its end; copy it again");
+}
+
+/// A binary STL file of triangles with these attributes.
+std::string colouredStl(const std::string& title, const std::vector<std::uint16_t>& attributes) {
+    std::vector<std::array<Vec3, 3>> triangles;
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+        const auto x = static_cast<float>(i);
+        triangles.push_back({Vec3{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+    }
+    std::string text = test::stlText(triangles, title);
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+        std::memcpy(&text[84 + 50 * i + 48], &attributes[i], 2);
+    return text;
+}
+
+TEST(ScanImport, ColoursOfStlFiles) {
+    const std::vector<std::uint16_t> attributes{0x8000 | 31 << 10, 0x8000 | 31, 0x7FFF, 0, 0x8000 | 9 << 5};
+    expectSameAsAssimp("a.stl", colouredStl("VisCAM", attributes), "VisCAM");
+    const auto coloursOf = [](const std::string& text) {
+        const ImportedModel m = test::importText("a.stl", text);
+        std::vector<Colour> colours;
+        for (const ShadingTriangle& t : m.model.mesh.shading) colours.push_back(m.model.mesh.colours[t.v[0]]);
+        return colours;
+    };
+    const auto magics = coloursOf(colouredStl("COLOR=\xFF\xFF\x01\xFF", {31, 31 << 5, 31 << 10, 0x8000}));
+    ASSERT_EQ(magics.size(), 4U);
+    EXPECT_TRUE(test::near(magics[0], {1, 0, 0}));
+    EXPECT_TRUE(test::near(magics[1], {0, 1, 0}));
+    EXPECT_TRUE(test::near(magics[2], {0, 0, 1}));
+    EXPECT_TRUE(test::near(magics[3], {1, 1, 0}, 1e-3F)) << "that of the head";
+    expectSameAsAssimp("a.stl", colouredStl("COLOR=\xFF\x80\x01\xFF", {0, 0}), "the head's colour for all");
+}
+
+TEST(ScanImport, CasesOfTheField) {
+    const char* const scenes = std::getenv("RT_TEST_SCENES");
+    if (scenes == nullptr) GTEST_SKIP() << "RT_TEST_SCENES is not set";
+    const std::filesystem::path cases = std::filesystem::path(scenes) / "field3";
+    const ImportedModel nan = test::importFile(cases / "stl/nan_normal.stl");
+    EXPECT_EQ(nan.model.mesh.triangles.size(), 2U);
+    EXPECT_TRUE(nan.report.warnings.empty());
+    const ImportedModel magics = test::importFile(cases / "stl/magics.stl");
+    ASSERT_EQ(magics.model.mesh.triangles.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Colour c = magics.model.mesh.colours[magics.model.mesh.shading[i].v[0]];
+        EXPECT_TRUE(test::near(c, {i == 0 ? 1.0F : 0, i == 1 ? 1.0F : 0, i == 2 ? 1.0F : 0})) << i;
+    }
 }
 
 /// The message of importModel about the file, as a user sees it.

@@ -1,6 +1,6 @@
 #include "rtcore/io/import/obj/map_statement.h"
 
-#include "rtcore/io/import/obj/statement_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 
 #include <algorithm>
 #include <array>

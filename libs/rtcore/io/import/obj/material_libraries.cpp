@@ -1,7 +1,7 @@
 #include "rtcore/io/import/obj/material_libraries.h"
 
 #include "rtcore/io/import/materials/texture_files.h"
-#include "rtcore/io/import/obj/statement_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,8 +1,8 @@
 #include "rtcore/io/import/obj/mtl_file.h"
 
 #include "rtcore/io/import/obj/map_statement.h"
-#include "rtcore/io/import/obj/statement_text.h"
-#include "rtcore/io/import/obj/statement_warning.h"
+#include "rtcore/io/import/text/statement_text.h"
+#include "rtcore/io/import/text/statement_warning.h"
 
 #include <algorithm>
 #include <array>

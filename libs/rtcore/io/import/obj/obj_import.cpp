@@ -8,7 +8,7 @@
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/obj/obj_meshes.h"
 #include "rtcore/io/import/obj/obj_reader.h"
-#include "rtcore/io/import/obj/statement_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
 

@@ -3,8 +3,9 @@
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/obj/material_libraries.h"
 #include "rtcore/io/import/obj/obj_structure.h"
-#include "rtcore/io/import/obj/statement_text.h"
-#include "rtcore/io/import/obj/statement_warning.h"
+#include "rtcore/io/import/text/statement_pieces.h"
+#include "rtcore/io/import/text/statement_text.h"
+#include "rtcore/io/import/text/statement_warning.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/large_vector.h"
 #include "rtcore/platform/paths.h"
@@ -12,10 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace rtcore {
@@ -23,8 +22,6 @@ namespace rtcore {
 namespace {
 
 using View = std::string_view;
-
-constexpr std::uint64_t kBytesBetweenSigns = std::uint64_t{64} << 20;
 
 /// Names of statements that say nothing that is seen here: of smoothing, display and rendering.
 constexpr std::array kPassedOver{View("s"),          View("mg"),        View("bevel"),  View("c_interp"),
@@ -260,43 +257,15 @@ class ObjStatements {
     std::array<std::size_t, 7> known_{}; ///< lengths of lists after the last piece
 };
 
-/// Hands over the file in pieces of whole statements.
-template <typename Use>
-void forEachPiece(const InputFile& file, const std::function<void()>& alive, const Use& use) {
-    constexpr std::size_t kPiece = std::size_t{1} << 20;
-    std::vector<char> buffer(2 * kPiece + 1);
-    std::size_t kept = 0; // bytes at its beginning that wait for the rest of their statement
-    for (std::uint64_t offset = 0;;) {
-        if (buffer.size() < kept + kPiece + 1) buffer.resize(2 * buffer.size());
-        const std::span<char> room = std::span(buffer).subspan(kept);
-        const std::size_t got = file.readAt(offset, std::as_writable_bytes(room.first(room.size() - 1)));
-        std::size_t end = kept + got;
-        if (got == 0) buffer[end++] = '\n';
-        const View text(buffer.data(), end);
-        const std::size_t whole = got == 0 ? end : wholeStatements(text);
-        if (whole > 0) use(text.substr(0, whole), offset);
-        if (got == 0) return;
-        kept = end - whole;
-        std::memmove(buffer.data(), buffer.data() + whole, kept);
-        const std::uint64_t told = offset / kBytesBetweenSigns;
-        offset += got;
-        if (offset / kBytesBetweenSigns != told) alive();
-    }
-}
-
 } // namespace
 
 ObjFile readObj(const std::filesystem::path& path, ImportReport& report, const std::function<void()>& alive) {
-    constexpr View kByteOrderMark = "\xEF\xBB\xBF";
     ObjFile file;
     const InputFile input(path);
     ObjStatements statements(path, file, report);
-    bool first = true;
-    forEachPiece(input, alive, [&](View text, std::uint64_t offset) {
-        if (first && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-        first = false;
+    forEachStatements(input, alive, [&](View text, std::uint64_t next) {
         statements.read(text);
-        const std::uint64_t left = input.size() - std::min(input.size(), offset + text.size());
+        const std::uint64_t left = input.size() - std::min(input.size(), next);
         statements.makeRoom(static_cast<double>(left) / static_cast<double>(text.size() + 1));
     });
     statements.warn(path);

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/scan/scan_import.h"
 
+#include "rtcore/io/import/inspection/cut_off.h"
 #include "rtcore/io/import/inspection/exporter_notes.h"
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/material_mapping.h"
@@ -7,6 +8,7 @@
 #include "rtcore/io/import/scan/ply_elements.h"
 #include "rtcore/io/import/scan/ply_file.h"
 #include "rtcore/io/import/scan/stl_file.h"
+#include "rtcore/io/import/scan/stl_text.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/paths.h"
@@ -16,17 +18,25 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rtcore {
 
 namespace {
 
-/// A mesh and what Assimp says about its format.
+/// Meshes and what Assimp says about their format.
 struct Scan {
-    ScanMesh mesh;
+    std::vector<ScanPart> parts;
     const char* format;
     const char* material; ///< its name
+    Colour colour = kWhite;
 };
+
+Scan ofOne(ScanMesh mesh, const char* format, const char* material) {
+    Scan scan{{}, format, material};
+    scan.parts.push_back({"", std::move(mesh)});
+    return scan;
+}
 
 /// Nothing in an STL file says what it is.
 bool isNamedStl(const std::filesystem::path& path) {
@@ -36,33 +46,46 @@ bool isNamedStl(const std::filesystem::path& path) {
     return ending == ".stl";
 }
 
-std::optional<Scan> readScan(const std::filesystem::path& path, const std::function<void()>& alive) {
+std::optional<Scan> readStlScan(const std::filesystem::path& path, const InputFile& file,
+                                ImportReport& report, const std::function<void()>& alive) {
+    constexpr const char* kFormat = "Stereolithography (STL) Importer";
+    constexpr const char* kMaterial = "DefaultMaterial";
+    if (auto stl = readStl(file, alive)) {
+        Scan scan = ofOne(std::move(stl->mesh), kFormat, kMaterial);
+        scan.colour = stl->colour;
+        return scan;
+    }
+    auto solids = readTextStl(path, report, alive);
+    if (!solids) return {};
+    return Scan{std::move(*solids), kFormat, kMaterial};
+}
+
+std::optional<Scan> readScan(const std::filesystem::path& path, ImportReport& report,
+                             const std::function<void()>& alive) {
     if (!std::filesystem::is_regular_file(path)) return {};
     InputFile file(path);
     const std::span<const std::byte> head = file.head(kMaxPlyHeader);
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     const auto header = readPlyHeader(text);
     if (header && isScan(*header))
-        return Scan{readPly(file, *header, alive), "Stanford Polygon Library (PLY) Importer", ""};
+        return ofOne(readPly(file, *header, alive), "Stanford Polygon Library (PLY) Importer", "");
     if (header && header->isText) refuseCutOffText(file, *header, alive);
     // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
     // ever.
     if (endsInPlyHeader(text)) refuseDamaged(say("its head does not end within {0} bytes", head.size()));
     if (!isNamedStl(path)) return {};
-    auto mesh = readStl(file, alive);
-    if (!mesh) return {};
-    return Scan{std::move(*mesh), "Stereolithography (STL) Importer", "DefaultMaterial"};
+    return readStlScan(path, file, report, alive);
 }
 
-/// White; what a highlight would need is not in the file.
-void addMaterial(const char* name, const std::filesystem::path& path, const FileImportOptions& options,
+/// What a highlight would need is not in the file.
+void addMaterial(const Scan& scan, const std::filesystem::path& path, const FileImportOptions& options,
                  FileImport& import) {
     const NoEmbeddedPictures none;
     TextureStore textures(import.model, import.report, path.parent_path(), none, options.alive);
     SourceMaterial source;
-    source.diffuse = source.specular = kWhite;
+    source.diffuse = source.specular = scan.colour;
     Material material = mapMaterial(source, textures);
-    material.nameOffset = import.model.addName(name);
+    material.nameOffset = import.model.addName(scan.material);
     import.model.materials.push_back(material);
 }
 
@@ -73,23 +96,38 @@ SourceMesh viewOf(const ScanMesh& mesh) {
 } // namespace
 
 std::optional<FileImport> importScan(const std::filesystem::path& path, const FileImportOptions& options) {
-    std::optional<Scan> scan = readScan(path, options.alive);
+    FileImport import;
+    std::optional<Scan> scan = readScan(path, import.report, options.alive);
     if (!scan) return {};
     options.alive();
-    FileImport import;
     import.report.origin = {scan->format, exporterNotes(path), {}, {}};
-    import.report.ignoredPrimitives = scan->mesh.ignoredPrimitives;
     addFile(import.report, plainPath(path).string());
-    addMaterial(scan->material, path, options, import);
+    addMaterial(*scan, path, options, import);
 
     MeshAssembler assembler;
-    refuseTooMuch(scan->mesh.positions.size(), scan->mesh.triangles.size(), options.memoryLimit, assembler);
-    assembler.add(viewOf(scan->mesh));
+    std::uint64_t vertices = 0, triangles = 0;
+    for (const ScanPart& part : scan->parts) {
+        vertices += part.mesh.positions.size();
+        triangles += part.mesh.triangles.size();
+        import.report.ignoredPrimitives += part.mesh.ignoredPrimitives;
+    }
+    refuseTooMuch(vertices, triangles, options.memoryLimit, assembler);
+    for (ScanPart& part : scan->parts) {
+        if (part.mesh.triangles.empty() && scan->parts.size() > 1) continue;
+        const std::uint32_t first = assembler.triangleCount();
+        assembler.add(viewOf(part.mesh));
+        import.model.parts.push_back(
+            {import.model.addName(part.name), first, assembler.triangleCount() - first});
+        part.mesh = {};
+        options.alive();
+    }
+    const std::size_t meshes = scan->parts.size();
     scan.reset();
-    import.model.parts.push_back({0, 0, assembler.triangleCount()});
-    options.alive();
     finishGeometry(assembler, options.creaseAngle, import);
-    refuseUseless(assembler, 1, import);
+    const std::optional<Sentence> cut = cutOff(path);
+    if (cut && import.model.triangles.empty()) throw FileError(FailureKind::BadData, "", *cut);
+    refuseUseless(assembler, meshes, import);
+    if (cut) addWarning(import.report, *cut);
     warnOfLostTriangles(import.model, import.report);
     warnOfOutliers(import.model, import.report);
     return import;

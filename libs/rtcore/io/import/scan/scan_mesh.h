@@ -1,4 +1,4 @@
-/// The mesh that a reader of scans makes of a file.
+/// Meshes that a reader of scans makes of a file.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -6,6 +6,7 @@
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace rtcore {
@@ -17,6 +18,12 @@ struct ScanMesh {
     std::vector<Colour> colours;          ///< linear
     std::vector<Triangle> triangles;      ///< indices below positions.size()
     std::uint64_t ignoredPrimitives = 0;  ///< faces of less than three corners
+};
+
+/// A mesh that has a name in its file.
+struct ScanPart {
+    std::string name;
+    ScanMesh mesh;
 };
 
 } // namespace rtcore

@@ -1,4 +1,4 @@
-#include "rtcore/io/import/obj/statement_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "rtcore/io/import/obj/statement_warning.h"
+#include "rtcore/io/import/text/statement_warning.h"
 
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/settings/plain_text.h"
