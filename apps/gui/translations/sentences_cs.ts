@@ -1576,8 +1576,16 @@
         <translation>knihovny materiálů {0} chybí; co popisují, je šedé</translation>
     </message>
     <message>
+        <source>material library {0} are not read, as they lie outside of the model's folder; what they describe is plain grey: put them beside the model</source>
+        <translation>knihovny materiálů {0} se nečtou, protože leží mimo složku modelu; co popisují, je šedé: dejte je vedle modelu</translation>
+    </message>
+    <message>
         <source>material library {0} is missing; what it describes is plain grey</source>
         <translation>knihovna materiálů {0} chybí; co popisuje, je šedé</translation>
+    </message>
+    <message>
+        <source>material library {0} is not read, as it lies outside of the model's folder; what it describes is plain grey: put it beside the model</source>
+        <translation>knihovna materiálů {0} se nečte, protože leží mimo složku modelu; co popisuje, je šedé: dejte ji vedle modelu</translation>
     </message>
     <message>
         <source>material {0} is seen to emit light, but lights nothing</source>
@@ -3072,6 +3080,10 @@
         <translation>{0} je {1}, což je pro výsledné obrazy, ne pro živý pohled; dejte to do [still], nebo použijte 'Renderer --setting {0}={1}'</translation>
     </message>
     <message>
+        <source>{0} lines and points are left out; only surfaces are shown</source>
+        <translation>vynechané čáry a body: {0}; ukazují se jen plochy</translation>
+    </message>
+    <message>
         <source>{0} lists of normals, colours, texture coordinates or joints are damaged and left out</source>
         <translation>seznamů normál, barev, souřadnic textur nebo kloubů poškozených a vynechaných: {0}</translation>
     </message>
@@ -3222,6 +3234,18 @@
     <message>
         <source>{0}, at least {1}</source>
         <translation>{0}, nejméně {1}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2} is not understood and passed over</source>
+        <translation>{0}, řádek {1}: {2} není srozumitelné a přeskakuje se</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2} is not understood and passed over, as are {3} lines more</source>
+        <translation>{0}, řádek {1}: {2} není srozumitelné a přeskakuje se, a s ním další řádky: {3}</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: {2} is not understood and passed over, as is {3} line more</source>
+        <translation>{0}, řádek {1}: {2} není srozumitelné a přeskakuje se, a s ním ještě {3} řádek</translation>
     </message>
     <message>
         <source>{0}, or {1}</source>
