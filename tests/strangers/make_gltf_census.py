@@ -110,6 +110,9 @@ class Maker:
             if self.chance(0.2):
                 look.cutoff = 0.5
                 del entry["alphaCutoff"]
+            alpha = colour[3] * 0.5 / look.cutoff
+            if alpha <= 1:  # the same holes by the usual cutoff
+                look.colour, look.cutoff = (*colour[:3], alpha), 0.5
         elif self.chance(0.2):
             entry["alphaMode"] = "OPAQUE"
         if self.chance(0.7):

@@ -1180,6 +1180,10 @@
         <translation>je to budova ve formátu {0}, který nelze načíst; exportujte ji jako IFC2x3 nebo glTF</translation>
     </message>
     <message>
+        <source>it is a cloud of {0} points, which has no surfaces; make a mesh of it (CloudCompare, MeshLab) and save that as PLY</source>
+        <translation>je to mračno {0} bodů, které nemá plochy; udělejte z něj síť (CloudCompare, MeshLab) a uložte ji jako PLY</translation>
+    </message>
+    <message>
         <source>it is a document of FreeCAD, which is not read; export it as STL, 3MF or glTF</source>
         <translation>je to dokument programu FreeCAD, který nelze načíst; exportujte ho jako STL, 3MF nebo glTF</translation>
     </message>

@@ -4,6 +4,7 @@
 #include "rtcore/pathtracing/path_numbers-inl.h"
 #include "rtcore/shading/paths/path_length-inl.h"
 #include "rtcore/shading/secondary_rays.h"
+#include "rtcore/shading/surface/frosted_glass.h"
 #include "rtcore/shading/surface/surface_split.h"
 
 #include <algorithm>
@@ -12,14 +13,21 @@ namespace rtcore {
 
 namespace {
 
-/// 0 <= u < 1 for one use at the point of a path.
-float numberFor(const PathPoints::Task& task, const Wave& wave, std::size_t i, SampleDimension dimension) {
+/// For one use at the point of a path.
+SquarePoint numbersFor(const PathPoints::Task& task, const Wave& wave, std::size_t i,
+                       SampleDimension dimension) {
     const std::uint32_t sample = wave.paths.sample(i);
     const std::uint32_t scatters =
         task.paths != nullptr ? task.paths->scattered().state[i] & path_state::kScatters : 0U;
     const auto visit = HWY_NAMESPACE::visitOf(scatters, wave.paths.bounces(i));
     const std::uint32_t name = HWY_NAMESPACE::nameOfNumbers(task.names.pixel[sample], dimension, visit);
-    return unitFloat(owenPair(task.names.sub[sample], name).u);
+    const auto pair = owenPair(task.names.sub[sample], name);
+    return {unitFloat(pair.u), unitFloat(pair.v)};
+}
+
+/// 0 <= u < 1.
+float numberFor(const PathPoints::Task& task, const Wave& wave, std::size_t i, SampleDimension dimension) {
+    return numbersFor(task, wave, i, dimension).u;
 }
 
 /// Updates which light a ray counts, once glass has bent it or a pane has let it pass.
@@ -56,7 +64,7 @@ Colour PathPoints::completeGeneral(const Task& task, Wave& wave, std::size_t i, 
     const bool fromCamera = path.depth == 0 && task.paths == nullptr;
     path.weight = surfaces.weight.colourAt(i);
     const Vec3 direction = wave.direction(i);
-    const Surface s = surfaceOfPoint(task.frame, wave, i);
+    Surface s = surfaceOfPoint(task.frame, wave, i);
     const float t = wave.hits.t[i];
     if (s.coverage < 1 && !(numberFor(task, wave, i, SampleDimension::Hole) < s.coverage)) {
         path.length = HWY_NAMESPACE::lengthAfter(path.length, t, true);
@@ -66,6 +74,9 @@ Colour PathPoints::completeGeneral(const Task& task, Wave& wave, std::size_t i, 
         return {};
     }
     if (path.depth == 0) sums.setHit(path.sample, true);
+    if (settings.refractions && isFrosted(*s.material))
+        takeFacet(facetAlpha(*task.frame.scene, settings.textures, wave.hits.hit(i)),
+                  numbersFor(task, wave, i, SampleDimension::Facet), s);
     const SurfaceSplit split = splitLight(s, settings);
     const Colour emitted = path.weight * s.emission;
     const float through = luminance(split.transmitted);
@@ -75,14 +86,14 @@ Colour PathPoints::completeGeneral(const Task& task, Wave& wave, std::size_t i, 
         const float passes = through / (through + rest);
         if (numberFor(task, wave, i, SampleDimension::Glass) < passes) {
             const bool straight =
-                !s.closed || HWY_NAMESPACE::isFlat<float>(s.shadingNormal, s.geometricNormal);
+                (!s.closed && !s.facet) || HWY_NAMESPACE::isFlat<float>(s.shadingNormal, s.geometricNormal);
             path.length = HWY_NAMESPACE::lengthAfter(path.length, t, straight);
             path.weight *= split.transmitted / passes;
             surfaces.traits[i] = 0;
             const auto ray = rayBehind(s, settings.maxDepth, path);
             if (ray && !isBlack(path.weight)) {
                 next.pushStraight(*ray, path, task.paths, i);
-                passGlass(s.closed, task.caustics, next.scattered(), next.queue.size() - 1);
+                passGlass(s.closed || s.facet, task.caustics, next.scattered(), next.queue.size() - 1);
             }
             return emitted;
         }

@@ -22,13 +22,14 @@ enum class SampleDimension : std::uint32_t {
     Occlusion,
     AreaLight,
     Shaft,
-    Hole,       ///< whether a surface that is there in part is met
-    Glass,      ///< whether light is reflected or passes
-    Lobe,       ///< which lobe of a surface scatters
-    Direction,  ///< where it scatters to
-    Light,      ///< which light is sampled
-    Emitter,    ///< which emissive triangle of a cluster
-    LightChoice ///< which lights are traced where there is no time for all
+    Hole,        ///< whether a surface that is there in part is met
+    Glass,       ///< whether light is reflected or passes
+    Lobe,        ///< which lobe of a surface scatters
+    Direction,   ///< where it scatters to
+    Light,       ///< which light is sampled
+    Emitter,     ///< which emissive triangle of a cluster
+    LightChoice, ///< which lights are traced where there is no time for all
+    Facet        ///< which facet of rough glass is met
 };
 
 #define RT_FORMULA constexpr

@@ -1,5 +1,6 @@
 #include "rtcore/shading/secondary_rays.h"
 
+#include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/scattering/fresnel.h"
 #include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/surface/medium.h"
@@ -16,6 +17,14 @@ constexpr std::size_t kWaveSize = 16384;
 /// Thin walls and holes that a path may pass; it bounds the work of a hostile model.
 constexpr std::uint16_t kMaxPasses = 1000;
 static_assert(kMaxPasses < 0x7FFF, "PathQueue::bounces has 15 bits for them");
+
+/// Behind a thin wall: as it came, but for a facet, which sends behind what it would mirror.
+Vec3 throughWall(const Surface& s) {
+    if (!s.facet) return -s.toViewer;
+    const Vec3 mirrored =
+        HWY_NAMESPACE::mirrorDirection<float>(s.toViewer, s.shadingNormal, s.geometricNormal);
+    return normalize(mirrored - s.geometricNormal * (2 * dot(mirrored, s.geometricNormal)));
+}
 
 /// `side` is the normal on the side that the ray leaves to.
 Ray rayFrom(const Surface& s, Vec3 side, Vec3 direction) {
@@ -39,6 +48,7 @@ std::optional<Ray> rayBehind(const Surface& s, int maxDepth, Path& path) {
     const Material& m = *s.material;
     Vec3 direction = -s.toViewer;
     if (!s.closed) {
+        direction = throughWall(s);
         path.weight *= m.transmission;
         if (++path.passes > kMaxPasses) return std::nullopt;
     } else {
@@ -46,7 +56,9 @@ std::optional<Ray> rayBehind(const Surface& s, int maxDepth, Path& path) {
         ++path.depth;
         const float eta = s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
         if (!refract(direction, s.shadingNormal, eta, direction)) return std::nullopt;
-        if (dot(direction, s.geometricNormal) >= 0) return std::nullopt; // a smooth normal bent it back out
+        const float above = dot(direction, s.geometricNormal);
+        if (above >= 0 && !s.facet) return std::nullopt; // a smooth normal bent it back out
+        if (above >= 0) direction = normalize(direction - s.geometricNormal * (above + 1e-3F));
         if (!s.fromInside) path.weight *= tintOnEntering(m);
         path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
         path.inside = !s.fromInside;

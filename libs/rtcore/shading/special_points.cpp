@@ -1,7 +1,9 @@
 #include "rtcore/shading/special_points.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/sampling/even_shift.h"
 #include "rtcore/shading/paths/path_length-inl.h"
+#include "rtcore/shading/surface/frosted_glass.h"
 #include "rtcore/shading/surface/surface_split.h"
 
 #include <algorithm>
@@ -37,7 +39,7 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     Path path = task.wave.paths.path(i);
     path.weight = surfaces.weight.colourAt(i);
     const Vec3 direction = task.wave.direction(i);
-    const Surface s = surfaceOfPoint(task.frame, task.wave, i);
+    Surface s = surfaceOfPoint(task.frame, task.wave, i);
     const float t = task.wave.hits.t[i];
     if (s.coverage < 1) {
         Path through = path;
@@ -52,6 +54,11 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
         path.weight = path.weight * s.coverage;
     }
     if (path.depth == 0) task.sums.setHit(path.sample, true);
+    if (settings.refractions && isFrosted(*s.material)) {
+        const std::uint32_t salt = mixBits(task.wave.paths.bounces(i)) >> 8;
+        takeFacet(facetAlpha(*task.frame.scene, settings.textures, task.wave.hits.hit(i)),
+                  evenShift(task.wave.sampleId(i), SampleDimension::Facet, salt), s);
+    }
     const SurfaceSplit split = splitLight(s, settings);
     surfaces.shadingNormal.set(i, s.shadingNormal);
     surfaces.diffuseBrdf.set(i, s.diffuse / kPi);
@@ -61,7 +68,8 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
         surfaces.specular.set(i, path.weight * split.mirrored);
         surfaces.traits[i] |= traits::kSpecular;
     }
-    const bool straight = !s.closed || HWY_NAMESPACE::isFlat<float>(s.shadingNormal, s.geometricNormal);
+    const bool straight =
+        (!s.closed && !s.facet) || HWY_NAMESPACE::isFlat<float>(s.shadingNormal, s.geometricNormal);
     path.length = HWY_NAMESPACE::lengthAfter(path.length, t, straight);
     if (!isBlack(split.transmitted)) task.secondary.addTransparent(s, split.transmitted, path);
     if (hasRoughness(*s.material)) return path.weight * s.emission;

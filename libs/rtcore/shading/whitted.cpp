@@ -4,6 +4,7 @@
 #include "rtcore/lights/light_hit-inl.h"
 #include "rtcore/lights/mirrored_light.h"
 #include "rtcore/shading/surface/emission.h"
+#include "rtcore/shading/surface/frosted_glass.h"
 #include "rtcore/shading/surface/medium.h"
 
 #include <algorithm>
@@ -42,7 +43,8 @@ bool WhittedIntegrator::needsSampleIds(const Scene& scene, const RenderSettings&
     const bool areaLights =
         settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft, &SceneLight::light);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
-    return settings.ambientOcclusion.on || settings.skyLight.on || areaLights || shafts ||
+    const bool frosted = settings.refractions && std::ranges::any_of(scene.materials, isFrosted);
+    return frosted || settings.ambientOcclusion.on || settings.skyLight.on || areaLights || shafts ||
            scene.lights.size() > LightChoice::kAll;
 }
 

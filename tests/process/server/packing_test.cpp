@@ -162,10 +162,6 @@ INSTANTIATE_TEST_SUITE_P(
                [](const fs::path& got) {
                    writeText(got / "room.mtl", "newmtl wall\nmap_Kd ../home/secret.key\n");
                }},
-        Attack{"MaterialLibrary", "room.scn",
-               [](const fs::path& got) {
-                   writeText(got / "room.obj", triangle("mtllib ../home/secret.key\nmtllib room.mtl\n"));
-               }},
         Attack{"ImageOfGltf", "a.gltf",
                [](const fs::path& got) { writeText(got / "a.gltf", gltfWith("../home/secret.key")); }},
         Attack{"PercentCodes", "a.gltf",
@@ -199,6 +195,15 @@ INSTANTIATE_TEST_SUITE_P(
                },
                "/home/mine.obj'"}),
     [](const auto& attack) { return attack.param.name; });
+
+TEST_F(Packing, MaterialLibrariesElsewhereAreNeitherReadNorPacked) {
+    write("room.obj", triangle("mtllib ../home/secret.key\nmtllib room.mtl\n"));
+    startWith("room.scn");
+    ASSERT_EQ(cui({"pack", "packed"}).exitCode, 0);
+    EXPECT_EQ(packedNames("packed"), "model/room.mtl model/room.obj model/tile.png room.scn ");
+    (void)cui({"pack", "again", "outside"});
+    expectNoSecret();
+}
 
 TEST_F(Packing, TakesFilesWhoseNamesHoldLineEnds) {
     fs::copy_file(folder() / "got/tile.png", folder() / "got/ti\nle.png");

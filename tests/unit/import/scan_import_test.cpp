@@ -235,7 +235,6 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
     EXPECT_TRUE(isRead("a.ply", text));
     EXPECT_TRUE(isRead("a.txt", text)) << "the content counts";
     const std::vector<std::array<const char*, 2>> changes{
-        {"element face", "element tristrips"},
         {"made by a test", "TextureFile a.png"},
         {"uchar int", "float int"},
         {"uchar int", "uchar float"},
@@ -253,7 +252,7 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
     const std::string lines =
         changed(text.substr(0, text.find("end_header") + 11), "binary_little_endian", "ascii") +
         "0 0 0\n1 0 0\n1 1 0\n\n0 1 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3";
-    EXPECT_FALSE(isRead("a.ply", lines)) << "a whole file of text";
+    EXPECT_TRUE(isRead("a.ply", lines)) << "a whole file of text";
     const std::string stl = test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}});
     EXPECT_TRUE(isRead("a.stl", stl));
     EXPECT_FALSE(isRead("a.raw", stl)) << "nothing in it says what it is";
@@ -349,6 +348,11 @@ TEST(ScanImport, CasesOfTheField) {
     const ImportedModel nan = test::importFile(cases / "stl/nan_normal.stl");
     EXPECT_EQ(nan.model.mesh.triangles.size(), 2U);
     EXPECT_TRUE(nan.report.warnings.empty());
+    EXPECT_EQ(test::importFile(cases / "ply/strips.ply").model.mesh.triangles.size(), 2U);
+    const Model faces = test::importFile(cases / "ply/face_colour.ply").model;
+    EXPECT_TRUE(test::near(faces.mesh.colours[faces.mesh.shading[0].v[0]], {1, 0, 0}));
+    EXPECT_TRUE(test::near(faces.mesh.colours[faces.mesh.shading[1].v[0]], {0, 1, 0}));
+    EXPECT_THROW(test::importFile(cases / "ply/points.ply"), FileError);
     const ImportedModel magics = test::importFile(cases / "stl/magics.stl");
     ASSERT_EQ(magics.model.mesh.triangles.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -374,6 +378,74 @@ std::string complaint(const std::string& text) {
 void expectComplaint(const std::string& text, const std::string& part) {
     const std::string said = complaint(text);
     EXPECT_NE(said.find(part), std::string::npos) << said;
+}
+
+const std::string kPlyVertices = "ply\nformat ascii 1.0\ncomment a\nelement vertex 4\nproperty float x\n"
+                                 "property float y\nproperty float z\n";
+const std::string kPlyCorners = "0 0 0\n1 0 0\n1 1 0\n\n0 1 0.5\n";
+
+TEST(ScanImport, PlyOfText) {
+    const std::string faces = "element face 3\nproperty list uchar int vertex_indices\nend_header\n";
+    expectSameAsAssimp("a.ply", kPlyVertices + faces + kPlyCorners + "3 0 1 2\n4 0 1 2 3\n3 2 3 0\n",
+                       "plain");
+    const std::string coloured =
+        kPlyVertices + "property uchar red\nproperty uchar green\nproperty uchar blue\n" +
+        "property float nx\nproperty float ny\nproperty float nz\nproperty float s\n" + "property float t\n" +
+        faces;
+    std::string rows;
+    for (const char* at : {"0 0 0", "1 0 0", "1 1 0", "0 1 0.5"})
+        rows += std::string(at) + " 255 " + std::to_string(rows.size()) + " 0 0 0.5 1 0.25 1\n";
+    expectSameAsAssimp("a.ply", coloured + rows + "3 0 1 2\n3 0 2 3\n3 3 2 1\n", "all attributes");
+    EXPECT_EQ(test::importText("a.ply", kPlyVertices + faces + kPlyCorners + "3 0 1 2\n3 0 1 9\n3 0 2 3\n")
+                  .report.unconnectedTriangles,
+              1U);
+    expectComplaint(kPlyVertices + faces + kPlyCorners + "3 0 1 2\n3 0 1\n3 0 2 3\n",
+                    "it ends after 1 of the 3 elements 'face'");
+    expectComplaint(kPlyVertices + faces + kPlyCorners + "3 0 1 2\n3 0 1 2\n",
+                    "it ends after 2 of the 3 elements 'face'");
+    expectComplaint(kPlyVertices + faces + kPlyCorners + "3 0 1 2\n-4 0 1 2\n3 0 1 2\n",
+                    "claims to have -1 corners");
+}
+
+TEST(ScanImport, ColoursOfPlyFaces) {
+    const std::string text = kPlyVertices +
+                             "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                             "property uchar green\nproperty uchar blue\nend_header\n" +
+                             kPlyCorners + "3 0 1 2 255 0 0\n3 0 2 3 0 255 0\n";
+    for (const char* name : {"red", "diffuse_red"}) {
+        const Model m =
+            test::importText("a.ply", changed(text, "uchar red", std::string("uchar ") + name)).model;
+        ASSERT_EQ(m.mesh.triangles.size(), 2U);
+        for (int corner = 0; corner < 3; ++corner) {
+            EXPECT_TRUE(test::near(m.mesh.colours[m.mesh.shading[0].v[corner]], {1, 0, 0}));
+            EXPECT_TRUE(test::near(m.mesh.colours[m.mesh.shading[1].v[corner]], {0, 1, 0}));
+        }
+        EXPECT_EQ(m.mesh.vertices.size(), 4U) << "they are still welded";
+    }
+}
+
+TEST(ScanImport, StripsOfPly) {
+    const std::string head =
+        kPlyVertices + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+    const Model one = test::importText("a.ply", head + kPlyCorners + "4 0 1 3 2\n").model;
+    ASSERT_EQ(one.mesh.triangles.size(), 2U);
+    for (std::uint32_t t = 0; t < 2; ++t) EXPECT_GT(one.mesh.geometricNormal(t).z, 0) << "both face up";
+    EXPECT_EQ(
+        test::importText("a.ply", head + kPlyCorners + "7 0 1 3 -1 1 2 3\n").model.mesh.triangles.size(), 2U);
+}
+
+TEST(ScanImport, PointsAloneAreCalledThat) {
+    expectComplaint(kPlyVertices + "end_header\n" + kPlyCorners,
+                    "it is a cloud of 4 points, which has no surfaces");
+    expectComplaint(kPlyVertices + "element face 0\nproperty list uchar int vertex_indices\nend_header\n" +
+                        kPlyCorners,
+                    "it is a cloud of 4 points");
+    try {
+        test::importText("a.obj", "v 0 0 0\nv 1 0 0\n");
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("a cloud of 2 points"), std::string::npos) << error.what();
+    }
 }
 
 TEST(ScanImport, FilesThatLieAreErrors) {
@@ -526,10 +598,16 @@ TEST(ScanImport, DamagedFilesAreSoundOrRefused) {
     file.faces.push_back({0, 1, 2, 3});
     const std::string rich = file.text();
     const std::string stl = test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}, {Vec3{}, {1, 1, 0}, {0, 1, 5}}});
+    const std::string ofText = kPlyVertices +
+                               "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                               "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
+                               kPlyCorners + "3 0 1 2 255\n4 0 1 2 3 1\n4 0 1 2 3\n";
     for (long i = 0; i < count; ++i) {
         damage.check("a.ply", damage.damaged(plain, plain.find("end_header")));
         damage.check("a.ply", damage.damaged(rich, rich.find("end_header")));
         damage.check("a.stl", damage.damaged(stl, 84));
+        damage.check("a.stl", damage.damaged(kTwoSolids, 40));
+        damage.check("a.ply", damage.damaged(ofText, ofText.find("end_header")));
     }
 }
 

@@ -2,6 +2,9 @@
 
 #include "path_support.h"
 
+#include "rtcore/scattering/fresnel.h"
+#include "rtcore/scattering/ggx-inl.h"
+
 #include <gtest/gtest.h>
 
 namespace rtcore {
@@ -19,6 +22,56 @@ TEST(PathFurnace, ClearGlassAndWhiteMirrorsVanishInEvenSurroundings) {
             const auto seen = scene.see({x, 0.1F, 4}, {0, 0, -1}, 4000, test::bouncesAlone(16));
             EXPECT_NEAR(seen.mean[0], 1, 5 * seen.error[0] + 1e-3) << kind << ' ' << x;
         }
+    }
+}
+
+Material frosted(float roughness) {
+    Material m = test::glass();
+    m.roughness = roughness;
+    return m;
+}
+
+TEST(PathFurnace, FrostedGlassVanishesInEvenSurroundings) {
+    for (const float roughness : {0.1F, 0.4F, 1.0F}) {
+        for (const bool solid : {false, true}) {
+            test::SceneBuilder b;
+            if (solid) b.sphere({0, 0, 0}, 1, 24, b.material(frosted(roughness)));
+            if (!solid) b.square({0, 0, 0}, {0, 0, 1}, 3, b.material(frosted(roughness)));
+            b.scene.background = {1, 1, 1};
+            const test::PathScene scene(b.finish(), test::exactSettings(1000));
+            for (const float x : {0.0F, 0.3F, 0.7F}) {
+                const auto seen = scene.see({x, 0.1F, 4}, {0, 0, -1}, 4000, test::bouncesAlone(16));
+                EXPECT_NEAR(seen.mean[0], 1, 5 * seen.error[0] + 2e-3)
+                    << roughness << ' ' << solid << ' ' << x;
+            }
+        }
+    }
+}
+
+/// A pane in front of a bright square, seen straight on: the part of the light that facets send there, by
+/// their density (GGX) and by paths.
+TEST(PathFurnace, FrostedPanesSpreadLightAsTheirFacetsDo) {
+    for (const float roughness : {0.2F, 0.5F, 0.8F}) {
+        test::SceneBuilder b;
+        b.square({0, 0, 0}, {0, 0, 1}, 3, b.material(frosted(roughness)));
+        b.square({0, 0, -1}, {0, 0, 1}, 0.5F, b.material(test::emitter({1, 1, 1})));
+        const test::PathScene scene(b.finish());
+        const int side = 400;
+        double expected = 0;
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                const auto at = [](int k) { return (static_cast<float>(k) + 0.5F) / side - 0.5F; };
+                const Vec3 to{at(x), at(y), 1};
+                const float distance = length(to);
+                const auto facets = HWY_NAMESPACE::scatterGgx<float>({0, 0, 1}, {0, 0, 1}, to / distance,
+                                                                     roughness * roughness);
+                const float reflected = thinWallReflectance(fresnelDielectric(facets.fresnelCosine, 1.5F));
+                const double solidAngle = 1.0 / side / side / std::pow(distance, 3);
+                expected += facets.density * (1 - reflected) * solidAngle;
+            }
+        }
+        const auto seen = scene.see({0, 0, 2}, {0, 0, -1}, 200000, test::bouncesAlone(4));
+        EXPECT_NEAR(seen.mean[0], expected, 4 * seen.error[0] + 0.002 * expected) << roughness;
     }
 }
 

@@ -20,6 +20,7 @@ struct Surface {
     float coverage = 1;           ///< under 1 where an alpha lets rays pass as if nothing were there
     bool fromInside = false;      ///< the viewer is behind the front side
     bool closed = false;          ///< the surface bounds a solid, in which light is bent or tinted
+    bool facet = false;           ///< the shading normal is that of one facet (frosted_glass.h)
     const Material* material = nullptr;
 };
 

@@ -78,6 +78,7 @@ std::string percentDecoded(const std::string& text) {
 
 std::optional<fs::path> findTextureFile(const fs::path& folder, const std::string& name) {
     std::string spelled = name.substr(0, name.find('\0'));
+    spelled.resize(spelled.find_last_not_of(" \t\r") + 1); // some programs write a blank behind it
     std::replace(spelled.begin(), spelled.end(), '\\', '/');
     if (spelled.empty() || spelled.size() > 4096) return {};
     const std::string decoded = percentDecoded(spelled);

@@ -48,6 +48,13 @@ void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_
     assembler.reserve(vertices, triangles);
 }
 
+void refusePoints(std::uint64_t count) {
+    refuseMesh(say(
+        "it is a cloud of {0} points, which has no surfaces; make a mesh of it (CloudCompare, MeshLab) and "
+        "save that as PLY",
+        count));
+}
+
 void finishGeometry(MeshAssembler& assembler, float creaseAngle, FileImport& import) {
     assembler.finish(import.model, creaseAngle);
     import.report.degenerateTriangles = assembler.degenerateTriangles();

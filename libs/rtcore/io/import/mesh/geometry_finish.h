@@ -12,6 +12,9 @@ namespace rtcore {
 void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_t memoryLimit,
                    MeshAssembler& assembler);
 
+/// Refuses a file that has vertices alone.
+[[noreturn]] void refusePoints(std::uint64_t count);
+
 /// Moves the geometry into the model, with normals, and fills in the report what was dropped.
 void finishGeometry(MeshAssembler& assembler, float creaseAngle, FileImport& import);
 

@@ -130,6 +130,7 @@ std::optional<FileImport> importObj(const std::filesystem::path& path, const Fil
     {
         ObjFile file = readObj(path, import.report, options.alive);
         meshes = inOrder(file.model).size();
+        if (meshes == 0 && !file.model.positions.empty()) refusePoints(file.model.positions.size());
         makeRoom(file.model, options.memoryLimit, assembler);
         const ObjMaterials materials(file.materials.all(), usedMaterials(file), import, textures);
         addMeshes(file, materials, options, assembler, import);

@@ -21,6 +21,15 @@ bool isScan(const PlyHeader& header);
 /// no vertex, what InputFile throws, and std::bad_alloc.
 ScanMesh readPly(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive);
 
+/// Whether readPlyMesh() reads a file with this head, of text or not: vertices as above, then faces, strips
+/// or neither, whose one list are their indices. No materials, no texture coordinates of faces.
+bool isPlyMesh(const PlyHeader& header);
+/// Whether its faces have colours.
+bool hasFaceColours(const PlyHeader& header);
+/// The same as readPly(), not as fast, with strips (`tristrips`) and colours of faces, which count where
+/// vertices have none. Faces that name a vertex that does not exist are left out and counted.
+ScanMesh readPlyMesh(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive);
+
 /// Assimp makes up what a file of text lacks. Throws FileError BadData where it has fewer lines than its head
 /// promises elements, and what InputFile throws. `alive` is called now and then.
 void refuseCutOffText(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive);

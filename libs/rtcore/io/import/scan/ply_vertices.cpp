@@ -21,17 +21,31 @@ struct Part {
     std::size_t component; ///< of a vector; of colours the fourth is not kept
 };
 constexpr std::array kParts{
-    Part{"x", Attribute::Position, 0},         Part{"y", Attribute::Position, 1},
-    Part{"z", Attribute::Position, 2},         Part{"nx", Attribute::Normal, 0},
-    Part{"ny", Attribute::Normal, 1},          Part{"nz", Attribute::Normal, 2},
-    Part{"red", Attribute::Colour, 0},         Part{"green", Attribute::Colour, 1},
-    Part{"blue", Attribute::Colour, 2},        Part{"alpha", Attribute::Colour, 3},
-    Part{"r", Attribute::Colour, 0},           Part{"g", Attribute::Colour, 1},
-    Part{"b", Attribute::Colour, 2},           Part{"u", Attribute::Texcoord, 0},
-    Part{"v", Attribute::Texcoord, 1},         Part{"s", Attribute::Texcoord, 0},
-    Part{"t", Attribute::Texcoord, 1},         Part{"tx", Attribute::Texcoord, 0},
-    Part{"ty", Attribute::Texcoord, 1},        Part{"texture_u", Attribute::Texcoord, 0},
+    Part{"x", Attribute::Position, 0},
+    Part{"y", Attribute::Position, 1},
+    Part{"z", Attribute::Position, 2},
+    Part{"nx", Attribute::Normal, 0},
+    Part{"ny", Attribute::Normal, 1},
+    Part{"nz", Attribute::Normal, 2},
+    Part{"red", Attribute::Colour, 0},
+    Part{"green", Attribute::Colour, 1},
+    Part{"blue", Attribute::Colour, 2},
+    Part{"alpha", Attribute::Colour, 3},
+    Part{"r", Attribute::Colour, 0},
+    Part{"g", Attribute::Colour, 1},
+    Part{"b", Attribute::Colour, 2},
+    Part{"u", Attribute::Texcoord, 0},
+    Part{"v", Attribute::Texcoord, 1},
+    Part{"s", Attribute::Texcoord, 0},
+    Part{"t", Attribute::Texcoord, 1},
+    Part{"tx", Attribute::Texcoord, 0},
+    Part{"ty", Attribute::Texcoord, 1},
+    Part{"texture_u", Attribute::Texcoord, 0},
     Part{"texture_v", Attribute::Texcoord, 1},
+    Part{"diffuse_red", Attribute::Colour, 0},
+    Part{"diffuse_green", Attribute::Colour, 1},
+    Part{"diffuse_blue", Attribute::Colour, 2},
+    Part{"diffuse_alpha", Attribute::Colour, 3},
 };
 
 Part partOf(std::string_view name) {
@@ -139,6 +153,48 @@ void readPlyVertices(PlySource& source, const PlyElement& element, ScanMesh& mes
     }
     const ColourDecoder decode(false);
     for (Colour& colour : mesh.colours) colour = decode(colour);
+}
+
+float plyFraction(PlyType type, double number) {
+    return withPlyType(type, [number](auto zero) {
+        using T = decltype(zero);
+        if constexpr (std::is_floating_point_v<T>) {
+            return fractionOf(static_cast<T>(number));
+        } else {
+            constexpr double kMin = std::numeric_limits<T>::min(), kMax = std::numeric_limits<T>::max();
+            return fractionOf(static_cast<T>(number >= kMin ? std::min(number, kMax) : kMin));
+        }
+    });
+}
+
+std::optional<std::size_t> plyColourComponent(const PlyProperty& property) {
+    const Part part = partOf(property.name);
+    const bool is = part.attribute == Attribute::Colour && part.component < 3 && !property.listLength;
+    return is ? std::optional(part.component) : std::nullopt;
+}
+
+PlyVertexRows::PlyVertexRows(const PlyElement& element, ScanMesh& mesh) : mesh_(mesh) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const Part part = partOf(element.properties[i].name);
+        if (part.attribute == Attribute::None) continue;
+        const auto attribute = static_cast<std::size_t>(part.attribute);
+        has_[attribute] = true;
+        fields_.push_back({i, element.properties[i].type, attribute, part.component});
+    }
+}
+
+void PlyVertexRows::add(std::span<const double> numbers) {
+    std::array<std::array<float, 4>, 4> row{};
+    for (const Field& f : fields_) {
+        const bool colour = f.attribute == static_cast<std::size_t>(Attribute::Colour);
+        const double number = numbers[f.property];
+        row[f.attribute][f.component] = colour ? plyFraction(f.type, number) : static_cast<float>(number);
+    }
+    const auto& [position, normal, colour, texcoord] = row;
+    mesh_.positions.push_back({position[0], position[1], position[2]});
+    if (has_[1]) mesh_.normals.push_back({normal[0], normal[1], normal[2]});
+    if (has_[2]) mesh_.colours.push_back(decode_({colour[0], colour[1], colour[2]}));
+    if (has_[3]) mesh_.texcoords.push_back({texcoord[0], texcoord[1]});
 }
 
 } // namespace rtcore

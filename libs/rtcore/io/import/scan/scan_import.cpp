@@ -67,8 +67,10 @@ std::optional<Scan> readScan(const std::filesystem::path& path, ImportReport& re
     const std::span<const std::byte> head = file.head(kMaxPlyHeader);
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     const auto header = readPlyHeader(text);
-    if (header && isScan(*header))
-        return ofOne(readPly(file, *header, alive), "Stanford Polygon Library (PLY) Importer", "");
+    constexpr const char* kPly = "Stanford Polygon Library (PLY) Importer";
+    if (header && isScan(*header) && !hasFaceColours(*header))
+        return ofOne(readPly(file, *header, alive), kPly, "");
+    if (header && isPlyMesh(*header)) return ofOne(readPlyMesh(file, *header, alive), kPly, "");
     if (header && header->isText) refuseCutOffText(file, *header, alive);
     // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
     // ever.
@@ -110,7 +112,10 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
         vertices += part.mesh.positions.size();
         triangles += part.mesh.triangles.size();
         import.report.ignoredPrimitives += part.mesh.ignoredPrimitives;
+        import.report.unconnectedTriangles += part.mesh.unconnectedTriangles;
     }
+    const bool bare = import.report.ignoredPrimitives + import.report.unconnectedTriangles == 0;
+    if (triangles == 0 && vertices > 0 && bare) refusePoints(vertices);
     refuseTooMuch(vertices, triangles, options.memoryLimit, assembler);
     for (ScanPart& part : scan->parts) {
         if (part.mesh.triangles.empty() && scan->parts.size() > 1) continue;

@@ -13,11 +13,12 @@ namespace rtcore {
 
 /// One mesh; the lists of normals, texture coordinates and colours are empty or as long as `positions`.
 struct ScanMesh {
-    std::vector<Vec3> positions, normals; ///< as in the file
-    std::vector<Vec2> texcoords;          ///< (0, 0) = lower left of the image
-    std::vector<Colour> colours;          ///< linear
-    std::vector<Triangle> triangles;      ///< indices below positions.size()
-    std::uint64_t ignoredPrimitives = 0;  ///< faces of less than three corners
+    std::vector<Vec3> positions, normals;   ///< as in the file
+    std::vector<Vec2> texcoords;            ///< (0, 0) = lower left of the image
+    std::vector<Colour> colours;            ///< linear
+    std::vector<Triangle> triangles;        ///< indices below positions.size()
+    std::uint64_t ignoredPrimitives = 0;    ///< faces of less than three corners
+    std::uint64_t unconnectedTriangles = 0; ///< left out: a corner does not exist
 };
 
 /// A mesh that has a name in its file.

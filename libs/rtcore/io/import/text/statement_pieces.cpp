@@ -16,12 +16,13 @@ constexpr std::uint64_t kBytesBetweenSigns = std::uint64_t{64} << 20;
 
 } // namespace
 
-void forEachStatements(const InputFile& file, const std::function<void()>& alive, const UseStatements& use) {
+void forEachStatements(const InputFile& file, const std::function<void()>& alive, const UseStatements& use,
+                       std::uint64_t from) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     std::vector<char> buffer(2 * kBytesAtOnce + 1);
     std::size_t kept = 0; // bytes at its beginning that wait for the rest of their statement
     bool begun = false;
-    for (std::uint64_t offset = 0;;) {
+    for (std::uint64_t offset = from;;) {
         if (buffer.size() < kept + kBytesAtOnce + 1) buffer.resize(2 * buffer.size());
         const std::span<char> room = std::span(buffer).subspan(kept);
         const std::size_t got = file.readAt(offset, std::as_writable_bytes(room.first(room.size() - 1)));

@@ -54,6 +54,15 @@ std::optional<float> StatementText::number() {
     return numberOf(word());
 }
 
+std::optional<double> StatementText::preciseNumber() {
+    std::string_view text = word();
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0;
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, value);
+    return end == last && error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
 std::optional<float> numberOf(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const char* const last = word.data() + word.size();

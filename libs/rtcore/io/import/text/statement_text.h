@@ -78,6 +78,8 @@ class StatementText {
 
     /// The next word as a number; nothing where there is none, and the word is passed over then.
     std::optional<float> number();
+    /// The same with all its digits, and a point alone before its fraction.
+    std::optional<double> preciseNumber();
 
   private:
     static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
