@@ -14,6 +14,9 @@ constexpr float kMaxNumber = 1e18F; ///< so that squares are finite
 /// Of lengths whose squares irradiance is divided by, and of irradiance: so that what they give is finite.
 constexpr float kMinLength = 1e-12F, kMaxIrradiance = 1e12F;
 constexpr float kMinShrink = 0.05F;
+/// The vector of a history over its irradiance is far below this, of which the first is divided by the
+/// second.
+constexpr float kMaxLean = 1e6F, kDark = 1e-20F;
 constexpr float kRounding = 1.001F; ///< of lengths up to 1
 
 bool isNumber(float x) { return std::fabs(x) <= kMaxNumber; }
@@ -34,11 +37,18 @@ bool isWall(const RecordWall& wall, float distance) {
            isAmount(distance);
 }
 
+/// That of a record that knows something is a weight that others are divided by.
+bool isConfidence(float x) { return x == 0 || (x >= 0.25F && x <= 1); }
+
 bool isRecord(const IrradianceRecord& record, float indexed) {
     return isNumber(record.position) && isUnit(record.normal) && record.radius >= kMinLength &&
-           record.radius <= indexed && isAmount(indexed) && record.confidence >= 0 &&
-           record.confidence <= 1 && isIrradiance(record.irradiance) && isNumber(record.slant) &&
-           length(record.slant) <= kRounding && record.distance >= 0;
+           record.radius <= indexed && isAmount(indexed) && isConfidence(record.confidence) &&
+           isIrradiance(record.irradiance) && isNumber(record.slant) && length(record.slant) <= kRounding &&
+           record.distance >= 0;
+}
+
+bool isLean(Vec3 vector, Colour irradiance) {
+    return isNumber(vector) && length(vector) <= kMaxLean * std::max(luminance(irradiance), kDark);
 }
 
 bool isHistory(const RecordHistory& history, const IrradianceRecord& record, std::uint32_t steps) {
@@ -46,7 +56,7 @@ bool isHistory(const RecordHistory& history, const IrradianceRecord& record, std
     const std::array<float, 2>& distances = history.walls.distances();
     // Before the first pass nothing is in the way.
     const bool seen = history.allPasses > 0 ? isAmount(record.distance) : record.confidence == 0;
-    return seen && history.irradiance == record.irradiance && isNumber(history.vector) &&
+    return seen && history.irradiance == record.irradiance && isLean(history.vector, history.irradiance) &&
            walls == record.walls && isWall(walls[0], distances[0]) && isWall(walls[1], distances[1]) &&
            isAmount(history.pixel) && history.pixel >= kMinLength && history.shrink >= kMinShrink &&
            history.shrink <= 1 && isAmount(history.inverseLengths) && history.density < kDensities &&
