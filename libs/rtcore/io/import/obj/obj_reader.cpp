@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace rtcore {
@@ -235,8 +236,9 @@ class ObjStatements {
     }
 
     void readLibraries(const std::string& names) {
-        if (names.empty()) return;
+        if (names.empty() || !librariesAsked_.insert(names).second) return;
         for (const MaterialLibrary& library : libraries_.find(names)) {
+            if (!librariesRead_.insert(library.path).second) continue;
             addFile(report_, plainPath(library.path).string());
             readMtl(library.path, library.folder, materials_, unsupported_, report_);
         }
@@ -250,6 +252,8 @@ class ObjStatements {
     MtlMaterials& materials_;
     ObjStructure structure_;
     LibraryFinder libraries_;
+    std::set<std::string> librariesAsked_; ///< what statements named
+    std::set<std::filesystem::path> librariesRead_;
     std::vector<std::string> unsupported_;
     ImportReport& report_;
     OddStatements odd_;
