@@ -90,6 +90,10 @@ TEST_F(KeptLight, IsToldOfWhereSettingsDoNotUseIt) {
         render({"--camera=1.cam", "-o", "a.png", "--light=room.light", "--setting=indirect.mode=off"});
     EXPECT_EQ(unused.exitCode, 0);
     EXPECT_NE(unused.error.find("warning: room.light: it is not used"), std::string::npos) << unused.error;
+    const test::ProgramResult byPaths =
+        render({"--camera=1.cam", "-o", "d.png", "--light=room.light", "--setting=integrator=path",
+                "--setting=path.samples=1", "--setting=denoise.net=off"});
+    EXPECT_NE(byPaths.error.find("warning: room.light: it is not used"), std::string::npos) << byPaths.error;
     const test::ProgramResult used = render({"--camera=1.cam", "-o", "b.png", "--light=room.light"});
     EXPECT_EQ(used.error.find("warning"), std::string::npos) << used.error;
     const test::ProgramResult missing =

@@ -3268,8 +3268,8 @@
         <translation>{0}: je to světlo jiné scény; nepoužije se</translation>
     </message>
     <message>
-        <source>{0}: it is not used, since that takes indirect.mode=live</source>
-        <translation>{0}: nepoužije se, protože k tomu je třeba indirect.mode=live</translation>
+        <source>{0}: it is not used: that takes indirect.mode=live, and by paths a net that denoises</source>
+        <translation>{0}: nepoužije se: k tomu je třeba indirect.mode=live a u cest síť, která odšumuje</translation>
     </message>
     <message>
         <source>{0}: no memory for it: {1}</source>
