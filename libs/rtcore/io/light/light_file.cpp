@@ -74,7 +74,8 @@ LightFile readLightFile(std::span<const std::byte> bytes, const LightKey& key, c
 }
 
 Sentence lightIsUnused(const std::filesystem::path& path) {
-    return say("{0}: it is not used: that takes indirect.mode=live, and by paths a net that denoises", path.string());
+    return say("{0}: it is not used: that takes indirect.mode=live, and by paths a net that denoises",
+               path.string());
 }
 
 } // namespace rtcore
