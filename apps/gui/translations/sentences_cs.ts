@@ -772,6 +772,10 @@
         <translation>chrom</translation>
     </message>
     <message>
+        <source>colours below images vary over triangles; each image is laid on one colour</source>
+        <translation>barvy pod obrázky se v trojúhelnících mění; každý obrázek je položen na jednu barvu</translation>
+    </message>
+    <message>
         <source>colours: there must be none or one per normal</source>
         <translation>colours: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
@@ -1164,6 +1168,10 @@
         <translation>má {0} vrcholů, víc, než lze očíslovat</translation>
     </message>
     <message>
+        <source>it holds more than {0} files, as no model does</source>
+        <translation>obsahuje více než {0} souborů, což žádný model nemá</translation>
+    </message>
+    <message>
         <source>it holds no triangles ({0} points and lines, {1} triangles without area, {2} with broken coordinates, {3} with corners that do not exist, {4} meshes); give a model with surfaces</source>
         <translation>nemá žádné trojúhelníky (bodů a čar: {0}, trojúhelníků bez plochy: {1}, s vadnými souřadnicemi: {2}, s neexistujícími vrcholy: {3}, sítí: {4}); zadejte model s plochami</translation>
     </message>
@@ -1252,6 +1260,10 @@
         <translation>je to glTF {0}, který nelze načíst; exportujte ho jako glTF 2.0</translation>
     </message>
     <message>
+        <source>it is missing in the package</source>
+        <translation>v balíčku chybí</translation>
+    </message>
+    <message>
         <source>it is no .bsp of this suite, or its beginning is damaged; build it again with BSPBuilder</source>
         <translation>není to .bsp této sady programů, nebo má poškozený začátek; vytvořte ho znovu programem BSPBuilder</translation>
     </message>
@@ -1334,6 +1346,10 @@
     <message>
         <source>it shows its meshes {0} times, more than fit into the memory that it may use; raise the limit or export fewer instances</source>
         <translation>zobrazuje své sítě {0}krát, víc než se vejde do paměti, kterou smí použít; zvyšte limit nebo exportujte méně instancí</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than {0} times its size, as no model does; it is damaged or made to fill memory</source>
+        <translation>rozbaluje se na více než {0}násobek své velikosti, což žádný model nedělá; je poškozený, nebo má zaplnit paměť</translation>
     </message>
     <message>
         <source>it was changed while it was read; build again</source>
@@ -1436,6 +1452,10 @@
         <translation>jeho vodorovné úhly končí na {0} stupních; mají sahat přes 0, 90, 180 nebo 360</translation>
     </message>
     <message>
+        <source>its layers together are too large</source>
+        <translation>jeho vrstvy jsou dohromady příliš velké</translation>
+    </message>
+    <message>
         <source>its model is a scene file too; name a .bsp or a model: {0}</source>
         <translation>jeho model je také soubor scény; zadejte .bsp nebo model: {0}</translation>
     </message>
@@ -1456,6 +1476,10 @@
         <translation>jeho počty záznamů se liší</translation>
     </message>
     <message>
+        <source>its object {0} holds itself, or others in more than {1} levels; export it again</source>
+        <translation>jeho objekt {0} obsahuje sám sebe, nebo jiné ve více než {1} úrovních; vyexportujte jej znovu</translation>
+    </message>
+    <message>
         <source>its output, {0}, lies outside of the scene's folder; name it by -o if it is to be written</source>
         <translation>její výstup, {0}, leží mimo složku scény; má-li se zapsat, uveďte ho pomocí -o</translation>
     </message>
@@ -1466,6 +1490,26 @@
     <message>
         <source>its own lights reach nothing that is seen; other light was added</source>
         <translation>jeho vlastní světla nedosáhnou na nic z toho, co je vidět; bylo přidáno jiné světlo</translation>
+    </message>
+    <message>
+        <source>its part {0} declares a document type, which 3MF forbids; export it again</source>
+        <translation>jeho část {0} deklaruje typ dokumentu, což 3MF zakazuje; vyexportujte jej znovu</translation>
+    </message>
+    <message>
+        <source>its part {0} is damaged; copy or export it again</source>
+        <translation>jeho část {0} je poškozená; zkopírujte nebo vyexportujte jej znovu</translation>
+    </message>
+    <message>
+        <source>its part {0} is larger than {1} bytes</source>
+        <translation>jeho část {0} je větší než {1} bajtů</translation>
+    </message>
+    <message>
+        <source>its part {0} is locked by a password; export it without</source>
+        <translation>jeho část {0} je zamčena heslem; vyexportujte jej bez hesla</translation>
+    </message>
+    <message>
+        <source>its part {0} is missing; copy or export it again</source>
+        <translation>jeho část {0} chybí; zkopírujte nebo vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>its pixels cannot be decoded</source>
@@ -1550,6 +1594,10 @@
     <message>
         <source>light {0} on</source>
         <translation>světlo {0} rozsvíceno</translation>
+    </message>
+    <message>
+        <source>line {0} of its part {1} is no XML ({2}); copy or export it again</source>
+        <translation>řádek {0} jeho části {1} není XML ({2}); zkopírujte nebo vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>linear colour goes into .exr, .hdr or .pfm only</source>
@@ -2292,6 +2340,10 @@
         <translation>obraz je příliš velký ({0} x {1} pixelů); nejvíc může mít {2} na stranu a {3} megapixelů</translation>
     </message>
     <message>
+        <source>the images of multiproperties lie on them in different ways; all are laid as the lowest one is</source>
+        <translation>obrázky v multiproperties leží různě; všechny jsou položeny jako nejspodnější z nich</translation>
+    </message>
+    <message>
         <source>the import was stopped</source>
         <translation>import byl zastaven</translation>
     </message>
@@ -2398,6 +2450,10 @@
     <message>
         <source>the list names no camera</source>
         <translation>seznam neuvádí žádnou kameru</translation>
+    </message>
+    <message>
+        <source>the list of what it holds, at its end, is missing or damaged; copy or export it again</source>
+        <translation>seznam obsahu na jeho konci chybí nebo je poškozený; zkopírujte nebo vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>the lumens of a light source</source>
@@ -2610,6 +2666,10 @@
     <message>
         <source>there is a file of this name that is no .bsp file; remove it, or name another</source>
         <translation>soubor tohoto jména už existuje a není to .bsp; odstraňte ho, nebo uveďte jiné jméno</translation>
+    </message>
+    <message>
+        <source>there is no 3MF model inside; unpack it and give the model inside</source>
+        <translation>uvnitř není žádný model 3MF; rozbalte jej a zadejte model, který je uvnitř</translation>
     </message>
     <message>
         <source>there is no driver now</source>
@@ -2932,6 +2992,10 @@
         <translation>se všemi instancemi má {0} stěn, víc, než se vejde do paměti, kterou smí použít; zvyšte limit, nebo model zjednodušte</translation>
     </message>
     <message>
+        <source>with all instances it has {0} objects, more than {1}; simplify the model</source>
+        <translation>se všemi instancemi má {0} objektů, více než {1}; zjednodušte model</translation>
+    </message>
+    <message>
         <source>with the [sky]</source>
         <translation>map okolí i s [sky]</translation>
     </message>
@@ -3104,6 +3168,10 @@
         <translation>materiály odhadnuté podle jména: {0} ({1})</translation>
     </message>
     <message>
+        <source>{0} of its components are left out: they name objects that do not exist</source>
+        <translation>vynechané komponenty: {0}; uvádějí objekty, které neexistují</translation>
+    </message>
+    <message>
         <source>{0} of its meshes are left out: their data are damaged or missing</source>
         <translation>vynechaných sítí: {0}; jejich data jsou poškozená nebo chybí</translation>
     </message>
@@ -3202,6 +3270,10 @@
     <message>
         <source>{0} triangles are the third or a further one of the same corners and left out</source>
         <translation>vynechané trojúhelníky, které jsou třetí nebo další se stejnými vrcholy: {0}</translation>
+    </message>
+    <message>
+        <source>{0} triangles name colours or materials that do not exist, and are plain grey</source>
+        <translation>trojúhelníky s barvami nebo materiály, které neexistují: {0}; jsou prostě šedé</translation>
     </message>
     <message>
         <source>{0} was ended by a signal ({1})</source>

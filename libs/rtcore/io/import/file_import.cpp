@@ -6,6 +6,7 @@
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/obj/obj_import.h"
 #include "rtcore/io/import/scan/scan_import.h"
+#include "rtcore/io/import/threemf/threemf_import.h"
 #include "rtcore/platform/error.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ void greyWhereNoColourIs(FileImport& import) {
 }
 
 /// Readers of our own, in the order in which they are asked.
-constexpr std::array kReaders{importScan, importGltf, importObj};
+constexpr std::array kReaders{importScan, importGltf, importObj, importThreeMf};
 
 } // namespace
 

@@ -132,10 +132,10 @@ std::optional<double> statedUnit(const std::string& notes) {
 
 void readFixedUnits(const std::filesystem::path& path, ModelOrigin& origin) {
     const std::string ending = inLowerCase(path.extension().string());
-    if (ending != ".amf" && ending != ".3mf") return;
+    if (ending != ".amf") return;
     origin.up = axisNamed("+z");
-    origin.metresPerUnit = 0.001;                       // of both formats, where nothing is said
-    const std::string text = inLowerCase(headOf(path)); // packed ones say nothing here
+    origin.metresPerUnit = 0.001; // where nothing is said
+    const std::string text = inLowerCase(headOf(path));
     const std::size_t at = text.find("unit=\"");
     if (at == std::string::npos) return;
     if (const auto unit = unitBeginning(std::string_view(text).substr(at + 6))) origin.metresPerUnit = unit;

@@ -16,7 +16,7 @@ std::string exporterNotes(const std::filesystem::path& path);
 /// A unit that such notes state: "File units = inches", "units: mm". Nothing when they do not.
 std::optional<double> statedUnit(const std::string& notes);
 
-/// Reads axis and unit where the format leaves no choice: AMF and 3MF. Leaves `origin` as it is for others.
+/// Reads axis and unit where the format leaves no choice: AMF. Leaves `origin` as it is for others.
 void readFixedUnits(const std::filesystem::path& path, ModelOrigin& origin);
 
 } // namespace rtcore
