@@ -21,8 +21,8 @@ std::vector<HelpWord> importEnvironmentNotes(std::optional<HelpWord> first) {
 }
 
 std::vector<std::string> modelExtensions() {
-    return {"obj", "ply", "gltf", "glb", "3ds", "x",  "fbx",  "dae",
-            "stl", "off", "3mf",  "x3d", "lwo", "ac", "blend"};
+    return {"obj", "ply", "gltf", "glb", "3ds", "x",     "fbx", "dae", "stl",
+            "off", "3mf", "x3d",  "lwo", "ac",  "blend", "xyz", "pts"};
 }
 
 std::vector<std::string> sceneExtensions() {

@@ -28,9 +28,9 @@ QString sessionFolder() {
 
 QString sceneFilter() {
     const QString models = QStringLiteral(
-        "*.3ds *.ac *.ase *.b3d *.blend *.bvh *.cob *.dae *.dxf *.fbx *.glb *.gltf *.ifc *.irr "
-        "*.lwo *.lws *.md2 *.md3 *.md5mesh *.ms3d *.nff *.obj *.off *.ply *.q3o *.smd *.stl "
-        "*.x *.x3d *.xgl *.zgl");
+        "*.3ds *.3mf *.ac *.ase *.b3d *.blend *.bvh *.cob *.dae *.dxf *.fbx *.glb *.gltf *.ifc *.irr "
+        "*.lwo *.lws *.md2 *.md3 *.md5mesh *.ms3d *.nff *.obj *.off *.ply *.pts *.q3o *.smd *.stl "
+        "*.x *.x3d *.xgl *.xyz *.zgl");
     const auto tr = [](const char* text) { return QCoreApplication::translate("Programs", text); };
     return tr(QT_TRANSLATE_NOOP("Programs", "Scenes and models")) +
            QStringLiteral(" (*.scn *.bsp %1)").arg(models) + QStringLiteral(";;") +

@@ -1172,6 +1172,10 @@
         <translation>obsahuje více než {0} souborů, což žádný model nemá</translation>
     </message>
     <message>
+        <source>it holds no points: none of its lines begins with x, y and z; export them again</source>
+        <translation>neobsahuje žádné body: žádný řádek nezačíná x, y a z; vyexportujte je znovu</translation>
+    </message>
+    <message>
         <source>it holds no triangles ({0} points and lines, {1} triangles without area, {2} with broken coordinates, {3} with corners that do not exist, {4} meshes); give a model with surfaces</source>
         <translation>nemá žádné trojúhelníky (bodů a čar: {0}, trojúhelníků bez plochy: {1}, s vadnými souřadnicemi: {2}, s neexistujícími vrcholy: {3}, sítí: {4}); zadejte model s plochami</translation>
     </message>
@@ -1186,6 +1190,14 @@
     <message>
         <source>it is a building in {0}, which is not read; export it as IFC2x3 or as glTF</source>
         <translation>je to budova ve formátu {0}, který nelze načíst; exportujte ji jako IFC2x3 nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is a cloud of {0} points, more than fit into the memory that it may use; raise the limit or thin it out (CloudCompare, MeshLab)</source>
+        <translation>je to mračno {0} bodů, více, než se vejde do paměti, kterou smí použít; zvyšte mez, nebo je zřeďte (CloudCompare, MeshLab)</translation>
+    </message>
+    <message>
+        <source>it is a cloud of {0} points, more than the {1} that are shown; thin it out or make a mesh of it (CloudCompare, MeshLab) and save that as PLY</source>
+        <translation>je to mračno {0} bodů, více než {1}, které se zobrazí; zřeďte je, nebo z něj vytvořte síť (CloudCompare, MeshLab) a tu uložte jako PLY</translation>
     </message>
     <message>
         <source>it is a cloud of {0} points, which has no surfaces; make a mesh of it (CloudCompare, MeshLab) and save that as PLY</source>
@@ -1210,6 +1222,10 @@
     <message>
         <source>it is a model of Revit, which is not read; export it as IFC2x3, FBX or glTF from Revit</source>
         <translation>je to model programu Revit, který nelze načíst; exportujte ho z Revitu jako IFC2x3, FBX nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is a molecule, which has no surfaces; export a mesh of it as OBJ or glTF</source>
+        <translation>je to molekula, která nemá žádné plochy; vyexportujte její síť jako OBJ nebo glTF</translation>
     </message>
     <message>
         <source>it is a pipe without a writer; give a file</source>
@@ -2220,6 +2236,10 @@
         <translation>převodní činitel svítivostí</translation>
     </message>
     <message>
+        <source>the coordinates of all of its {0} points are no numbers or beyond 1e12</source>
+        <translation>souřadnice všech jeho {0} bodů nejsou čísla nebo přesahují 1e12</translation>
+    </message>
+    <message>
         <source>the direction is zero; give where the light shines to</source>
         <translation>směr je nulový; zadejte, kam světlo svítí</translation>
     </message>
@@ -3182,6 +3202,14 @@
     <message>
         <source>{0} of {1} frames failed</source>
         <translation>nezdařené snímky: {0} z {1}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} points are left out: their coordinates are no numbers or beyond 1e12</source>
+        <translation>vynechané body: {0} z {1}; jejich souřadnice nejsou čísla nebo přesahují 1e12</translation>
+    </message>
+    <message>
+        <source>{0} of {1} points are left out: they lie where others do</source>
+        <translation>vynechané body: {0} z {1}; leží tam, kde jiné</translation>
     </message>
     <message>
         <source>{0} of {1} triangle was damaged and left out: {2}</source>

@@ -31,6 +31,7 @@ constexpr Units kSuch{0.4, 0.2, 0, -1, -2.5};
 constexpr std::array kFormats{
     FormatHabit{"Stereolithography", "STL", 2, {0, -0.5, 2, -0.5, -3}},
     FormatHabit{"Stanford", "PLY", -0.7, {0.3, 0, 0.3, -2, -3}},
+    FormatHabit{"Point cloud", "XYZ and PTS", 2, {2, 0, 0.3, -2, -2}},
     FormatHabit{"Wavefront", "OBJ", -1.5, {0.4, 0.4, -0.2, -1.2, -2.5}},
     FormatHabit{"AC3D", "AC3D", -kSure, {3, 0, -1, -0.5, 0}},
     FormatHabit{"Blender", "Blender", kSure, {6, 0, -1, -1, -2}},

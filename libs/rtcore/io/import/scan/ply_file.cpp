@@ -42,6 +42,15 @@ bool isScan(const PlyHeader& header) {
                        [&](const PlyElement& e) { return passedOver(e) || &e == &*faces; });
 }
 
+bool isPlyCloud(const PlyHeader& header) {
+    const auto& elements = header.elements;
+    const auto fits = [](const PlyElement& e) {
+        return !e.hasList() && e.name != "material" && (e.name != "vertex" || areScanVertices(e));
+    };
+    return !header.isText && std::ranges::any_of(elements, areScanVertices) &&
+           std::ranges::all_of(elements, fits);
+}
+
 ScanMesh readPly(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive) {
     PlySource source{PieceReader(file, header.size, alive),
                      header.bigEndian != (std::endian::native == std::endian::big)};

@@ -15,6 +15,9 @@ namespace rtcore {
 /// no texture coordinates of faces.
 bool isScan(const PlyHeader& header);
 
+/// Whether it reads one of points alone: binary, vertices as above, no lists.
+bool isPlyCloud(const PlyHeader& header);
+
 /// Positions, and where they are there normals, texture coordinates and colours (as sRGB). Polygons are cut
 /// into triangles (polygon.h). Memory follows the file's bytes, whatever its head says. `alive` is called now
 /// and then. Throws FileError BadData for a file that is shorter than its head says and for a face that names

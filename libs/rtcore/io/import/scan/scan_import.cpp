@@ -1,20 +1,23 @@
 #include "rtcore/io/import/scan/scan_import.h"
 
+#include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/inspection/cut_off.h"
 #include "rtcore/io/import/inspection/exporter_notes.h"
+#include "rtcore/io/import/inspection/foreign_formats.h"
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/scan/ply_elements.h"
 #include "rtcore/io/import/scan/ply_file.h"
+#include "rtcore/io/import/scan/point_discs.h"
+#include "rtcore/io/import/scan/point_text.h"
 #include "rtcore/io/import/scan/stl_file.h"
 #include "rtcore/io/import/scan/stl_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/paths.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,12 +41,30 @@ Scan ofOne(ScanMesh mesh, const char* format, const char* material) {
     return scan;
 }
 
-/// Nothing in an STL file says what it is.
-bool isNamedStl(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".stl";
+/// Nothing in files of STL, XYZ and PTS says what they are.
+bool isNamed(const std::filesystem::path& path, std::string_view ending) {
+    return inSmallLetters(path.extension().string()) == ending;
+}
+
+/// Before they are read: heads tell how many there are.
+void refuseManyPlyPoints(const PlyHeader& header, std::uint64_t memoryLimit) {
+    std::uint64_t points = 0;
+    for (const PlyElement& element : header.elements) {
+        if (element.name == "vertex") points = element.count;
+        const bool surface = element.name == "face" || element.name == "tristrips";
+        if (surface && element.count > 0) return;
+    }
+    refuseManyPoints(points, memoryLimit);
+}
+
+Scan readPoints(const std::filesystem::path& path, const FileImportOptions& options, ImportReport& report) {
+    refuseMisnamed(path);
+    PointText text = readPointText(path, report, options.alive);
+    refuseManyPoints(text.count, options.memoryLimit);
+    const bool coloured = !text.points.colours.empty();
+    Scan scan = ofOne(std::move(text.points), "Point cloud (XYZ, PTS)", "");
+    scan.colour = coloured ? kWhite : kUnsetDiffuse;
+    return scan;
 }
 
 std::optional<Scan> readStlScan(const std::filesystem::path& path, const InputFile& file,
@@ -60,22 +81,25 @@ std::optional<Scan> readStlScan(const std::filesystem::path& path, const InputFi
     return Scan{std::move(*solids), kFormat, kMaterial};
 }
 
-std::optional<Scan> readScan(const std::filesystem::path& path, ImportReport& report,
-                             const std::function<void()>& alive) {
+std::optional<Scan> readScan(const std::filesystem::path& path, const FileImportOptions& options,
+                             ImportReport& report) {
     if (!std::filesystem::is_regular_file(path)) return {};
+    if (isNamed(path, ".xyz") || isNamed(path, ".pts")) return readPoints(path, options, report);
+    const std::function<void()>& alive = options.alive;
     InputFile file(path);
     const std::span<const std::byte> head = file.head(kMaxPlyHeader);
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     const auto header = readPlyHeader(text);
     constexpr const char* kPly = "Stanford Polygon Library (PLY) Importer";
-    if (header && isScan(*header) && !hasFaceColours(*header))
+    if (header) refuseManyPlyPoints(*header, options.memoryLimit);
+    if (header && (isPlyCloud(*header) || (isScan(*header) && !hasFaceColours(*header))))
         return ofOne(readPly(file, *header, alive), kPly, "");
     if (header && isPlyMesh(*header)) return ofOne(readPlyMesh(file, *header, alive), kPly, "");
     if (header && header->isText) refuseCutOffText(file, *header, alive);
     // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
     // ever.
     if (endsInPlyHeader(text)) refuseDamaged(say("its head does not end within {0} bytes", head.size()));
-    if (!isNamedStl(path)) return {};
+    if (!isNamed(path, ".stl")) return {};
     return readStlScan(path, file, report, alive);
 }
 
@@ -95,11 +119,28 @@ SourceMesh viewOf(const ScanMesh& mesh) {
     return {mesh.positions, mesh.normals, mesh.texcoords, mesh.colours, {}, mesh.triangles};
 }
 
+/// Vertices without faces.
+void showPoints(ScanMesh points, const std::filesystem::path& path, const FileImportOptions& options,
+                FileImport& import) {
+    const std::uint64_t count = points.positions.size();
+    refuseManyPoints(count, options.memoryLimit);
+    const LostPoints lost = addDiscs(std::move(points), import.model, options.alive);
+    if (import.model.triangles.empty())
+        throw FileError(FailureKind::BadData, "",
+                        say("the coordinates of all of its {0} points are no numbers or beyond 1e12", count));
+    import.model.parts.push_back({0, 0, static_cast<std::uint32_t>(import.model.triangles.size())});
+    if (const auto cut = cutOff(path)) addWarning(import.report, *cut);
+    if (lost.nonFinite > 0)
+        addWarning(import.report, say(import_forms::kDamagedPoints, lost.nonFinite, count));
+    if (lost.equal > 0) addWarning(import.report, say(import_forms::kEqualPoints, lost.equal, count));
+    warnOfOutliers(import.model, import.report);
+}
+
 } // namespace
 
 std::optional<FileImport> importScan(const std::filesystem::path& path, const FileImportOptions& options) {
     FileImport import;
-    std::optional<Scan> scan = readScan(path, import.report, options.alive);
+    std::optional<Scan> scan = readScan(path, options, import.report);
     if (!scan) return {};
     options.alive();
     import.report.origin = {scan->format, exporterNotes(path), {}, {}};
@@ -115,7 +156,10 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
         import.report.unconnectedTriangles += part.mesh.unconnectedTriangles;
     }
     const bool bare = import.report.ignoredPrimitives + import.report.unconnectedTriangles == 0;
-    if (triangles == 0 && vertices > 0 && bare) refusePoints(vertices);
+    if (triangles == 0 && vertices > 0 && bare && scan->parts.size() == 1) {
+        showPoints(std::move(scan->parts[0].mesh), path, options, import);
+        return import;
+    }
     refuseTooMuch(vertices, triangles, options.memoryLimit, assembler);
     for (ScanPart& part : scan->parts) {
         if (part.mesh.triangles.empty() && scan->parts.size() > 1) continue;
