@@ -31,6 +31,11 @@ find_package(draco QUIET)
 add_feature_info(Draco draco_FOUND "glTF compressed by Draco")
 find_package(meshoptimizer QUIET)
 add_feature_info(Meshoptimizer meshoptimizer_FOUND "glTF compressed by meshoptimizer")
+find_package(OpenCASCADE QUIET) # whose file of versions takes 7.6.3 alone
+if(OpenCASCADE_FOUND AND (OpenCASCADE_VERSION VERSION_LESS 7.6 OR NOT TARGET TKXDESTEP))
+    set(OpenCASCADE_FOUND FALSE)
+endif()
+add_feature_info(OpenCASCADE OpenCASCADE_FOUND "STEP, IGES and BREP, by rtimport_cad")
 
 if(RT_WITH_OPENEXR)
     # By pkg-config: the CMake files of Debian's Imath refuse to load without a Python library packaged elsewhere.

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs the packages of packages.txt that are missing. Never removes one. Of cimg-dev only the header is taken, with
 # its licence, into build/cimg: none of its dependencies (OpenCV and VTK, 1.3 GB) is used.
-#   scripts/setup.sh [--no-apt] [--tests] [--peers] [--services] [--nets]
-# --no-apt: only say what is missing, and fail if anything is. --tests, --peers, --services: those of packages-tests.txt and
-# so on, too. Installed services are not started. --nets: the weights of the nets that denoise, too, by fetch-nets.sh beside
-# this script; where it fails, its exit code is returned.
+#   scripts/setup.sh [--no-apt] [--tests] [--peers] [--services] [--cad] [--nets]
+# --no-apt: only say what is missing, and fail if anything is. --tests, --peers, --services, --cad: those of
+# packages-tests.txt and so on, too. Installed services are not started. --nets: the weights of the nets that denoise,
+# too, by fetch-nets.sh beside this script; where it fails, its exit code is returned.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cimg=$here/../build/cimg
@@ -12,10 +12,10 @@ apt=yes more="" nets=no
 for option in "$@"; do
     case $option in
         --no-apt) apt=no ;;
-        --tests | --peers | --services) more="$more $here/packages-${option#--}.txt" ;;
+        --tests | --peers | --services | --cad) more="$more $here/packages-${option#--}.txt" ;;
         --nets) nets=yes ;;
         *)
-            echo "usage: setup.sh [--no-apt] [--tests] [--peers] [--services] [--nets]" >&2
+            echo "usage: setup.sh [--no-apt] [--tests] [--peers] [--services] [--cad] [--nets]" >&2
             exit 2 ;;
     esac
 done

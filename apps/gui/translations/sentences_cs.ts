@@ -128,6 +128,10 @@
         <translation>není to složka</translation>
     </message>
     <message>
+        <source>Open CASCADE cannot read it ({0}); export it as STL, 3MF or glTF from the CAD program</source>
+        <translation>Open CASCADE jej neumí přečíst ({0}); vyexportujte jej z programu CAD jako STL, 3MF nebo glTF</translation>
+    </message>
+    <message>
         <source>Operation not permitted</source>
         <translation>operace není povolená</translation>
     </message>
@@ -180,8 +184,8 @@
         <translation>tady má být =, ne '{0}'; řádek má tvar klíč = hodnota</translation>
     </message>
     <message>
-        <source>a BREP file of CAD surfaces, which are not read</source>
-        <translation>soubor BREP s plochami CAD, které nelze načíst</translation>
+        <source>a BREP file</source>
+        <translation>soubor BREP</translation>
     </message>
     <message>
         <source>a DWG drawing, which is not read</source>
@@ -200,8 +204,8 @@
         <translation>archiv RAR</translation>
     </message>
     <message>
-        <source>a STEP file of CAD surfaces, which are not read</source>
-        <translation>soubor STEP s plochami CAD, které nelze načíst</translation>
+        <source>a STEP file</source>
+        <translation>soubor STEP</translation>
     </message>
     <message>
         <source>a USD file, which is not read</source>
@@ -620,8 +624,8 @@
         <translation>soubor HDF5, který nelze načíst</translation>
     </message>
     <message>
-        <source>an IGES file of CAD surfaces, which are not read</source>
-        <translation>soubor IGES s plochami CAD, které nelze načíst</translation>
+        <source>an IGES file</source>
+        <translation>soubor IGES</translation>
     </message>
     <message>
         <source>an angle</source>
@@ -1332,6 +1336,14 @@
         <translation>je příliš široký nebo vysoký</translation>
     </message>
     <message>
+        <source>it is {0} of CAD surfaces, none of which can be read; export it as STL, 3MF or glTF from the CAD program</source>
+        <translation>je to {0} s plochami CAD, z nichž žádnou nelze přečíst; vyexportujte jej z programu CAD jako STL, 3MF nebo glTF</translation>
+    </message>
+    <message>
+        <source>it is {0} of CAD surfaces, which this build does not read, as it lacks Open CASCADE; {1}</source>
+        <translation>je to {0} s plochami CAD, které toto sestavení nečte, protože nemá Open CASCADE; {1}</translation>
+    </message>
+    <message>
         <source>it is {0}; {1}</source>
         <translation>je to {0}; {1}</translation>
     </message>
@@ -1390,6 +1402,10 @@
     <message>
         <source>its aspect is out of range</source>
         <translation>jeho poměr stran je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its assemblies hold themselves or are too many; export it again</source>
+        <translation>jeho sestavy obsahují samy sebe, nebo jich je příliš mnoho; vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>its bounds are no box</source>

@@ -33,6 +33,7 @@ constexpr std::array kFormats{
     FormatHabit{"Stanford", "PLY", -0.7, {0.3, 0, 0.3, -2, -3}},
     FormatHabit{"Point cloud", "XYZ and PTS", 2, {2, 0, 0.3, -2, -2}},
     FormatHabit{"Wavefront", "OBJ", -1.5, {0.4, 0.4, -0.2, -1.2, -2.5}},
+    FormatHabit{"Open CASCADE", "STEP", kSure, {-2, -2, 2, -2, -3}},
     FormatHabit{"AC3D", "AC3D", -kSure, {3, 0, -1, -0.5, 0}},
     FormatHabit{"Blender", "Blender", kSure, {6, 0, -1, -1, -2}},
     FormatHabit{"TrueSpace", "trueSpace", kSure, kSuch},

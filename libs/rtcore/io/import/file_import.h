@@ -13,8 +13,9 @@
 namespace rtcore {
 
 struct FileImportOptions {
-    float creaseAngle = 40;              ///< degrees, for normals that the file does not have
-    std::uint64_t memoryLimit = 0;       ///< bytes; a model that cannot fit is refused early; 0 = none
+    float creaseAngle = 40;        ///< degrees, for normals that the file does not have
+    float deflection = 0.0005F;    ///< of CAD's surfaces: how far triangles may lie off, by the diagonal
+    std::uint64_t memoryLimit = 0; ///< bytes; a model that cannot fit is refused early; 0 = none
     std::function<void()> alive = [] {}; ///< called now and then as long as there is progress
 };
 

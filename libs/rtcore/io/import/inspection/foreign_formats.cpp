@@ -68,9 +68,16 @@ constexpr auto kDownload = form("download the file itself");
 
 Sentence itIs(const char* what, const char* remedy) { return say("it is {0}; {1}", what, remedy); }
 
+/// Only said where rtimport_cad is missing.
+Sentence unreadCad(const char* what) {
+    return say("it is {0} of CAD surfaces, which this build does not read, as it lacks Open CASCADE; {1}",
+               what, kFromCad);
+}
+
 // Formats whose version or content decides whether they are read; nothing where they are.
 
-std::optional<Sentence> step(View head, const std::string& ending) {
+/// The schema of a STEP file; "" where it says none, nothing for what is no such file.
+std::optional<View> stepSchema(View head) {
     const View text = textBeginning(head);
     if (!text.starts_with("ISO-10303-21")) return std::nullopt;
     const std::size_t at = text.find("FILE_SCHEMA");
@@ -78,13 +85,21 @@ std::optional<Sentence> step(View head, const std::string& ending) {
     schema = schema.substr(0, schema.find(';'));
     const std::size_t quote = schema.find('\'');
     schema = quote == View::npos ? View() : schema.substr(quote + 1);
-    schema = schema.substr(0, schema.find('\''));
-    if (schema.starts_with("IFC2X3")) return std::nullopt;
-    if (schema.starts_with("IFC"))
+    return schema.substr(0, schema.find('\''));
+}
+
+bool isCadSchema(View schema, const std::string& ending) {
+    return !schema.starts_with("IFC") && !(schema.empty() && ending == ".ifc");
+}
+
+std::optional<Sentence> step(View head, const std::string& ending) {
+    const auto schema = stepSchema(head);
+    if (!schema) return std::nullopt;
+    if (schema->starts_with("IFC") && !schema->starts_with("IFC2X3"))
         return say("it is a building in {0}, which is not read; export it as IFC2x3 or as glTF",
-                   schema.substr(0, 20));
-    if (schema.empty() && ending == ".ifc") return std::nullopt;
-    return itIs(form("a STEP file of CAD surfaces, which are not read"), kFromCad);
+                   schema->substr(0, 20));
+    if (!isCadSchema(*schema, ending)) return std::nullopt;
+    return unreadCad(form("a STEP file"));
 }
 
 std::optional<Sentence> zip(View head, const std::string& ending) {
@@ -141,10 +156,17 @@ std::optional<Sentence> iges(View head, const std::string&) {
     if (head.size() < kLine + 8 || head[kLine] != 'S' || !has(head.substr(kLine + 1, 7), "1"))
         return std::nullopt;
     if (has(head.substr(0, kLine), "\n")) return std::nullopt;
-    return itIs(form("an IGES file of CAD surfaces, which are not read"), kFromCad);
+    return unreadCad(form("an IGES file"));
 }
 
-constexpr std::array kByContent{step, zip, oldFbx, blend, compound, iges};
+std::optional<Sentence> brep(View head, const std::string&) {
+    const View text = textBeginning(head);
+    if (!text.starts_with("DBRep_DrawableShape") && !text.starts_with("CASCADE Topology"))
+        return std::nullopt;
+    return unreadCad(form("a BREP file"));
+}
+
+constexpr std::array kByContent{step, zip, oldFbx, blend, compound, iges, brep};
 
 // Formats that are never read.
 
@@ -185,8 +207,6 @@ constexpr std::array kText{
     Signature{"#usda"sv, form("a USD file, which is not read"), kAsGltf},
     Signature{"#VRML V"sv, form("a VRML file, which is not read"), form("export the model as X3D or glTF")},
     Signature{"# .PCD"sv, form("a point cloud (PCD), which has no surfaces"), kMeshOfIt},
-    Signature{"DBRep_DrawableShape"sv, form("a BREP file of CAD surfaces, which are not read"), kFromCad},
-    Signature{"CASCADE Topology"sv, form("a BREP file of CAD surfaces, which are not read"), kFromCad},
     Signature{"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, form("a Parasolid file of CAD surfaces, which are not read"),
               kFromCad},
     Signature{"version https://git-lfs.github.com/"sv, form("a pointer of Git LFS, not the model itself"),
@@ -228,6 +248,14 @@ bool belongsTo(const Beginning& format, const std::string& ending) {
 }
 
 } // namespace
+
+std::optional<CadFormat> cadFormat(const std::filesystem::path& path) {
+    const std::string head = headOfFile(path), ending = lowerCase(path.extension().string());
+    if (const auto schema = stepSchema(head); schema && isCadSchema(*schema, ending)) return CadFormat::Step;
+    if (iges(head, ending)) return CadFormat::Iges;
+    if (brep(head, ending)) return CadFormat::Brep;
+    return std::nullopt;
+}
 
 std::optional<Sentence> unreadFormat(const std::filesystem::path& path) {
     const std::string head = headOfFile(path), ending = lowerCase(path.extension().string());

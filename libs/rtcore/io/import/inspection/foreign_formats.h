@@ -9,6 +9,11 @@
 
 namespace rtcore {
 
+/// Formats of CAD's surfaces that Open CASCADE reads (../cad/cad_import.h).
+enum class CadFormat { Step, Iges, Brep };
+/// By the first bytes; nothing for what is none.
+std::optional<CadFormat> cadFormat(const std::filesystem::path& path);
+
 /// Says what the file is, why it is not read, and what to do, as one sentence without a name; nothing where a
 /// reader may know it. Archives are read where a format is one by its ending (.3mf, .kmz, .zae, .ifczip).
 std::optional<Sentence> unreadFormat(const std::filesystem::path& path);
