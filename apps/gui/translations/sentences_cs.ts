@@ -928,6 +928,10 @@
         <translation>exportujte model jako glTF nebo OBJ</translation>
     </message>
     <message>
+        <source>export the model as glTF, OBJ or PLY from the app that made it, or by Blender (blender.org), which opens it</source>
+        <translation>vyexportujte model jako glTF, OBJ nebo PLY z aplikace, která jej vytvořila, nebo z Blenderu (blender.org), který jej otevře</translation>
+    </message>
+    <message>
         <source>export with a node for each instance (gltfpack without -mi)</source>
         <translation>exportujte s vlastním uzlem pro každou instanci (gltfpack bez -mi)</translation>
     </message>

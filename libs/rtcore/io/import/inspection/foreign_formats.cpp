@@ -60,6 +60,8 @@ int numberBehind(View text, View word) {
 // Remedies, each as the end of a sentence.
 
 constexpr auto kUnpack = form("unpack it and give the model inside");
+constexpr auto kFromUsd = form("export the model as glTF, OBJ or PLY from the app that made it, or by "
+                               "Blender (blender.org), which opens it");
 constexpr auto kAsGltf = form("export the model as glTF");
 constexpr auto kAsGltfOrObj = form("export the model as glTF or OBJ");
 constexpr auto kFromCad = form("export it as STL, 3MF or glTF from the CAD program");
@@ -102,12 +104,28 @@ std::optional<Sentence> step(View head, const std::string& ending) {
     return unreadCad(form("a STEP file"));
 }
 
+/// The name of the first file in a zip archive.
+View firstInArchive(View head) {
+    constexpr std::size_t kLength = 26, kName = 30;
+    if (head.size() < kName) return {};
+    const auto byte = [head](std::size_t at) {
+        return static_cast<std::size_t>(static_cast<unsigned char>(head[at]));
+    };
+    return head.substr(kName, byte(kLength) + (byte(kLength + 1) << 8U));
+}
+
+/// Its first file is the scene, by the format; some programs write others before it.
+bool isUsdz(View head) {
+    const std::string first = lowerCase(firstInArchive(head));
+    const auto ends = [&](const char* ending) { return first.ends_with(ending); };
+    return ends(".usd") || ends(".usda") || ends(".usdc") || has(head, ".usdc") || has(head, ".usda");
+}
+
 std::optional<Sentence> zip(View head, const std::string& ending) {
     if (!head.starts_with("PK\x03\x04"sv)) return std::nullopt;
+    if (ending == ".usdz" || isUsdz(head)) return itIs(form("a USDZ file, which is not read"), kFromUsd);
     static constexpr std::array kPacked{".3mf"sv, ".kmz"sv, ".zae"sv, ".ifczip"sv, ".pk3"sv};
     if (std::ranges::find(kPacked, View(ending)) != kPacked.end()) return std::nullopt;
-    if (ending == ".usdz" || has(head, ".usdc") || has(head, ".usda"))
-        return itIs(form("a USDZ file, which is not read"), kAsGltf);
     if (ending == ".fcstd" || has(head, "GuiDocument.xml"))
         return say("it is a document of FreeCAD, which is not read; export it as STL, 3MF or glTF");
     if (has(head, "3D/3dmodel.model"))
@@ -187,7 +205,7 @@ constexpr std::array kBinary{
               form("a file packed by xz"), form("unpack it (unxz) and give the model inside")},
     Signature{"\x28\xB5\x2F\xFD"sv, form("a file packed by zstd"),
               form("unpack it (unzstd) and give the model inside")},
-    Signature{"PXR-USDC"sv, form("a USD file, which is not read"), kAsGltf},
+    Signature{"PXR-USDC"sv, form("a USD file, which is not read"), kFromUsd},
     Signature{"3D Geometry File Format"sv, form("a file of Rhino, which is not read"),
               form("export it as glTF, OBJ or STL from Rhino")},
     Signature{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0"sv, form("a model of SketchUp, which is not read"),
@@ -204,7 +222,7 @@ constexpr std::array kBinary{
 };
 
 constexpr std::array kText{
-    Signature{"#usda"sv, form("a USD file, which is not read"), kAsGltf},
+    Signature{"#usda"sv, form("a USD file, which is not read"), kFromUsd},
     Signature{"#VRML V"sv, form("a VRML file, which is not read"), form("export the model as X3D or glTF")},
     Signature{"# .PCD"sv, form("a point cloud (PCD), which has no surfaces"), kMeshOfIt},
     Signature{"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, form("a Parasolid file of CAD surfaces, which are not read"),
