@@ -24,12 +24,12 @@ struct LostPoints {
     std::uint64_t equal = 0;     ///< lie where one before them does
 };
 
-/// Puts a flat disc at every point, in their order, two or four triangles each, which faces along the
-/// point's normal - that of the plane of its neighbours where it has none - and takes its colour. Discs reach
-/// as far as the third neighbour is away, so that those of a surface overlap; but not where the neighbours
-/// themselves lie closer together, so that a point far off from all others stays a dot. Takes the lists of
-/// `points`. `model` has the material 0 and no triangles before. Memory: 330 bytes for each point. By the
-/// threads of OpenMP; the model does not depend on them. `alive` is called now and then. Throws
+/// Puts a flat disc at every point, in their order, two or four triangles each, which faces along the point's
+/// normal - that of the plane of its neighbours where it has none - and takes its colour. Discs reach as far
+/// as 0.72 times the distance of the sixth neighbour, so that those of a surface overlap; but not where the
+/// neighbours themselves lie closer together, so that a point far off from all others stays a dot. Takes the
+/// lists of `points`. `model` has the material 0 and no triangles before. Memory: 330 bytes for each point.
+/// By the threads of OpenMP; the model does not depend on them. `alive` is called now and then. Throws
 /// std::bad_alloc.
 LostPoints addDiscs(ScanMesh points, ModelBuffers& model, const std::function<void()>& alive);
 
