@@ -27,10 +27,11 @@ QString sessionFolder() {
 }
 
 QString sceneFilter() {
-    const QString models = QStringLiteral(
-        "*.3ds *.3mf *.ac *.ase *.b3d *.blend *.bvh *.cob *.dae *.dxf *.fbx *.glb *.gltf *.ifc *.irr "
-        "*.lwo *.lws *.md2 *.md3 *.md5mesh *.ms3d *.nff *.obj *.off *.ply *.pts *.q3o *.smd *.stl "
-        "*.x *.x3d *.xgl *.xyz *.zgl");
+    const QString models = QStringLiteral("*.3ds *.3mf *.ac *.ase *.b3d *.blend *.brep *.bvh *.cob *.dae "
+                                          "*.dxf *.fbx *.glb *.gltf *.ifc *.iges *.igs *.irr "
+                                          "*.lwo *.lws *.md2 *.md3 *.md5mesh *.ms3d *.nff *.obj *.off *.ply "
+                                          "*.pts *.q3o *.smd *.step *.stl *.stp "
+                                          "*.x *.x3d *.xgl *.xyz *.zgl");
     const auto tr = [](const char* text) { return QCoreApplication::translate("Programs", text); };
     return tr(QT_TRANSLATE_NOOP("Programs", "Scenes and models")) +
            QStringLiteral(" (*.scn *.bsp %1)").arg(models) + QStringLiteral(";;") +

@@ -24,7 +24,8 @@ void expectOpenToAll(const fs::path& prefix) {
     EXPECT_EQ(fs::status(prefix).permissions(), kRead | kRun | fs::perms::owner_write);
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(prefix)) {
         const fs::path place = entry.path().parent_path().filename();
-        const bool runs = entry.is_directory() || place == "bin" || entry.path().filename() == "rtimport";
+        const bool runs = entry.is_directory() || place == "bin" ||
+                          entry.path().filename().string().starts_with("rtimport");
         const auto wanted = kRead | fs::perms::owner_write | (runs ? kRun : fs::perms::none);
         EXPECT_EQ(entry.status().permissions(), wanted) << entry.path();
     }
