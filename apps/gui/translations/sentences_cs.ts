@@ -176,6 +176,10 @@
         <translation>položek [[environment]]</translation>
     </message>
     <message>
+        <source>a .bsp has the pose that it was built in, so the pose {0} is passed over</source>
+        <translation>.bsp má pózu, ve které byl sestaven, takže póza {0} se nepoužije</translation>
+    </message>
+    <message>
         <source>a 7z archive</source>
         <translation>archiv 7z</translation>
     </message>
@@ -608,6 +612,10 @@
         <translation>celá jeho geometrie je poškozená; zkopírujte nebo exportujte jej znovu</translation>
     </message>
     <message>
+        <source>all of its parts are hidden; show them in the program that wrote it and export it again</source>
+        <translation>všechny jeho části jsou skryté; zobrazte je v programu, který ho zapsal, a exportujte ho znovu</translation>
+    </message>
+    <message>
         <source>all variants of its materials but the first</source>
         <translation>všechny varianty jeho materiálů kromě první</translation>
     </message>
@@ -766,6 +774,10 @@
     <message>
         <source>cell {0} makes no sense</source>
         <translation>buňka {0} nedává smysl</translation>
+    </message>
+    <message>
+        <source>channels of its animation that are damaged and passed over: {0}</source>
+        <translation>poškozené a vynechané kanály jeho animace: {0}</translation>
     </message>
     <message>
         <source>check its permissions, or name another place</source>
@@ -1150,6 +1162,18 @@
     <message>
         <source>it has more than {0} tensors</source>
         <translation>má více než {0} tenzorů</translation>
+    </message>
+    <message>
+        <source>it has no animation {0}, nor any other; leave the pose out</source>
+        <translation>nemá animaci {0} ani žádnou jinou; pózu vynechte</translation>
+    </message>
+    <message>
+        <source>it has no animation {0}; name one of these: {1}</source>
+        <translation>nemá animaci {0}; zadejte jednu z těchto: {1}</translation>
+    </message>
+    <message>
+        <source>it has no animation, so it stands as its nodes say</source>
+        <translation>nemá animaci, takže stojí tak, jak určují jeho uzly</translation>
     </message>
     <message>
         <source>it has no nodes</source>
@@ -1580,6 +1604,10 @@
         <translation>jeho šířka je mimo rozsah</translation>
     </message>
     <message>
+        <source>joints of its skins that are missing: {0}; what they would move goes with the others</source>
+        <translation>chybějící klouby jeho koster: {0}; čím by pohybovaly, jde s ostatními</translation>
+    </message>
+    <message>
         <source>key</source>
         <translation>klíč</translation>
     </message>
@@ -1698,6 +1726,10 @@
     <message>
         <source>more than {0} bytes</source>
         <translation>více než {0} bajtů</translation>
+    </message>
+    <message>
+        <source>morph targets that do not fit their meshes and are left out: {0}</source>
+        <translation>cílové tvary, které se nehodí ke svým sítím a jsou vynechány: {0}</translation>
     </message>
     <message>
         <source>name is empty; a bookmark is known by its name</source>
@@ -1986,6 +2018,10 @@
     <message>
         <source>polished</source>
         <translation>leštěné</translation>
+    </message>
+    <message>
+        <source>pose is {0}; it must be "rest", "first" or the name or number of an animation with @ and seconds behind it</source>
+        <translation>pose je {0}; musí to být "rest", "first" nebo název či číslo animace, za nímž stojí @ a sekundy</translation>
     </message>
     <message>
         <source>reading it takes more than the {0} MB of memory that the importer may use; raise the memory limit when the model is that large, else simplify it or export it again</source>

@@ -5,6 +5,7 @@
 #include "rtcore/io/import/inspection/foreign_formats.h"
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/obj/obj_import.h"
+#include "rtcore/io/import/pose/animation_choice.h"
 #include "rtcore/io/import/scan/scan_import.h"
 #include "rtcore/io/import/threemf/threemf_import.h"
 #include "rtcore/platform/error.h"
@@ -31,17 +32,29 @@ void greyWhereNoColourIs(FileImport& import) {
         if (m.diffuse == kWhite && m.diffuseTexture == kNoTexture) m.diffuse = kUnsetDiffuse;
 }
 
+/// Models of formats in which nothing moves.
+std::optional<FileImport> importStill(const std::filesystem::path& path, const FileImportOptions& options) {
+    std::optional<FileImport> import = importScan(path, options);
+    if (!import) import = importObj(path, options);
+    if (!import) import = importThreeMf(path, options);
+    if (import) animationOf(options.pose, {}, import->report);
+    return import;
+}
+
 /// Readers of our own, in the order in which they are asked.
-constexpr std::array kReaders{importScan, importGltf, importObj, importThreeMf};
+constexpr std::array kReaders{importStill, importGltf};
+
+FileImport readFile(const std::filesystem::path& path, const FileImportOptions& options) {
+    for (const auto read : kReaders)
+        if (auto own = read(path, options)) return std::move(*own);
+    return importWithAssimp(path, options);
+}
 
 } // namespace
 
 FileImport importFile(const std::filesystem::path& path, const FileImportOptions& options) {
     if (const auto sentence = unreadFormat(path)) throw FileError(FailureKind::BadData, "", *sentence);
-    std::optional<FileImport> own;
-    for (const auto read : kReaders)
-        if (!own) own = read(path, options);
-    FileImport import = own ? std::move(*own) : importWithAssimp(path, options);
+    FileImport import = readFile(path, options);
     greyWhereNoColourIs(import);
     return import;
 }

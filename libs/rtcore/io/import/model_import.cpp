@@ -155,8 +155,9 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
         importer,
         {"--parent", fmt::format("{}", processId()), "--memory", fmt::format("{}", limits.memory), "--crease",
          fmt::format("{:f}", options.creaseAngle.value_or(kCreaseAngle)), "--flip",
-         options.flipTextures.value_or(false) ? "1" : "0", "--threads", fmt::format("{}", options.threads),
-         "--", fs::absolute(path).string(), exchanged.string()},
+         options.flipTextures.value_or(false) ? "1" : "0", "--pose",
+         poseText(options.pose.value_or(PoseChoice{})), "--threads", fmt::format("{}", options.threads), "--",
+         fs::absolute(path).string(), exchanged.string()},
         limits);
     try {
         throwFailure(path, result, limits);

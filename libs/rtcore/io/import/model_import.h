@@ -3,6 +3,7 @@
 
 #include "rtcore/io/import/import_report.h"
 #include "rtcore/scene/model.h"
+#include "rtcore/scene/pose_choice.h"
 
 #include <atomic>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct ImportOptions {
     std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
                                       ///< absent: kCreaseAngle
     std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
+    std::optional<PoseChoice> pose;   ///< of what the file animates; absent: as its nodes say
     /// Stated by the user, whatever the file says; the model is neither turned nor scaled.
     std::optional<Vec3> up;              ///< one of the six axes
     std::optional<double> metresPerUnit; ///< above 0

@@ -2,6 +2,10 @@
 
 #include "rtcore/io/import/assimp/assimp_files.h"
 #include "rtcore/io/import/assimp/assimp_parts.h"
+#include "rtcore/io/import/assimp/collada_morphs.h"
+#include "rtcore/io/import/assimp/hidden_nodes.h"
+#include "rtcore/io/import/assimp/mesh_poser.h"
+#include "rtcore/io/import/assimp/scene_pose.h"
 #include "rtcore/io/import/assimp/unread_content.h"
 #include "rtcore/io/import/gltf/gltf_damage.h"
 #include "rtcore/io/import/import_forms.h"
@@ -13,6 +17,7 @@
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/mesh/polygon.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/paths.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 
@@ -37,12 +42,6 @@ static_assert(sizeof(ai_real) == sizeof(float), "this file takes Assimp's number
 
 [[noreturn]] void refuse(const Sentence& message) { throw FileError(FailureKind::BadData, "", message); }
 
-Affine affineOf(const aiMatrix4x4& m) {
-    Affine a;
-    a.m = {{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}};
-    return a;
-}
-
 /// A mesh under a node.
 struct Instance {
     unsigned mesh;
@@ -60,9 +59,17 @@ bool hasMesh(const aiScene& scene, unsigned number) {
     return number < scene.mNumMeshes && scene.mMeshes[number] != nullptr;
 }
 
+bool needsTransforms(const aiScene& scene) {
+    if (scene.mNumLights + scene.mNumCameras > 0) return true;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+        if (hasMesh(scene, m) && scene.mMeshes[m]->mNumBones > 0) return true;
+    return false;
+}
+
 /// Iterative, with a limit that only a graph with cycles reaches.
-NodeWalk walkNodes(const aiScene& scene) {
+NodeWalk walkNodes(const aiScene& scene, const ScenePose& pose, HiddenNodes& hidden) {
     constexpr std::size_t kMaxNodes = 4'000'000;
+    const bool transforms = needsTransforms(scene);
     NodeWalk walk;
     std::size_t visited = 0;
     std::vector<std::pair<const aiNode*, Affine>> open;
@@ -71,34 +78,44 @@ NodeWalk walkNodes(const aiScene& scene) {
         const auto [node, parent] = open.back();
         open.pop_back();
         if (++visited > kMaxNodes) refuse("its node graph has no end; repair the file");
-        const Affine toWorld = parent * affineOf(node->mTransformation);
-        if (scene.mNumLights + scene.mNumCameras > 0)
-            walk.transforms.try_emplace(node->mName.C_Str(), toWorld);
-        for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+        const Affine toWorld = parent * pose.localOf(*node);
+        if (transforms) walk.transforms.try_emplace(node->mName.C_Str(), toWorld);
+        const bool shown = !hidden.takeNext(*node);
+        for (unsigned i = 0; shown && i < node->mNumMeshes; ++i) {
             if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], toWorld, node});
         }
         for (unsigned i = node->mNumChildren; i-- > 0;) {
             if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], toWorld);
         }
     }
+    if (walk.instances.empty() && hidden.any())
+        refuse("all of its parts are hidden; show them in the program that wrote it and export it again");
     return walk;
 }
 
 /// Makes SourceMeshes of Assimp's meshes; keeps its memory from one to the next.
 class MeshReader {
   public:
-    MeshReader(const FormatQuirks& quirks, ImportReport& report)
-        : quirks_(quirks), report_(report), decode_(quirks.linearVertexColours) {}
+    MeshReader(const FormatQuirks& quirks, MeshPoser& poser, ImportReport& report)
+        : quirks_(quirks), poser_(poser), report_(report), decode_(quirks.linearVertexColours) {}
 
     /// Valid until the next call.
-    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use) {
+    SourceMesh read(const aiMesh& mesh, const Instance& at, const TexcoordUse& use) {
         SourceMesh out;
-        readTriangles(mesh, toWorld.determinant() < 0);
+        const PosedMesh* const posed =
+            mesh.mVertices != nullptr ? poser_.pose(mesh, *at.node, at.toWorld) : nullptr;
+        readTriangles(mesh, posed != nullptr ? posed->mirrored : at.toWorld.determinant() < 0);
         out.triangles = triangles_;
         if (triangles_.empty()) return out;
-        readPositions(mesh, toWorld);
-        out.positions = positions_;
-        if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, toWorld);
+        if (posed != nullptr) {
+            out.positions = posed->positions;
+            out.normals = posed->normals;
+        } else {
+            readPositions(mesh, at.toWorld);
+            out.positions = positions_;
+            if (mesh.mNormals != nullptr && !quirks_.facetNormals)
+                out.normals = readNormals(mesh, at.toWorld);
+        }
         out.texcoords = readTexcoords(mesh, use);
         if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
         return out;
@@ -192,6 +209,7 @@ class MeshReader {
     }
 
     const FormatQuirks& quirks_;
+    MeshPoser& poser_;
     ImportReport& report_;
     ColourDecoder decode_;
     PolygonCutter cutter_;
@@ -257,14 +275,16 @@ void refuseMisnamedFor(const std::filesystem::path& path, const Assimp::Importer
 }
 
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
-const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path,
+const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path, bool animations,
                          ImportReport& report) {
     const auto files = std::make_shared<std::vector<std::string>>();
-    importer.SetIOHandler(filesForAssimp(files)); // which the importer owns from now on
+    std::optional<ReplacedFile> replaced;
+    if (auto text = colladaWithoutMorphs(path)) replaced = {plainPath(path).string(), std::move(*text)};
+    importer.SetIOHandler(filesForAssimp(files, std::move(replaced))); // which it owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, animations);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, !animations);
     refuseMisnamedFor(path, importer);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     for (const std::string& file : *files) addFile(report, file);
@@ -370,22 +390,29 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
     FileImport result;
-    const aiScene& scene = readScene(*importer, path, result.report);
+    const bool animated = options.pose.kind != PoseChoice::Kind::Rest;
+    const aiScene& scene = readScene(*importer, path, animated, result.report);
     options.alive();
     result.source = importer;
     const FormatQuirks quirks = quirksOf(formatOf(*importer));
     result.report.origin = originOf(path, formatOf(*importer), quirks, scene);
-    const NodeWalk walk = walkNodes(scene);
+    ScenePose pose(scene, quirks);
+    pose.choose(options.pose, result.report);
+    const FbxNotes notes = quirks.fbxNotes ? readFbxNotes(path) : FbxNotes{};
+    HiddenNodes hidden(scene, notes);
+    const NodeWalk walk = walkNodes(scene, pose, hidden);
     MeshAssembler assembler;
     makeRoom(scene, walk, options.memoryLimit, assembler);
 
     const SceneEmbeddedPictures embedded(scene);
     TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
     Materials materials(scene, walk, {quirks, MaterialTexts(path)}, result, textures);
-    MeshReader reader(quirks, result.report);
+    const MorphWeights weights(pose, notes);
+    MeshPoser poser(walk.transforms, quirks, pose, weights);
+    MeshReader reader(quirks, poser, result.report);
     for (const Instance& instance : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
-        SourceMesh source = reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex));
+        SourceMesh source = reader.read(mesh, instance, materials.texcoordUse(mesh.mMaterialIndex));
         if (source.triangles.empty()) continue;
         source.material = materials.numberOf(mesh.mMaterialIndex);
         const std::uint32_t first = assembler.triangleCount();
@@ -402,6 +429,7 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     if (cut) addWarning(result.report, *cut);
     warnOfLostTriangles(result.model, result.report);
     warnOfFiles(path, result.report);
+    poser.warn(result.report);
     warnOfMissingTextures(textures.missing(), result.report);
     warnWhenInvisible(result.model, result.report);
     warnOfOutliers(result.model, result.report);

@@ -14,6 +14,8 @@
 
 struct aiMaterial;
 struct aiScene;
+template <typename Real>
+class aiMatrix4x4t;
 
 namespace rtcore {
 
@@ -42,7 +44,9 @@ class SceneEmbeddedPictures : public EmbeddedPictures {
     const aiScene& scene_;
 };
 
-/// World transforms of the nodes that lights and cameras are named after.
+Affine affineOf(const aiMatrix4x4t<float>& matrix);
+
+/// World transforms of the nodes that joints, lights and cameras are named after.
 using NodeTransforms = std::map<std::string, Affine>;
 
 /// Appends the scene's lights and cameras. `bounds` of the model sets the scale of lights without units.

@@ -10,6 +10,10 @@ namespace {
 // Formats made for OpenGL and Direct3D of old, where the texture multiplies the sum of all light.
 constexpr std::array kFixedFunction{"3DS", "ASE", "AC3D", "BlitzBasic", "LightWave", "Milkshape", "XFile"};
 
+// ASE has none, and what MDL has is of no use.
+constexpr std::array kSkins{"Collada",    "Autodesk FBX", "Doom 3",   "Direct3D XFile",
+                            "BlitzBasic", "Milkshape 3D", "Valve SMD"};
+
 } // namespace
 
 FormatQuirks quirksOf(const std::string& importer) {
@@ -23,7 +27,9 @@ FormatQuirks quirksOf(const std::string& importer) {
     if (is("Collada"))
         q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = q.metresAndYUp = q.indexByHabit = true;
     if (is("Collada")) q.gouraudIsMatte = true;
-    if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = true;
+    if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = q.fbxNotes = true;
+    if (is("XFile")) q.ticksPerSecond = 4800;
+    q.bindMatrices = std::ranges::any_of(kSkins, is);
     if (is("3DS")) q.lightsInRoot = true;
     if (is("ASE")) q.cameraBackwards = true;
     q.mapScalesEmission = std::ranges::any_of(kFixedFunction, is);

@@ -21,6 +21,9 @@ struct FormatQuirks {
     bool mapReplacesDiffuse = false;  ///< a diffuse image stands in place of the diffuse colour
     bool indexByHabit = false;        ///< exporters write an index of refraction for every material
     bool gouraudIsMatte = false;      ///< shading model Gouraud stands for lambert, which has no highlight
+    bool bindMatrices = false;        ///< bones have the matrices that skins need
+    bool fbxNotes = false;            ///< much of it is left to fbx_notes.h
+    double ticksPerSecond = 25;       ///< of animations that do not say it
     bool mapScalesEmission = false;   ///< a diffuse image multiplies the emission, too
 };
 

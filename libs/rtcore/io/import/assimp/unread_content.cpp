@@ -1,22 +1,14 @@
 #include "rtcore/io/import/assimp/unread_content.h"
 
+#include "rtcore/io/import/assimp/xml_text.h"
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/platform/files.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string_view>
 
 namespace rtcore {
 
 namespace {
-
-bool hasEnding(const std::filesystem::path& path, const char* ending) {
-    std::string own = path.extension().string();
-    std::transform(own.begin(), own.end(), own.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return own == ending;
-}
 
 std::string_view textOf(const FileBytes& file) {
     return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
@@ -25,7 +17,7 @@ std::string_view textOf(const FileBytes& file) {
 } // namespace
 
 std::vector<const char*> unreadInCollada(const std::filesystem::path& path) {
-    if (!hasEnding(path, ".dae")) return {};
+    if (!xml::isCollada(path)) return {};
     const FileBytes file = openFileBytes(path);
     const std::string_view text = textOf(file);
     const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/gltf/gltf_import.h"
 
+#include "rtcore/io/import/gltf/animation.h"
 #include "rtcore/io/import/gltf/extensions.h"
 #include "rtcore/io/import/gltf/lights.h"
 #include "rtcore/io/import/gltf/model_materials.h"
@@ -11,6 +12,7 @@
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/model_import.h"
+#include "rtcore/io/import/pose/animation_choice.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
 
@@ -42,16 +44,18 @@ void refuseMissing(const std::vector<std::string>& buffers) {
 /// Reads one file.
 class GltfReader {
   public:
-    GltfReader(const std::filesystem::path& path, const gltf::Container& container,
+    /// Moves the nodes of the container where another pose than theirs is asked for.
+    GltfReader(const std::filesystem::path& path, gltf::Container& container,
                const FileImportOptions& options)
-        : path_(path), root_(container.root), options_(options), buffers_(container, path, import_.report),
-          views_(root_, buffers_), accessors_(root_, views_), primitives_(root_, accessors_, views_),
-          skins_(root_, accessors_) {}
+        : path_(path), posed_(container.root), root_(container.root), options_(options),
+          buffers_(container, path, import_.report), views_(root_, buffers_), accessors_(root_, views_),
+          primitives_(root_, accessors_, views_), skins_(root_, accessors_) {}
 
     FileImport read() {
         const gltf::Needs needs = gltf::needsOf(root_);
         if (needs.fatal) refuseGltf(*needs.fatal);
         describe();
+        pose();
         walk_ = gltf::walkNodes(root_);
         placements_ = gltf::placementsOf(root_, walk_, accessors_, options_.memoryLimit);
         MeshAssembler assembler;
@@ -78,6 +82,15 @@ class GltfReader {
         import_.report.origin = {"glTF2 Importer", gltf::text(gltf::member(root_, "asset"), "generator"),
                                  Vec3{0, 1, 0}, 1};
         addFile(import_.report, plainPath(path_).string());
+    }
+
+    void pose() {
+        const std::vector<std::string> names = gltf::animationNames(root_);
+        const auto animation = animationOf(options_.pose, names, import_.report);
+        if (!animation) return;
+        std::optional<double> seconds;
+        if (options_.pose.kind == PoseChoice::Kind::Moment) seconds = options_.pose.seconds;
+        damagedChannels_ = gltf::animate(posed_, *animation, seconds, accessors_);
     }
 
     /// Instances multiply: a small file can stand for more triangles than any memory holds.
@@ -180,6 +193,7 @@ class GltfReader {
         warnOfLostTriangles(import_.model, report);
         if (damagedPrimitives_ > 0) addWarning(report, say(import_forms::kBrokenMeshes, damagedPrimitives_));
         if (damagedAttributes_ > 0) addWarning(report, say(import_forms::kBrokenLists, damagedAttributes_));
+        if (damagedChannels_ > 0) addWarning(report, say(import_forms::kBrokenChannels, damagedChannels_));
         if (needs.loss) addWarning(report, say(import_forms::kNeeds, *needs.loss));
         if (const auto ignored = gltf::ignoredOf(root_)) addWarning(report, *ignored);
         warnOfMissingTextures(missingTextures, report);
@@ -188,7 +202,8 @@ class GltfReader {
     }
 
     const std::filesystem::path& path_;
-    const Json& root_;
+    Json& posed_;
+    const Json& root_; ///< the same
     const FileImportOptions& options_;
     FileImport import_;
     gltf::Buffers buffers_;
@@ -199,14 +214,14 @@ class GltfReader {
     gltf::MeshPlacer placer_;
     gltf::NodeWalk walk_;
     std::vector<gltf::Placement> placements_;
-    std::uint64_t damagedPrimitives_ = 0, damagedAttributes_ = 0;
+    std::uint64_t damagedPrimitives_ = 0, damagedAttributes_ = 0, damagedChannels_ = 0;
     std::optional<Sentence> cut_;
 };
 
 } // namespace
 
 std::optional<FileImport> importGltf(const std::filesystem::path& path, const FileImportOptions& options) {
-    const std::optional<gltf::Container> container = gltf::openContainer(path);
+    std::optional<gltf::Container> container = gltf::openContainer(path);
     if (!container) return std::nullopt;
     options.alive();
     return GltfReader(path, *container, options).read();

@@ -9,12 +9,6 @@ namespace rtcore::gltf {
 
 namespace {
 
-void add(Affine& sum, const Affine& joint, double weight) {
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 4; ++column)
-            sum.m[row][column] += weight * joint.m[row][column];
-}
-
 Affine affineOf(std::span<const float> matrix) {
     Affine a;
     for (std::size_t row = 0; row < 3; ++row)
@@ -90,7 +84,7 @@ Affine skinOf(std::span<const std::vector<Influences>> sets, std::size_t vertex,
             const double weight = double{set[vertex].weights[i]};
             if (!first) first = joint;
             if (!(weight > 0) || !std::isfinite(weight)) continue;
-            add(sum, joints[joint], weight);
+            sum.add(joints[joint], weight);
             weights += weight;
         }
     }

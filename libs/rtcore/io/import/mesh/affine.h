@@ -46,6 +46,16 @@ struct Affine {
         }
         return r;
     }
+    /// Adds `weight` times the matrix of `other`.
+    void add(const Affine& other, double weight) {
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                m[row][column] += weight * other.m[row][column];
+    }
+    void scale(double factor) {
+        for (auto& row : m)
+            for (double& v : row) v *= factor;
+    }
 
   private:
     float apply(std::size_t row, Vec3 v, double offset) const {

@@ -1,0 +1,226 @@
+#include "rtcore/io/import/assimp/collada_morphs.h"
+
+#include "rtcore/io/import/assimp/xml_text.h"
+#include "rtcore/platform/files.h"
+#include "rtcore/settings/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+using Text = std::string_view;
+using xml::attributeOf;
+using xml::idOf;
+using xml::takeElement;
+
+struct Edit {
+    Text place; ///< in the text of the file
+    std::string text;
+};
+
+struct Morph {
+    std::string controller, geometry;
+    bool relative = false;
+    std::vector<std::string> targets;
+    std::vector<float> weights;
+};
+
+/// Up to the first word that is none.
+std::vector<float> floatsIn(Text text) {
+    std::vector<float> numbers;
+    for (;;) {
+        const std::size_t at = text.find_first_not_of(" \t\r\n");
+        if (at == Text::npos) return numbers;
+        text.remove_prefix(at);
+        float number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc()) return numbers;
+        numbers.push_back(number);
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+}
+
+std::vector<std::string> wordsIn(Text text) {
+    std::vector<std::string> words;
+    for (;;) {
+        const std::size_t at = text.find_first_not_of(" \t\r\n");
+        if (at == Text::npos) return words;
+        text.remove_prefix(at);
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
+        words.emplace_back(text.substr(0, end));
+        text.remove_prefix(end);
+    }
+}
+
+/// The source that an input of this meaning names; "" where there is none.
+std::string sourceOf(Text inputs, Text semantic) {
+    while (const auto input = takeElement(inputs, "input"))
+        if (attributeOf(input->head, "semantic") == semantic) return idOf(attributeOf(input->head, "source"));
+    return {};
+}
+
+/// The content of the list of a source.
+Text listOf(Text sources, const std::string& id, const char* list) {
+    while (const auto source = takeElement(sources, "source")) {
+        if (id.empty() || attributeOf(source->head, "id") != id) continue;
+        Text body = source->body;
+        const auto found = takeElement(body, list);
+        return found ? found->body : Text();
+    }
+    return {};
+}
+
+Morph morphOf(const std::string& controller, const xml::Element& morph) {
+    Morph result{controller, idOf(attributeOf(morph.head, "source")), false, {}, {}};
+    result.relative = attributeOf(morph.head, "method") == "RELATIVE";
+    const std::string targets = sourceOf(morph.body, "MORPH_TARGET");
+    Text names = listOf(morph.body, targets, "IDREF_array");
+    if (names.empty()) names = listOf(morph.body, targets, "Name_array");
+    result.targets = wordsIn(names);
+    result.weights = floatsIn(listOf(morph.body, sourceOf(morph.body, "MORPH_WEIGHT"), "float_array"));
+    return result;
+}
+
+/// Takes the place of the controllers, whatever refers to one then refers to its geometry.
+class MorphEditor {
+  public:
+    explicit MorphEditor(Text text) : text_(text) {}
+
+    /// False where there are none.
+    bool find() {
+        Text rest = text_;
+        while (const auto controller = takeElement(rest, "controller")) {
+            Text body = controller->body;
+            const auto morph = takeElement(body, "morph");
+            if (!morph) continue;
+            morphs_.push_back(morphOf(attributeOf(controller->head, "id"), *morph));
+            remove(*controller);
+        }
+        return !morphs_.empty();
+    }
+
+    std::string edited() {
+        findGeometries();
+        for (const Morph& morph : morphs_) {
+            move(morph, "POSITION");
+            move(morph, "NORMAL");
+        }
+        replaceUses();
+        return applied();
+    }
+
+  private:
+    const Morph* morphNamed(const std::string& controller) const {
+        const auto found = std::ranges::find(morphs_, controller, &Morph::controller);
+        return found != morphs_.end() ? &*found : nullptr;
+    }
+
+    /// From its head to its end.
+    void remove(const xml::Element& element) {
+        const char* const behind = element.body.data() + element.body.size();
+        edits_.push_back({Text(element.head.data(), static_cast<std::size_t>(behind - element.head.data())),
+                          "<controller>"});
+    }
+
+    void findGeometries() {
+        Text rest = text_;
+        while (const auto geometry = takeElement(rest, "geometry"))
+            geometries_[attributeOf(geometry->head, "id")] = geometry->body;
+    }
+
+    /// The numbers of positions or normals; positions are named by the list of vertices.
+    Text numbersOf(const std::string& geometry, Text semantic) const {
+        const auto found = geometries_.find(geometry);
+        if (found == geometries_.end()) return {};
+        return listOf(found->second, sourceOf(found->second, semantic), "float_array");
+    }
+
+    void move(const Morph& morph, Text semantic) {
+        const Text place = numbersOf(morph.geometry, semantic);
+        if (place.empty() || !moved_.insert(place.data()).second) return;
+        const std::vector<float> base = floatsIn(place);
+        std::vector<float> sum = base;
+        bool moves = false;
+        for (std::size_t t = 0; t < std::min(morph.targets.size(), morph.weights.size()); ++t) {
+            const float weight = morph.weights[t];
+            if (weight == 0 || !std::isfinite(weight)) continue;
+            const std::vector<float> target = floatsIn(numbersOf(morph.targets[t], semantic));
+            if (target.size() != sum.size()) continue;
+            moves = true;
+            for (std::size_t i = 0; i < sum.size(); ++i)
+                sum[i] += weight * (target[i] - (morph.relative ? 0 : base[i]));
+        }
+        if (!moves) return;
+        std::string text;
+        for (const float v : sum) text += shortestText(v) + " ";
+        edits_.push_back({place, std::move(text)});
+    }
+
+    void replaceUses() {
+        Text rest = text_;
+        while (const auto use = takeElement(rest, "instance_controller")) {
+            const Morph* const morph = morphNamed(idOf(attributeOf(use->head, "url")));
+            if (morph == nullptr) continue;
+            edits_.push_back({use->head, "<instance_geometry url=\"#" + morph->geometry + "\"" +
+                                             (use->head.ends_with('/') ? "/" : "")});
+            if (use->head.ends_with('/')) continue;
+            constexpr Text kEnd = "</instance_controller";
+            edits_.push_back({Text(use->body.data() + use->body.size(), kEnd.size()), "</instance_geometry"});
+        }
+        rest = text_;
+        while (const auto skin = takeElement(rest, "skin")) {
+            const Morph* const morph = morphNamed(idOf(attributeOf(skin->head, "source")));
+            if (morph != nullptr) edits_.push_back({skin->head, "<skin source=\"#" + morph->geometry + "\""});
+        }
+    }
+
+    std::string applied() {
+        std::ranges::sort(edits_, {}, [](const Edit& edit) { return edit.place.data(); });
+        std::string result;
+        const char* at = text_.data();
+        const char* const end = text_.data() + text_.size();
+        for (const Edit& edit : edits_) {
+            if (edit.place.data() < at || edit.place.data() + edit.place.size() > end) continue; // damaged
+            result.append(at, edit.place.data());
+            result += edit.text;
+            at = edit.place.data() + edit.place.size();
+        }
+        return result.append(at, end);
+    }
+
+    Text text_;
+    std::vector<Morph> morphs_;
+    std::map<std::string, Text> geometries_;
+    std::set<const char*> moved_; ///< lists, by where they begin
+    std::vector<Edit> edits_;
+};
+
+bool mentionsMorphs(const std::filesystem::path& path) {
+    const FileBytes file = openFileBytes(path);
+    const Text text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+    return text.find("<morph") != Text::npos;
+}
+
+} // namespace
+
+std::optional<std::string> colladaWithoutMorphs(const std::filesystem::path& path) {
+    if (!xml::isCollada(path)) return std::nullopt;
+    if (!mentionsMorphs(path)) return std::nullopt;
+    const std::string text = xml::textWithoutComments(path);
+    MorphEditor editor(text);
+    if (!editor.find()) return std::nullopt;
+    return editor.edited();
+}
+
+} // namespace rtcore
