@@ -77,6 +77,24 @@ TEST(Skins, AnimationsMoveTheJoints) {
               std::string::npos);
 }
 
+TEST(Skins, OfMd5AreAnimatedByTheFileBesideThem) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "bar.md5mesh", test::kBarMd5Mesh);
+    test::writeText(folder / "bar.md5anim", test::kBarMd5Anim);
+    const auto read = [&](const char* pose) {
+        rtcore::ImportOptions options;
+        options.pose = readPose(pose);
+        return test::importFile(folder / "bar.md5mesh", options);
+    };
+    for (const char* const straight : {"rest", "first"}) {
+        const ImportedModel model = read(straight);
+        EXPECT_TRUE(has(model, {0, 0, -2}) && has(model, {1, 0, -2})) << straight << listOf(model);
+    }
+    const ImportedModel bent = read("1@0.5"), half = read("1@0.25");
+    EXPECT_TRUE(has(bent, {1, 0, -1})) << "(0 2 0), at two frames a second" << listOf(bent);
+    EXPECT_TRUE(has(half, {0.70710678F, 0, -1.70710678F})) << listOf(half);
+}
+
 TEST(Skins, DamageCostsItselfAlone) {
     const ImportedModel back =
         importAt("bar.x",

@@ -33,6 +33,21 @@ barX(const std::string& moves = "2; 0;16;1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0
            moves + " } } }\n";
 }
 
+/// A .md5mesh, and the .md5anim beside it, whose second frame turns the second joint by a quarter the other
+/// way. Their z is up: Assimp makes (x, z, -y) of (x, y, z).
+inline const char* const kBarMd5Mesh =
+    "MD5Version 10\ncommandline \"\"\n\nnumJoints 2\nnumMeshes 1\n\njoints {\n\t\"B0\"\t-1 ( 0 0 0 ) ( 0 0 0 "
+    ")\n"
+    "\t\"B1\"\t0 ( 0 1 0 ) ( 0 0 0 )\n}\n\nmesh {\n\tshader \"none\"\n\n\tnumverts 4\n\tvert 0 ( 0 0 ) 0 1\n"
+    "\tvert 1 ( 0 0 ) 1 1\n\tvert 2 ( 0 0 ) 2 1\n\tvert 3 ( 0 0 ) 3 1\n\n\tnumtris 2\n\ttri 0 0 1 2\n"
+    "\ttri 1 0 2 3\n\n\tnumweights 4\n\tweight 0 0 1 ( 0 0 0 )\n\tweight 1 0 1 ( 1 0 0 )\n"
+    "\tweight 2 1 1 ( 1 1 0 )\n\tweight 3 1 1 ( 0 1 0 )\n}\n";
+inline const char* const kBarMd5Anim =
+    "MD5Version 10\ncommandline \"\"\n\nnumFrames 2\nnumJoints 2\nframeRate 2\nnumAnimatedComponents 6\n\n"
+    "hierarchy {\n\t\"B0\"\t-1 0 0\n\t\"B1\"\t0 63 0\n}\n\nbounds {\n\t( 0 0 0 ) ( 1 2 0 )\n"
+    "\t( 0 0 0 ) ( 1 2 0 )\n}\n\nbaseframe {\n\t( 0 0 0 ) ( 0 0 0 )\n\t( 0 1 0 ) ( 0 0 0 )\n}\n\n"
+    "frame 0 {\n\t0 1 0 0 0 0\n}\n\nframe 1 {\n\t0 1 0 0 0 0.70710678\n}\n";
+
 inline std::string floatsDae(const std::string& id, const std::string& numbers, int count, int stride) {
     const std::string kind = stride == 16 ? "float4x4" : "float";
     const int params = stride == 16 ? 1 : stride;

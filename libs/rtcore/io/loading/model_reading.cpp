@@ -24,6 +24,9 @@ class ModelReading {
         if (kind == FileKind::Bsp) {
             take(readBsp(file.read(), path.string()));
             out_.modelFiles = {std::filesystem::absolute(path)};
+            if (import.pose.value_or(PoseChoice{}) != PoseChoice{})
+                loading_.warn(say("a .bsp has the pose that it was built in, so the pose {0} is passed over",
+                                  poseText(*import.pose)));
         } else if (!loadBuilt()) {
             loading_.begin(LoadPhase::ImportingModel);
             ImportedModel imported = importModel(path, import);

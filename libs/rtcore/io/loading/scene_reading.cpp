@@ -40,6 +40,7 @@ class SceneReading {
         ImportOptions import = loading_.options.import;
         if (!import.creaseAngle) import.creaseAngle = file.creaseAngle;
         if (!import.flipTextures) import.flipTextures = file.flipTextures;
+        if (!import.pose) import.pose = file.pose;
         readModel(loading_, file.model, std::move(model), kind, import);
 
         Scene& scene = out_.scene;

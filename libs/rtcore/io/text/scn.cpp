@@ -7,7 +7,9 @@
 #include "rtcore/io/text/toml_parser.h"
 #include "rtcore/io/text/written_mark.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/scene/pose_choice.h"
 #include "rtcore/scene/up_axis.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <fmt/core.h>
 
@@ -78,6 +80,7 @@ class SceneReader {
         scene_.ambient = root_.colour("ambient", kNotNegative).value_or(scene_.ambient);
         scene_.creaseAngle = root_.number("creaseAngle", kCreaseAngle).value_or(scene_.creaseAngle);
         scene_.flipTextures = root_.boolean("flipTextures").value_or(false);
+        readScenePose();
     }
 
     void readLists() {
@@ -102,6 +105,18 @@ class SceneReader {
         }
         readActiveEnvironment();
         scene_.bookmarks = readBookmarks(root_, scene_.up);
+    }
+
+    void readScenePose() {
+        const auto text = root_.text("pose");
+        if (!text) return;
+        root_.needVersion(2, "pose");
+        const auto pose = readPose(*text);
+        if (!pose)
+            root_.fail("pose", say("pose is {0}; it must be \"rest\", \"first\" or the name or number of an "
+                                   "animation with @ and seconds behind it",
+                                   inQuotes(*text)));
+        scene_.pose = *pose;
     }
 
     void readDefaultLight() {
@@ -198,6 +213,7 @@ class SceneWriter {
             writer_.add("activeEnvironment", scene_.activeEnvironment);
         writer_.add("creaseAngle", scene_.creaseAngle);
         writer_.add("flipTextures", scene_.flipTextures);
+        if (scene_.pose != PoseChoice{}) writer_.add("pose", poseText(scene_.pose));
     }
 
     void writeCameraTable() {

@@ -8,6 +8,7 @@
 #include "rtcore/scene/environment_source.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/material_override.h"
+#include "rtcore/scene/pose_choice.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/settings_table.h"
 
@@ -79,6 +80,7 @@ struct SceneFile : SceneLook {
     bool modelLights = true;      ///< use the model's own lights beside `lights`
     float creaseAngle = 40;       ///< degrees, for models without normals
     bool flipTextures = false;    ///< of a model that is imported: turn its textures upside down
+    PoseChoice pose;              ///< of a model that is imported and animated
     std::optional<Camera> camera; ///< at most one of these two; nameOffset is 0
     std::optional<std::filesystem::path> cameraFile; ///< a .cam
     std::vector<LightDescription> lights;

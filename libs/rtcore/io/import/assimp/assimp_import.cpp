@@ -4,6 +4,7 @@
 #include "rtcore/io/import/assimp/assimp_parts.h"
 #include "rtcore/io/import/assimp/collada_morphs.h"
 #include "rtcore/io/import/assimp/hidden_nodes.h"
+#include "rtcore/io/import/assimp/md5_frame_rate.h"
 #include "rtcore/io/import/assimp/mesh_poser.h"
 #include "rtcore/io/import/assimp/scene_pose.h"
 #include "rtcore/io/import/assimp/unread_content.h"
@@ -394,7 +395,8 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     const aiScene& scene = readScene(*importer, path, animated, result.report);
     options.alive();
     result.source = importer;
-    const FormatQuirks quirks = quirksOf(formatOf(*importer));
+    FormatQuirks quirks = quirksOf(formatOf(*importer));
+    if (quirks.md5 && animated) quirks.statedTicks = md5FrameRate(path);
     result.report.origin = originOf(path, formatOf(*importer), quirks, scene);
     ScenePose pose(scene, quirks);
     pose.choose(options.pose, result.report);

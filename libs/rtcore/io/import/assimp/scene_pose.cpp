@@ -154,7 +154,9 @@ void ScenePose::choose(const PoseChoice& choice, ImportReport& report) {
     const auto number = animationOf(choice, names, report);
     if (!number) return;
     const aiAnimation& animation = *animations[*number];
-    const double rate = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : quirks_.ticksPerSecond;
+    const double otherwise =
+        animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : quirks_.ticksPerSecond;
+    const double rate = quirks_.statedTicks.value_or(otherwise);
     const bool first = choice.kind == PoseChoice::Kind::First;
     move(animation, first ? beginningOf(animation) : choice.seconds * rate);
     if (damagedChannels_ > 0) addWarning(report, say(import_forms::kBrokenChannels, damagedChannels_));
