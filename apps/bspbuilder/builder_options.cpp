@@ -44,6 +44,10 @@ std::uint32_t buildOptionsHash(const BuilderOptions& options) {
             hash = (hash ^ (bits & 0xFFU)) * 16777619U;
         }
     }
+    const rtcore::PoseChoice pose = options.import.pose.value_or(rtcore::PoseChoice{});
+    if (pose != rtcore::PoseChoice{}) {
+        for (const char c : poseText(pose)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    }
     return hash == 0 ? 1 : hash;
 }
 

@@ -65,6 +65,16 @@ TEST_F(ModelCacheTest, ThePictureAndTheScenesDescriptionStayTheSameToTheBit) {
     EXPECT_EQ(files().size(), 2) << "another crease angle makes another model";
 }
 
+TEST_F(ModelCacheTest, AnotherPoseMakesAnotherModel) {
+    writeText(folder() / "rest.scn", "version = 2\nmodel = \"room.obj\"\n");
+    writeText(folder() / "first.scn", "version = 2\nmodel = \"room.obj\"\npose = \"first\"\n");
+    ASSERT_NO_FATAL_FAILURE(keep(file("rest.scn")));
+    EXPECT_FALSE(models.find(file("room.obj")).isEmpty());
+    EXPECT_TRUE(models.find(file("first.scn")).isEmpty());
+    ASSERT_NO_FATAL_FAILURE(keep(file("first.scn")));
+    EXPECT_NE(models.find(file("first.scn")), models.find(file("rest.scn")));
+}
+
 TEST_F(ModelCacheTest, ABrokenFileIsNoHarm) {
     writeText(folder() / "broken.bsp", "rubbish");
     EXPECT_TRUE(shown(file("room.obj"), {"--built-model=broken.bsp"}) == shown(file("room.obj"), {}));

@@ -10,6 +10,12 @@ namespace app {
 
 namespace {
 constexpr double kMinUnit = 1e-9, kLargestUnit = 1e9; ///< as of a .scn
+
+rtcore::PoseChoice poseIn(const std::string& text) {
+    if (const auto pose = rtcore::readPose(text)) return *pose;
+    throw UsageError("a pose is rest, first or the name or number of an animation, @ and seconds, not '" +
+                     text + "'");
+}
 } // namespace
 
 std::optional<double> readUnits(const std::string& text) {
@@ -28,6 +34,7 @@ rtcore::ImportOptions readImportOptions(const Arguments& arguments) {
     if (const auto up = arguments.text("up")) options.up = rtcore::axisNamed(*up);
     if (const auto units = arguments.text("units")) options.metresPerUnit = readUnits(*units);
     if (arguments.has("flip-textures")) options.flipTextures = true;
+    if (const auto pose = arguments.text("pose")) options.pose = poseIn(*pose);
     if (const auto limit = arguments.integer("memory-limit")) {
         options.memoryLimit = static_cast<std::uint64_t>(*limit) * 1'000'000;
     }

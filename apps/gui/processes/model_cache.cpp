@@ -29,6 +29,7 @@ struct Source {
     QString path;
     float creaseAngle = rtcore::kCreaseAngle;
     bool flipTextures = false;
+    rtcore::PoseChoice pose = {};
 };
 
 // Nothing for a file that is no model or cannot be read: the loader reports it.
@@ -37,7 +38,8 @@ std::optional<Source> sourceOf(const QString& scene) {
     if (source.path.endsWith(QLatin1String(".scn"))) {
         try {
             const rtcore::SceneFile file = rtcore::readSceneFile(source.path.toStdString());
-            source = {QString::fromStdString(file.model.string()), file.creaseAngle, file.flipTextures};
+            source = {QString::fromStdString(file.model.string()), file.creaseAngle, file.flipTextures,
+                      file.pose};
         } catch (const rtcore::FileError&) {
             return std::nullopt;
         }
@@ -59,11 +61,10 @@ void addCompanions(QCryptographicHash& hash, const QFileInfo& model) {
     const QStringList alone{QStringLiteral("ply"), QStringLiteral("stl"), QStringLiteral("off"),
                             QStringLiteral("glb")};
     if (alone.contains(model.suffix().toLower())) return;
-    const QStringList names =
-        QStringLiteral(
-            "*.mtl *.bin *.png *.jpg *.jpeg *.tga *.bmp *.dds *.gif *.tif *.tiff *.ppm *.webp *.jp2 "
-            "*.psd *.pcx *.sgi *.exr *.hdr *.pfm")
-            .split(QLatin1Char(' '));
+    const QStringList names = QStringLiteral("*.mtl *.bin *.md5anim *.png *.jpg *.jpeg *.tga *.bmp *.dds "
+                                             "*.gif *.tif *.tiff *.ppm *.webp *.jp2 "
+                                             "*.psd *.pcx *.sgi *.exr *.hdr *.pfm")
+                                  .split(QLatin1Char(' '));
     const auto addAll = [&](const QDir& folder) {
         for (const QFileInfo& file : folder.entryInfoList(names, QDir::Files, QDir::Name)) add(hash, file);
     };
@@ -84,6 +85,7 @@ QString fileFor(const Source& source) {
     addCompanions(hash, model);
     hash.addData(QByteArray::number(static_cast<double>(source.creaseAngle), 'g', 9));
     hash.addData(source.flipTextures ? "flipped" : "upright");
+    if (source.pose != rtcore::PoseChoice{}) hash.addData(QByteArray::fromStdString(poseText(source.pose)));
     return cacheFolder().filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".bsp"));
 }
 
@@ -134,6 +136,8 @@ void ModelCache::keep(const QString& scene) {
         QStringLiteral("--crease-angle=%1").arg(static_cast<double>(source->creaseAngle), 0, 'g', 9),
         QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid())};
     if (source->flipTextures) words.append(QStringLiteral("--flip-textures"));
+    if (source->pose != rtcore::PoseChoice{})
+        words.append(QStringLiteral("--pose=") + QString::fromStdString(poseText(source->pose)));
     builder_->start(program, words);
 }
 

@@ -22,8 +22,8 @@ constexpr auto kServerPatience =
 // Such a model is another one.
 bool importsByOptions(const ServerRequest& request) {
     for (const QString& option : request.options) {
-        if (option.startsWith(QLatin1String("--crease")) || option.startsWith(QLatin1String("--flip")))
-            return true;
+        for (const char* const name : {"--crease", "--flip", "--pose"})
+            if (option.startsWith(QLatin1String(name))) return true;
     }
     return false;
 }

@@ -1257,6 +1257,14 @@
         <translation>převrátit textury vzhůru nohama: některé exportéry počítají shora</translation>
     </message>
     <message>
+        <source>Pose</source>
+        <translation>Póza</translation>
+    </message>
+    <message>
+        <source>rest, first or NAME@SECONDS of a model with animations [rest]</source>
+        <translation>rest, first nebo NÁZEV@SEKUNDY modelu s animacemi [rest]</translation>
+    </message>
+    <message>
         <source>Memory limit</source>
         <translation>Mez paměti</translation>
     </message>

@@ -24,6 +24,7 @@ rtcore::SceneFile descriptionOf(const World& world) {
     rtcore::SceneFile file;
     file.creaseAngle = world.import.creaseAngle.value_or(rtcore::kCreaseAngle);
     file.flipTextures = world.import.flipTextures.value_or(false);
+    file.pose = world.import.pose.value_or(rtcore::PoseChoice{});
     return file;
 }
 
@@ -69,6 +70,7 @@ rtcore::SceneFile describe(const Document& document) {
     if (scene.environments.empty()) file.activeEnvironment = 0;
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
+    if (world.import.pose) file.pose = *world.import.pose;
     file.settings.reset();
     file.modelLights = file.defaultLight = false;
     file.lights.clear();

@@ -35,6 +35,7 @@ void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::fil
     if (document_.ready()) { // what was said of the first model
         import.up.reset();
         import.metresPerUnit.reset();
+        import.pose.reset();
         lighting = {.usual = options_.lighting.usual};
     }
     load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, lighting, options_.threads);

@@ -154,6 +154,8 @@ SceneFile randomScene(Random& random) {
     s.defaultLight = random.flag();
     s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.fraction();
+    if (random.flag())
+        s.pose = {rtcore::PoseChoice::Kind::Moment, awkwardName(random), double{random.number()}};
     if (random.flag()) {
         s.camera = randomSceneCamera(random);
     } else if (random.flag()) {
@@ -197,6 +199,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.defaultLight, b.defaultLight);
     EXPECT_EQ(a.bookmarks, b.bookmarks);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
+    EXPECT_EQ(a.pose, b.pose);
     EXPECT_EQ(a.activeEnvironment, b.activeEnvironment);
     EXPECT_EQ(a.creaseAngle, b.creaseAngle);
     EXPECT_EQ(a.camera, b.camera);
