@@ -36,6 +36,7 @@ std::uint32_t buildOptionsHash(const BuilderOptions& options) {
                              static_cast<float>(build.lookAhead),
                              fast ? static_cast<float>(build.fastQuality) : 0,
                              options.import.creaseAngle.value_or(rtcore::kCreaseAngle),
+                             options.import.deflection.value_or(rtcore::kDeflection),
                              options.import.flipTextures.value_or(false) ? 1.0F : 0.0F};
     std::uint32_t hash = 2166136261U; // FNV-1a
     for (const float number : numbers) {

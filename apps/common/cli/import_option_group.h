@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// --up, --units, --crease-angle, --flip-textures, --pose, --memory-limit, --time-limit.
+/// --up, --units, --crease-angle, --deflection, --flip-textures, --pose, --memory-limit, --time-limit.
 OptionGroup importOptionGroup();
 
 /// Those of the group that state facts about a model: --up and --units.

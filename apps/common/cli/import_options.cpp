@@ -31,6 +31,7 @@ std::optional<double> readUnits(const std::string& text) {
 rtcore::ImportOptions readImportOptions(const Arguments& arguments) {
     rtcore::ImportOptions options;
     if (const auto angle = arguments.number("crease-angle")) options.creaseAngle = static_cast<float>(*angle);
+    if (const auto off = arguments.number("deflection")) options.deflection = static_cast<float>(*off);
     if (const auto up = arguments.text("up")) options.up = rtcore::axisNamed(*up);
     if (const auto units = arguments.text("units")) options.metresPerUnit = readUnits(*units);
     if (arguments.has("flip-textures")) options.flipTextures = true;

@@ -1249,6 +1249,14 @@
         <translation>kde soubor nemá normály, zůstanou hrany ostřejší než tento úhel ostré [40]</translation>
     </message>
     <message>
+        <source>Deflection</source>
+        <translation>Odchylka</translation>
+    </message>
+    <message>
+        <source>how far triangles may lie off the surfaces of CAD files, as a fraction of the model's diagonal [0.0005]</source>
+        <translation>jak daleko smějí trojúhelníky ležet od ploch souborů CAD, jako zlomek úhlopříčky modelu [0.0005]</translation>
+    </message>
+    <message>
         <source>Flip textures</source>
         <translation>Převrátit textury</translation>
     </message>

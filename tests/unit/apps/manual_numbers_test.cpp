@@ -62,6 +62,7 @@ TEST(ManualNumbers, OfImporting) {
     using namespace rtcore;
     const app::ProgramSpec& spec = bspbuilder::builderSpec();
     expectIn(helpOf(spec, "crease-angle"), joined("[", kCreaseAngle, "]"));
+    expectIn(helpOf(spec, "deflection"), joined("[", kDeflection, "]"));
     const double megabytes = static_cast<double>(kImportMemory) / 1e6;
     const std::string memory = joined(megabytes, ", or ", kImportMemoryPerByte,
                                       " times the file if that is more, but at most half of the machine's");

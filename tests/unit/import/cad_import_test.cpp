@@ -175,6 +175,15 @@ TEST(CadImport, WhatCannotBeReadIsSaid) {
         std::string::npos);
 }
 
+TEST(CadImport, TheProgramIsToldTheDeflection) {
+    const TemporaryFolder folder;
+    writeStep(folder / "a.step");
+    ImportOptions coarse;
+    coarse.deflection = 0.05F;
+    const std::size_t usual = test::importFile(folder / "a.step").model.mesh.triangles.size();
+    EXPECT_LT(test::importFile(folder / "a.step", coarse).model.mesh.triangles.size(), usual);
+}
+
 /// By the program: rtimport hands over to rtimport_cad.
 TEST(CadImport, TheImporterHandsOver) {
     const TemporaryFolder folder;

@@ -66,8 +66,9 @@ Sentence reasonOf(const ProcessResult& result) {
 }
 
 [[noreturn]] void refuseForMemory(const fs::path& path, const ProcessLimits& limits) {
-    refuse(path, say("reading it takes more than the {0} MB of memory that the importer may use; raise the "
-                     "memory limit when the model is that large, else simplify it or export it again",
+    refuse(path, say("reading it takes more than the {0} MB of memory that the importer may use; raise that "
+                     "(--memory-limit) if the model and its images are that large, else simplify it or "
+                     "export it again",
                      limits.memory / 1'000'000));
 }
 
@@ -131,9 +132,7 @@ ImportLimits importLimits(const fs::path& path, const ImportOptions& options) {
     const bool tiny = size < kTinyModel && path.extension() != ".gltf" && path.extension() != ".GLTF";
     const double seconds =
         tiny ? kTinyModelSeconds : kImportSeconds + kImportSecondsPerByte * static_cast<double>(size);
-    const std::uint64_t memory =
-        std::min(std::max(kImportMemory, kImportMemoryPerByte * size), machineMemory() / 2);
-    return {options.memoryLimit > 0 ? options.memoryLimit : memory,
+    return {options.memoryLimit > 0 ? options.memoryLimit : machineMemory() / 2,
             options.timeLimit > 0 ? options.timeLimit : seconds};
 }
 
@@ -156,7 +155,8 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
         {"--parent", fmt::format("{}", processId()), "--memory", fmt::format("{}", limits.memory), "--crease",
          fmt::format("{:f}", options.creaseAngle.value_or(kCreaseAngle)), "--flip",
          options.flipTextures.value_or(false) ? "1" : "0", "--pose",
-         poseText(options.pose.value_or(PoseChoice{})), "--threads", fmt::format("{}", options.threads), "--",
+         poseText(options.pose.value_or(PoseChoice{})), "--threads", fmt::format("{}", options.threads),
+         "--deflection", fmt::format("{:g}", options.deflection.value_or(kDeflection)), "--",
          fs::absolute(path).string(), exchanged.string()},
         limits);
     try {

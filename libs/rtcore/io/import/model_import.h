@@ -13,6 +13,7 @@
 namespace rtcore {
 
 inline constexpr float kCreaseAngle = 40;
+inline constexpr float kDeflection = 0.0005F;
 
 inline constexpr std::uint64_t kImportMemory = 2'000'000'000;
 inline constexpr std::uint64_t kImportMemoryPerByte = 40; ///< of the file
@@ -24,6 +25,8 @@ inline constexpr double kTinyModelSeconds = 5;
 struct ImportOptions {
     std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
                                       ///< absent: kCreaseAngle
+    std::optional<float> deflection;  ///< how far triangles may lie off the surfaces of CAD files, as a
+                                      ///< fraction of the model's diagonal, 1e-6 to 0.1; absent: kDeflection
     std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
     std::optional<PoseChoice> pose;   ///< of what the file animates; absent: as its nodes say
     /// Stated by the user, whatever the file says; the model is neither turned nor scaled.
