@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <charconv>
+#include <cstddef>
 
 namespace cui {
 
@@ -18,6 +20,10 @@ std::string vectorText(const float (&v)[3]) {
     return fmt::format("{} {} {}", shortestText(v[0]), shortestText(v[1]), shortestText(v[2]));
 }
 
+std::string positionText(const std::array<double, 3>& p) {
+    return fmt::format("{} {} {}", shortestText(p[0]), shortestText(p[1]), shortestText(p[2]));
+}
+
 // The double with the digits of the float: 0.1, not 0.10000000149011612.
 double sameDigits(float value) {
     const std::string digits = shortestText(value);
@@ -27,6 +33,14 @@ double sameDigits(float value) {
 }
 
 Json vectorJson(const float (&v)[3]) { return {sameDigits(v[0]), sameDigits(v[1]), sameDigits(v[2])}; }
+
+// In the coordinates of the model's file.
+std::array<double, 3> eyeInFile(const ipc::Status& status) {
+    std::array<double, 3> eye{};
+    for (std::size_t i = 0; i < eye.size(); ++i)
+        eye[i] = status.origin[i] == 0 ? sameDigits(status.eye[i]) : double{status.eye[i]} + status.origin[i];
+    return eye;
+}
 
 // One line; numbers that are not finite become null.
 std::string lineOf(const Json& json) {
@@ -66,7 +80,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     if (status.kept > 0) line("new pixels", fmt::format("{:.1f} %", 100 * (1 - status.kept)));
     line("rays per second", fmt::format("{:.2f} million", status.raysPerSecond * 1e-6));
     line("mode", std::string(mode(status)) + floorNote(status));
-    line("eye", vectorText(status.eye));
+    line("eye", positionText(eyeInFile(status)));
     line("forward", vectorText(status.forward));
     line("up", vectorText(status.up));
     line("field of view", shortestText(status.fieldOfView) + " degrees");
@@ -87,7 +101,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
                    {"raysPerSecond", status.raysPerSecond},
                    {"kept", sameDigits(status.kept)},
                    {"mode", mode(status)},
-                   {"eye", vectorJson(status.eye)},
+                   {"eye", eyeInFile(status)},
                    {"forward", vectorJson(status.forward)},
                    {"up", vectorJson(status.up)},
                    {"fieldOfView", sameDigits(status.fieldOfView)},

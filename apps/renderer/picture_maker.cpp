@@ -179,7 +179,7 @@ PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile
     loaded_.scene.activeEnvironment = environment_;
     std::optional<rtcore::CameraFile> file;
     if (!cameraFile.empty()) {
-        file = rtcore::readCameraFile(cameraFile);
+        file = rtcore::readCameraFile(cameraFile, loaded_.scene.origin);
         shot.camera = file->camera;
         shot.recorded = hasRecordedExposure(*file, options_.settings);
         const rtcore::Sentence warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);

@@ -79,7 +79,7 @@ void Preview::begin(const Work& work) {
     allSamples_ = static_cast<std::uint32_t>(rtcore::samplesPerPixel(settings));
     status_ = {};
     status_.polygons = work.view.scene.model.mesh.triangles.size();
-    app::setView(work.view.camera, settings.width, settings.height, status_);
+    app::setView(work.view.camera, work.view.scene.origin, settings.width, settings.height, status_);
     work_ = &work;
     wake_.notify_all();
 }

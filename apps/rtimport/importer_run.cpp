@@ -28,6 +28,7 @@ struct Arguments {
     std::uint64_t memory = 0;
     float crease = 40;
     float deflection = 0; ///< 0 = the reader's own
+    rtcore::PoseChoice pose;
     int threads = 0;
     bool flip = false; ///< textures stand on their heads
     std::string input, output;
@@ -35,8 +36,7 @@ struct Arguments {
 
 const char* const kUsage =
     "Usage: rtimport [--parent PID] [--memory BYTES] [--crease DEGREES] [--flip 0|1] [--deflection F] "
-    "[--threads "
-    "N] MODEL OUTPUT.bsp\n"
+    "[--pose rest|first|NAME@SECONDS] [--threads N] MODEL OUTPUT.bsp\n"
     "Reads a 3D model and writes it as a .bsp without a tree; BSPBuilder makes one with a "
     "tree. The report goes to standard output.\n";
 
@@ -58,6 +58,10 @@ bool parse(int argc, char** argv, Arguments& arguments) {
             arguments.crease = std::strtof(value, nullptr);
         } else if (word == "--deflection") {
             arguments.deflection = std::strtof(value, nullptr);
+        } else if (word == "--pose") {
+            const auto pose = rtcore::readPose(value);
+            if (!pose) return false;
+            arguments.pose = *pose;
         } else if (word == "--threads") {
             arguments.threads = static_cast<int>(std::strtol(value, nullptr, 10));
         } else if (word == "--flip") {
@@ -92,6 +96,7 @@ void importModel(const Arguments& arguments, Reader read) {
     rtcore::FileImportOptions options;
     options.creaseAngle = arguments.crease;
     if (arguments.deflection > 0) options.deflection = arguments.deflection;
+    options.pose = arguments.pose;
     options.memoryLimit = arguments.memory;
     options.alive = sayAlive;
     rtcore::FileImport result = read(arguments.input, options);

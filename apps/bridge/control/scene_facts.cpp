@@ -22,22 +22,27 @@ using rtcore::Vec3;
 json vectorJson(Vec3 v) { return {v.x, v.y, v.z}; }
 json vectorJson(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-json cameraJson(const rtcore::Camera& camera) {
+json positionJson(Vec3 p, const rtcore::LocalOrigin& origin) {
+    return origin.isZero() ? vectorJson(p) : json(origin.inFile(p));
+}
+
+json cameraJson(const rtcore::Camera& camera, const rtcore::LocalOrigin& origin) {
     const bool orthographic = camera.kind == rtcore::CameraKind::Orthographic;
-    return {{"eye", vectorJson(camera.eye)},
+    return {{"eye", positionJson(camera.eye, origin)},
             {"forward", vectorJson(camera.forward)},
             {"up", vectorJson(camera.up)},
             {"fov", orthographic ? 0 : camera.horizontalFov},
             {"orthographic", orthographic ? camera.orthographicWidth : 0}};
 }
 
-void describe(json& row, const app::ReportedLight& reported, float metresPerUnit) {
+void describe(json& row, const app::ReportedLight& reported, const app::StateReport& state) {
+    const float metresPerUnit = state.metresPerUnit;
     const rtcore::LightDescription& description = *reported.description;
     const rtcore::Light& light = description.light;
     const float max = rtcore::maxComponent(light.intensity);
     const rtcore::Colour colour = max > 0 ? light.intensity / max : rtcore::Colour{1, 1, 1};
     row["kind"] = rtcore::traitsOf(light).name;
-    row["position"] = vectorJson(light.position);
+    row["position"] = positionJson(light.position, state.origin);
     row["direction"] = vectorJson(light.direction);
     row["colour"] = {colour.r, colour.g, colour.b};
     row["temperature"] = description.temperature;
@@ -60,7 +65,7 @@ json lightsJson(const app::StateReport& state) {
     json rows = json::array();
     for (const app::ReportedLight& light : state.lights) {
         json row{{"id", light.id}, {"on", light.on}, {"name", light.name}};
-        if (light.description) describe(row, light, state.metresPerUnit);
+        if (light.description) describe(row, light, state);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -146,7 +151,7 @@ json sceneJson(const app::StateReport& state) {
                {"up", vectorJson(state.up)},
                {"metresPerUnit", state.metresPerUnit},
                {"values", valuesJson(state.settings)},
-               {"camera", cameraJson(state.camera)},
+               {"camera", cameraJson(state.camera, state.origin)},
                {"lights", lightsJson(state)},
                {"environments", environmentsJson(state.environments)},
                {"map", nullptr},
@@ -190,6 +195,9 @@ std::string SceneFacts::settingText(const std::string& name) const {
 }
 
 json statusJson(const ipc::Status& status) {
+    rtcore::LocalOrigin origin;
+    std::ranges::copy(status.origin, origin.at.begin());
+    const json eye = positionJson({status.eye[0], status.eye[1], status.eye[2]}, origin);
     const std::size_t mode = std::min<std::size_t>(status.mode, kModes.size() - 1);
     constexpr double kMilliseconds = 1000;
     return {{"event", "status"},
@@ -200,7 +208,7 @@ json statusJson(const ipc::Status& status) {
             {"triangles", status.polygons},
             {"width", status.width},
             {"height", status.height},
-            {"eye", vectorJson(status.eye)},
+            {"eye", eye},
             {"forward", vectorJson(status.forward)},
             {"up", vectorJson(status.up)},
             {"fov", status.fieldOfView},

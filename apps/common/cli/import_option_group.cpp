@@ -41,8 +41,7 @@ OptionGroup importOptionGroup() {
          {.name = "memory-limit",
           .value = ValueKind::Integer,
           .argument = "MB",
-          .help = "memory that importing may take [2000, or 40 times the file if that is more, but at most "
-                  "half of the machine's]",
+          .help = "memory that importing may take [half of the machine's]",
           .minimum = 16,
           .maximum = 1e8},
          {.name = "time-limit",

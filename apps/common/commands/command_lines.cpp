@@ -35,8 +35,9 @@ void add(Words& words, const std::vector<double>& values) {
 
 void add(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
-void add(Words& words, const std::array<float, 3>& vector) {
-    for (const float value : vector) add(words, value);
+template <typename Number>
+void add(Words& words, const std::array<Number, 3>& vector) {
+    for (const Number value : vector) add(words, value);
 }
 
 template <typename... Arguments>
@@ -87,7 +88,7 @@ std::string lightName(int id, const std::string& name) { return line(CommandId::
 std::string lightFile(int id, const std::string& path) { return line(CommandId::LightFile, id, path); }
 std::string lightTurn(int id, double degrees) { return line(CommandId::LightTurn, id, degrees); }
 std::string lightKind(int id, const std::string& kind) { return line(CommandId::LightKind, id, kind); }
-std::string lightMove(int id, const std::array<float, 3>& position) {
+std::string lightMove(int id, const Position& position) {
     return line(CommandId::LightMove, id, "at", position);
 }
 std::string lightMoveHere(int id) { return line(CommandId::LightMove, id, "here"); }
@@ -167,7 +168,7 @@ std::string camera(const View& view) {
     return line(id, view.eye, view.forward, view.width, view.up);
 }
 
-std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3>& forward,
+std::string cameraSet(const Position& eye, const std::array<float, 3>& forward,
                       std::optional<float> fieldOfView) {
     return fieldOfView ? line(CommandId::CameraSet, eye, forward, *fieldOfView)
                        : line(CommandId::CameraSet, eye, forward);

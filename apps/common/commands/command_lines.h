@@ -10,9 +10,12 @@
 
 namespace app::command {
 
+/// In the coordinates of the model's file, scene units.
+using Position = std::array<double, 3>;
+
 /// The arguments of `camera set` and `camera orthographic`.
 struct View {
-    std::array<float, 3> eye{};     ///< scene units
+    Position eye{};
     std::array<float, 3> forward{}; ///< not zero
     float width = 0;                ///< degrees, or, without perspective, scene units
     bool orthographic = false;
@@ -53,7 +56,7 @@ std::string lightName(int id, const std::string& name);
 std::string lightKind(int id, const std::string& kind);
 std::string lightFile(int id, const std::string& path);
 std::string lightTurn(int id, double degrees);
-std::string lightMove(int id, const std::array<float, 3>& position);
+std::string lightMove(int id, const Position& position);
 std::string lightMoveHere(int id);
 std::string lightMoveSeen(int id);
 std::string lightMoveSeen(int id, double right, double down); ///< 0..1
@@ -107,7 +110,7 @@ std::string mask(bool ofMaterial, int number); ///< of a part, else
 /// All of the camera.
 std::string camera(const View& view);
 /// Where it is and looks to; what is up, as the scene has it. Without a field of view that stays as it is.
-std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3>& forward,
+std::string cameraSet(const Position& eye, const std::array<float, 3>& forward,
                       std::optional<float> fieldOfView = {});
 std::string cameraTurn(double right, double up); ///< degrees
 std::string cameraPivot();

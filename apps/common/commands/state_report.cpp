@@ -89,6 +89,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
+    writer.add("origin", state.origin);
     writeLights(writer, state, extent);
     write(writer, "environments", state.environments, extent);
     if (state.map) {
@@ -171,6 +172,7 @@ StateReport parseStateReport(std::string_view text) {
     rtcore::StrictTable root(content, kName);
     root.checkVersion(kVersion);
     StateReport state;
+    state.origin = root.readOrigin({});
     state.scene = root.require("scene", root.text("scene"));
     state.undo = root.require("undo", root.text("undo"));
     state.redo = root.require("redo", root.text("redo"));

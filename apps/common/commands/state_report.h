@@ -49,6 +49,7 @@ struct StateReport {
     std::string scene;                     ///< absolute path of the scene or model
     rtcore::Vec3 up{0, 1, 0};              ///< one of the six axes
     float metresPerUnit = 1;               ///< above 0
+    rtcore::LocalOrigin origin = {};       ///< from which all positions in here count
     std::vector<ReportedLight> lights;     ///< in the scene's order; the first ones of very many
     int sun = 0;                           ///< id of the light of the sky; 0: there is none
     std::vector<NamedSwitch> environments; ///< at most one is on; the last one is the sky, if any

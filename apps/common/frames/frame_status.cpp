@@ -2,6 +2,7 @@
 
 #include "rtcore/render/camera_rays.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace app {
@@ -14,10 +15,12 @@ void copy(rtcore::Vec3 from, float (&to)[3]) {
 
 } // namespace
 
-void setView(const rtcore::Camera& camera, int width, int height, ipc::Status& status) {
+void setView(const rtcore::Camera& camera, const rtcore::LocalOrigin& origin, int width, int height,
+             ipc::Status& status) {
     status.width = static_cast<std::uint32_t>(width);
     status.height = static_cast<std::uint32_t>(height);
     copy(camera.eye, status.eye);
+    std::ranges::copy(origin.at, status.origin);
     copy(normalize(camera.forward), status.forward);
     copy(normalize(camera.up), status.up);
     status.fieldOfView = rtcore::fieldOfView(camera, width, height);

@@ -84,9 +84,8 @@ void StatisticsDialog::refresh() {
         QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height()));
     polygons_->setText(QLocale().toString(status.polygons));
     mode_->setText(status.view.walking ? tr("Walk") : tr("Fly"));
-    const QVector3D eye = status.view.eye;
-    eye_->setText(
-        QStringLiteral("%1  %2  %3").arg(number(eye.x(), 2), number(eye.y(), 2), number(eye.z(), 2)));
+    const auto [x, y, z] = positionOf(status.view.eye, status.view);
+    eye_->setText(QStringLiteral("%1  %2  %3").arg(number(x, 2), number(y, 2), number(z, 2)));
     exposure_->setText(QLocale().toString(static_cast<double>(status.exposure), 'g', 4));
 }
 

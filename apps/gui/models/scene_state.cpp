@@ -46,6 +46,7 @@ std::optional<StateAnswer> readState(const QString& answer) {
         }
         result.state.up = QString::fromStdString(std::string(rtcore::axisName(report.up)));
         result.state.metresPerUnit = report.metresPerUnit;
+        result.state.origin = report.origin;
         result.state.lights = lightsOf(report.lights);
         result.state.sun = report.sun;
         result.state.environments = switchesOf(report.environments);

@@ -37,6 +37,7 @@ struct ShownMap {
 struct SceneState {
     QString up;                      ///< "+y"
     float metresPerUnit = 1;         ///< above 0
+    rtcore::LocalOrigin origin;      ///< from which positions count
     QMap<QString, QString> settings; ///< name to value, both as `settings` writes them
     QList<ShownLight> lights;
     int sun = 0;                     ///< id of the light of the sky, whose map shows it, too; 0: none

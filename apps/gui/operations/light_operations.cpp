@@ -94,7 +94,8 @@ void LightOperations::connectHandles() {
     connect(handles_, &LightHandles::picked, this, &LightOperations::select);
     connect(handles_, &LightHandles::moved, this,
             [this, step](int id, const QVector3D& position, bool goesOn) {
-                follow(step(id), command::lightMove(id, numbersOf(position)), goesOn);
+                follow(step(id), command::lightMove(id, positionOf(position, context_.session.status().view)),
+                       goesOn);
             });
     connect(handles_, &LightHandles::turned, this, &LightOperations::turn);
     connect(handles_, &LightHandles::movedOntoSurface, this,

@@ -139,8 +139,8 @@ void LookOperations::step(double fraction) {
 }
 
 void LookOperations::send(const QVector3D& direction, bool last) {
-    const QVector3D eye = context_.session.status().view.eye;
-    const std::string line = command::cameraSet(numbersOf(eye), numbersOf(direction));
+    const View& view = context_.session.status().view;
+    const std::string line = command::cameraSet(positionOf(view.eye, view), numbersOf(direction));
     underWay_ = true;
     context_.editor.edit(std::exchange(begun_, true) ? command::also(line) : line,
                          [this, last](const Answer& answer) {

@@ -157,20 +157,36 @@ LightFields::Vector LightFields::vectorFields(const QString& name, double max) {
     return fields;
 }
 
-void LightFields::onVector(const Vector& fields, const char* step,
-                           std::string (*line)(int, const std::array<float, 3>&),
-                           rtcore::Vec3 rtcore::Light::*exact) {
-    const bool lengths = &fields == &position_;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        connect(fields.at(i), &QDoubleSpinBox::valueChanged, this,
-                [this, i, step, line, exact, lengths](double value) {
-                    if (showing_ || !light_.description) return;
-                    std::array<float, 3> vector = numbers(light_.description->light.*exact);
-                    vector.at(i) = static_cast<float>(lengths ? inUnits(value) : value);
-                    // The next component may be changed before the server tells of this one.
-                    light_.description->light.*exact = {vector[0], vector[1], vector[2]};
-                    send(step, line(light_.id, vector));
-                });
+// The next component may be changed before the server tells of this one.
+void LightFields::onPosition() {
+    for (std::size_t i = 0; i < position_.size(); ++i) {
+        connect(position_.at(i), &QDoubleSpinBox::valueChanged, this, [this, i](double metres) {
+            if (showing_ || !light_.description) return;
+            rtcore::Vec3& shown = light_.description->light.position;
+            rtcore::FilePoint position = origin_.inFile(shown);
+            position.at(i) = inUnits(metres);
+            shown[static_cast<int>(i)] = origin_.local(position)[static_cast<int>(i)];
+            send("light move", command::lightMove(light_.id, origin_.inFile(shown)));
+        });
+    }
+}
+
+void LightFields::onDirection() {
+    for (std::size_t i = 0; i < direction_.size(); ++i) {
+        connect(direction_.at(i), &QDoubleSpinBox::valueChanged, this, [this, i](double value) {
+            if (showing_ || !light_.description) return;
+            rtcore::Vec3& shown = light_.description->light.direction;
+            shown[static_cast<int>(i)] = static_cast<float>(value);
+            send("light aim", command::lightAim(light_.id, numbers(shown)));
+        });
+    }
+}
+
+void LightFields::showPosition(rtcore::Vec3 position) {
+    const rtcore::FilePoint inFile = origin_.inFile(position);
+    for (std::size_t i = 0; i < position_.size(); ++i) {
+        position_.at(i)->setZero(inMetres(origin_.at.at(i)));
+        position_.at(i)->showRounded(inMetres(inFile.at(i)));
     }
 }
 
@@ -178,14 +194,14 @@ void LightFields::addPlace() {
     position_ = vectorFields(tr("Position"), kFar);
     for (ValueBox* field : position_) field->setSuffix(metres());
     positionRow_ = rowBelow(tr("Position"), position_);
-    onVector(position_, "light move", command::lightMove, &rtcore::Light::position);
+    onPosition();
     positionButtons_ =
         row({}, {button(tr("Here"), tr("Put the light at the camera"), "light move", command::lightMoveHere),
                  button(tr("At view centre"), tr("Put it before the surface in the middle of the image"),
                         "light move", command::lightMoveSeen)});
     direction_ = vectorFields(tr("Direction"), 1);
     directionRow_ = rowBelow(tr("Direction"), direction_);
-    onVector(direction_, "light aim", command::lightAim, &rtcore::Light::direction);
+    onDirection();
     directionButtons_ =
         row({}, {button(tr("Along view"), tr("Let it shine as the camera looks"), "light aim",
                         command::lightAimAhead),
@@ -291,23 +307,23 @@ void LightFields::showSize(const rtcore::Light& light) {
     if (traits.disc)
         set(*size_[0], rtcore::degreesOfHalfSine(light.discSine));
     else
-        size_[0]->showRounded(inMetres(traits.sides ? light.width : light.radius));
-    size_[1]->showRounded(inMetres(light.height));
+        size_[0]->showRounded(inMetres(double{traits.sides ? light.width : light.radius}));
+    size_[1]->showRounded(inMetres(double{light.height}));
     size_[1]->setVisible(traits.sides);
 }
 
-void LightFields::show(const ShownLight& light, float metresPerUnit) {
+void LightFields::show(const ShownLight& light, float metresPerUnit, const rtcore::LocalOrigin& origin) {
     light_ = light;
     metresPerUnit_ = metresPerUnit;
+    origin_ = origin;
     const rtcore::Light& shines = light.description->light;
     const rtcore::LightTraits& traits = traitsOf(shines);
     showing_ = true;
     if (!name_->hasFocus() || !name_->isModified()) name_->setText(light.name);
     kind_->setCurrentIndex(static_cast<int>(shines.kind));
-    for (std::size_t i = 0; i < position_.size(); ++i) {
-        position_.at(i)->showRounded(inMetres(numbers(shines.position).at(i)));
+    showPosition(shines.position);
+    for (std::size_t i = 0; i < direction_.size(); ++i)
         direction_.at(i)->showRounded(static_cast<double>(numbers(shines.direction).at(i)));
-    }
     const float temperature = light.description->temperature;
     hasTemperature_->setChecked(temperature > 0);
     temperature_->setEnabled(temperature > 0);

@@ -39,7 +39,8 @@ class LightFields : public QWidget {
     explicit LightFields(QWidget* parent = nullptr);
 
     /// Emits nothing. `light` has a description. Lengths are shown in metres.
-    void show(const ShownLight& light, float metresPerUnit);
+    /// `origin`: of the scene, from which its positions count.
+    void show(const ShownLight& light, float metresPerUnit, const rtcore::LocalOrigin& origin);
     using QWidget::show;
 
     // For tests.
@@ -68,8 +69,9 @@ class LightFields : public QWidget {
     void addFile();
     Vector vectorFields(const QString& name, double max);
     /// The other two components stay to the last bit.
-    void onVector(const Vector& fields, const char* step,
-                  std::string (*line)(int, const std::array<float, 3>&), rtcore::Vec3 rtcore::Light::*exact);
+    void onPosition();
+    void onDirection();
+    void showPosition(rtcore::Vec3 position);
     QWidget* row(const QString& label, std::initializer_list<QWidget*> fields);
     /// Below their label, so that all digits have room.
     QWidget* rowBelow(const QString& label, const Vector& fields);
@@ -81,14 +83,13 @@ class LightFields : public QWidget {
     void chooseFile();
     void showColour();
 
-    double inMetres(float length) const {
-        return static_cast<double>(length) * static_cast<double>(metresPerUnit_);
-    }
+    double inMetres(double length) const { return length * static_cast<double>(metresPerUnit_); }
     double inUnits(double metres) const;
 
     QFormLayout* form_;
     ShownLight light_;
     float metresPerUnit_ = 1;
+    rtcore::LocalOrigin origin_;
     bool showing_ = false; ///< changes are not the user's
     QLineEdit* name_;
     QComboBox* kind_;

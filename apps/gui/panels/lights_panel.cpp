@@ -145,7 +145,7 @@ void LightsPanel::showSelected() {
     copy_->setEnabled(there);
     remove_->setEnabled(there);
     fields_->setVisible(there && light->description);
-    if (there && light->description) fields_->show(*light, metresPerUnit_);
+    if (there && light->description) fields_->show(*light, metresPerUnit_, origin_);
 }
 
 void LightsPanel::select(int id) {
@@ -193,6 +193,7 @@ void LightsPanel::showMaps(const QList<NamedSwitch>& maps) {
 void LightsPanel::show(const SceneState& state) {
     shown_ = state.lights;
     metresPerUnit_ = state.metresPerUnit;
+    origin_ = state.origin;
     showLights(state.lights);
     showEnvironments(state);
     sky_->show(state);

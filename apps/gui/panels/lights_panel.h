@@ -71,6 +71,7 @@ class LightsPanel : public QWidget {
     QList<ShownLight> shown_;
     int selected_ = 0; ///< id
     float metresPerUnit_ = 1;
+    rtcore::LocalOrigin origin_;
     QListWidget* list_;
     QPushButton *copy_, *remove_;
     LightFields* fields_;

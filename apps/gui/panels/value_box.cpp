@@ -64,17 +64,17 @@ QValidator::State ValueBox::validate(QString& text, int&) const {
 }
 
 void ValueBox::stepBy(int steps) {
-    const double size = std::abs(value());
+    const double size = std::abs(value() - zero_);
     const double step = size > 0 ? std::pow(10.0, std::floor(std::log10(size)) - 1) : kFirstStep;
     // To a multiple of the step: no spurious digits.
-    const double wanted = (std::round(value() / step) + steps) * step;
-    setValue(QLocale::c().toDouble(QLocale::c().toString(wanted, 'g', 6)));
+    const double wanted = (std::round((value() - zero_) / step) + steps) * step;
+    setValue(zero_ + QLocale::c().toDouble(QLocale::c().toString(wanted, 'g', 6)));
     selectAll();
 }
 
 void ValueBox::showRounded(double value) {
-    const double rounded = QString::number(value, 'g', 5).toDouble();
-    if (static_cast<float>(this->value()) != static_cast<float>(rounded)) setValue(rounded);
+    const double rounded = QString::number(value - zero_, 'g', 5).toDouble();
+    if (static_cast<float>(this->value() - zero_) != static_cast<float>(rounded)) setValue(zero_ + rounded);
 }
 
 QSize ValueBox::sizeHint() const {

@@ -21,11 +21,15 @@ class ValueBox : public QDoubleSpinBox {
     /// Sets it to the value with the digits that one reads; leaves it where it is that value but for the
     /// rounding of floats.
     void showRounded(double value);
+    /// From where its digits and its steps count: 0 at first. Of coordinates on a national grid, the scene's.
+    void setZero(double zero) { zero_ = zero; }
 
   private:
     QString bare(const QString& text) const; ///< without the unit
     /// Whether it is the word for the minimum (specialValueText()), in any case.
     bool saysMinimum(const QString& text) const;
+
+    double zero_ = 0;
 };
 
 } // namespace gui

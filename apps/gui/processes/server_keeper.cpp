@@ -129,7 +129,8 @@ void ServerKeeper::restart() {
     removeLeftovers(last_.instance);
     launch(ServerRequest(last_));
     if (view_.fieldOfView <= 0) return; // it never showed anything
-    session_.send(command::cameraSet(numbersOf(view_.eye), numbersOf(view_.forward), view_.fieldOfView));
+    session_.send(
+        command::cameraSet(positionOf(view_.eye, view_), numbersOf(view_.forward), view_.fieldOfView));
     if (view_.walking) session_.send(command::walk());
 }
 

@@ -10,6 +10,7 @@ namespace gui {
 
 /// The camera of the server; scene units, degrees.
 struct View {
+    std::array<double, 3> origin{}; ///< where the scene's zero lies in the coordinates of the model's file
     QVector3D eye, forward{0, 0, -1}, up{0, 1, 0};
     float fieldOfView = 0;
     bool walking = false;
@@ -18,6 +19,11 @@ struct View {
 
 /// As commands take it.
 inline std::array<float, 3> numbersOf(const QVector3D& v) { return {v.x(), v.y(), v.z()}; }
+/// The same of a position in the scene: in the coordinates of the model's file.
+inline std::array<double, 3> positionOf(const QVector3D& p, const View& view) {
+    const auto& [x, y, z] = view.origin;
+    return {double{p.x()} + x, double{p.y()} + y, double{p.z()} + z};
+}
 
 struct ServerStatus {
     double framesPerSecond = 0;

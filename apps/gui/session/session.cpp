@@ -26,7 +26,12 @@ ServerStatus statusOf(const ipc::Status& from) {
     to.resolution = QSize(static_cast<int>(from.width), static_cast<int>(from.height));
     to.exposure = from.exposure;
     to.progress = from.progress;
-    to.view = {vector(from.eye), vector(from.forward), vector(from.up), from.fieldOfView, from.mode != 0};
+    to.view = {{from.origin[0], from.origin[1], from.origin[2]},
+               vector(from.eye),
+               vector(from.forward),
+               vector(from.up),
+               from.fieldOfView,
+               from.mode != 0};
     to.idle = from.idle != 0;
     to.paused = from.paused != 0;
     to.recording = from.recording != 0;

@@ -2024,8 +2024,8 @@
         <translation>pose je {0}; musí to být "rest", "first" nebo název či číslo animace, za nímž stojí @ a sekundy</translation>
     </message>
     <message>
-        <source>reading it takes more than the {0} MB of memory that the importer may use; raise the memory limit when the model is that large, else simplify it or export it again</source>
-        <translation>ke čtení je potřeba víc než {0} MB paměti, které smí importér použít; je-li model opravdu tak velký, zvyšte limit paměti, jinak ho zjednodušte nebo exportujte znovu</translation>
+        <source>reading it takes more than the {0} MB of memory that the importer may use; raise that (--memory-limit) if the model and its images are that large, else simplify it or export it again</source>
+        <translation>čtení potřebuje více než {0} MB paměti, které smí import použít; zvyšte tuto mez (--memory-limit), pokud jsou model a jeho obrázky tak velké, jinak jej zjednodušte nebo vyexportujte znovu</translation>
     </message>
     <message>
         <source>ready: instance '{0}', {1}, {2} x {3}</source>
@@ -2354,6 +2354,10 @@
     <message>
         <source>the file ends where {0} should follow; it was cut off, so get it again</source>
         <translation>soubor končí tam, kde má následovat {0}; je useknutý, opatřete si jej znovu</translation>
+    </message>
+    <message>
+        <source>the file has its corners in numbers that are {0} units coarse so far from its zero; export it nearer to zero, or in a format with more digits (PLY of doubles, OBJ)</source>
+        <translation>soubor má rohy v číslech, která jsou tak daleko od jeho nuly hrubá na {0} jednotek; exportujte jej blíže k nule nebo do formátu s více číslicemi (PLY s doubles, OBJ)</translation>
     </message>
     <message>
         <source>the file is cut off</source>

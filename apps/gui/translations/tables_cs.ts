@@ -1277,8 +1277,8 @@
         <translation>Mez paměti</translation>
     </message>
     <message>
-        <source>memory that importing may take [2000, or 40 times the file if that is more, but at most half of the machine's]</source>
-        <translation>kolik paměti smí import zabrat [2000, nebo 40násobek souboru, je-li to víc, nejvýš však polovinu paměti počítače]</translation>
+        <source>memory that importing may take [half of the machine's]</source>
+        <translation>paměť, kterou smí import použít [polovina paměti počítače]</translation>
     </message>
     <message>
         <source>Time limit</source>

@@ -12,6 +12,7 @@
 #include "rtcore/scene/focal_length.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/scene/up_axis.h"
+#include "rtcore/settings/number_text.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/survey/default_view.h"
 #include "rtcore/survey/framing.h"
@@ -38,10 +39,23 @@ rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
     return {number(call[i]), number(call[i + 1]), number(call[i + 2])};
 }
 
+// In the coordinates of the model's file.
+rtcore::Vec3 positionAt(const Call& call, std::size_t i) {
+    return call.document().scene()->origin.local(
+        {preciseNumber(call[i]), preciseNumber(call[i + 1]), preciseNumber(call[i + 2])});
+}
+
+std::string positionText(const Call& call, rtcore::Vec3 p) {
+    const rtcore::LocalOrigin& origin = call.document().scene()->origin;
+    if (origin.isZero())
+        return fmt::format("{} {} {}", rtcore::settingText(p.x), rtcore::settingText(p.y),
+                           rtcore::settingText(p.z));
+    const auto [x, y, z] = origin.inFile(p);
+    return fmt::format("{} {} {}", rtcore::shortestText(x), rtcore::shortestText(y), rtcore::shortestText(z));
+}
+
 Result getCamera(const Call& call) {
-    rtcore::CameraFile file;
-    file.camera = call.document().camera();
-    std::string text = rtcore::formatCameraFile(file);
+    std::string text = rtcore::formatCameraInFile(call.document().camera(), call.document().scene()->origin);
     if (text.ends_with('\n')) text.pop_back();
     return {.answer = text};
 }
@@ -51,7 +65,7 @@ constexpr std::size_t kEye = 0, kForward = 3, kWidth = 6, kUp = 7, kAspect = 10;
 
 // `camera` with the eye, and with what is up and the aspect where these are given.
 Result setCamera(const Call& call, rtcore::Camera camera, rtcore::Vec3 forward) {
-    camera.eye = vectorAt(call, kEye);
+    camera.eye = positionAt(call, kEye);
     camera.forward = forward;
     camera.up =
         call.size() > kUp ? vectorAt(call, kUp) : rtcore::upwardsOf(forward, call.document().scene()->up);
@@ -72,7 +86,7 @@ rtcore::Camera perspective(const Call& call) {
 Result set(const Call& call) { return setCamera(call, perspective(call), vectorAt(call, kForward)); }
 
 Result lookAt(const Call& call) {
-    return setCamera(call, perspective(call), vectorAt(call, kForward) - vectorAt(call, kEye));
+    return setCamera(call, perspective(call), positionAt(call, kForward) - positionAt(call, kEye));
 }
 
 Result orthographic(const Call& call) {
@@ -92,9 +106,7 @@ Result pivot(const Call& call) {
     const auto seen =
         call.size() < 2 ? std::nullopt : surfaceAt(call.document(), number(call[0]), number(call[1]));
     call.walk().setPivot(seen ? std::optional(seen->position) : std::nullopt);
-    const rtcore::Vec3 about = call.walk().pivot();
-    return {.answer = fmt::format("{} {} {}", rtcore::settingText(about.x), rtcore::settingText(about.y),
-                                  rtcore::settingText(about.z))};
+    return {.answer = positionText(call, call.walk().pivot())};
 }
 
 // It is the eye that moves: without a body.
@@ -195,8 +207,8 @@ Result reset(const Call& call) {
 
 Result paste(const Call& call) {
     const std::filesystem::path pasted = "the pasted text"; // in messages
-    const Answer answer =
-        warningAnswer(call.document().applyCameraFile(rtcore::parseCameraFile(call[0], pasted), pasted));
+    const Answer answer = warningAnswer(call.document().applyCameraFile(
+        rtcore::parseCameraFile(call[0], pasted, call.document().scene()->origin), pasted));
     return {.answer = answer.text, .detail = answer.detail};
 }
 

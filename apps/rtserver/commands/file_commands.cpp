@@ -35,8 +35,9 @@ bool frameSuits(const Call& call) {
 
 Result loadCamera(const Call& call) {
     return {.when = ReplyWhen::Beside,
-            .work = [path = pathOf(call[0]), &document = call.document()]() -> Finish {
-                return [path, &document, file = rtcore::readCameraFile(path)] {
+            .work = [path = pathOf(call[0]), zero = call.document().scene()->origin,
+                     &document = call.document()]() -> Finish {
+                return [path, &document, file = rtcore::readCameraFile(path, zero)] {
                     return warningAnswer(document.applyCameraFile(file, path));
                 };
             }};
@@ -113,8 +114,11 @@ Result video(const Call& call) {
 }
 
 Result play(const Call& call) {
-    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &walk = call.walk()]() -> Finish {
-                auto playback = std::make_shared<std::unique_ptr<Playback>>(std::make_unique<Playback>(path));
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), zero = call.document().scene()->origin,
+                     &walk = call.walk()]() -> Finish {
+                auto playback =
+                    std::make_shared<std::unique_ptr<Playback>>(std::make_unique<Playback>(path, zero));
                 return [playback, &walk] {
                     walk.play(std::move(*playback));
                     return std::string();

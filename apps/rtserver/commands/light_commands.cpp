@@ -106,6 +106,12 @@ class Place {
     Vec3 vector() const {
         return {number(call_[first_]), number(call_[first_ + 1]), number(call_[first_ + 2])};
     }
+    /// In the coordinates of the model's file.
+    Vec3 position() const {
+        return call_.document().scene()->origin.local({preciseNumber(call_[first_]),
+                                                       preciseNumber(call_[first_ + 1]),
+                                                       preciseNumber(call_[first_ + 2])});
+    }
     /// Throws std::runtime_error where nothing is.
     SeenSurface surface() const {
         const auto fraction = [&](std::size_t i) {
@@ -143,7 +149,7 @@ LightPlace placeOf(const Call& call, std::size_t first) {
                        : LightPlace{camera.eye, camera.forward};
     }
     const Place place(call, first);
-    if (place.word() == "at") return {place.vector(), extent.downwards};
+    if (place.word() == "at") return {place.position(), extent.downwards};
     if (place.word() == "here") return {camera.eye, camera.forward};
     const SeenSurface surface = place.surface();
     return {before(surface, extent), surface.normal};
@@ -186,7 +192,7 @@ Result aim(const Call& call) {
     return change(call, [&](LightDescription& light) {
         if (place.word() == "ahead") return setDirection(light, call.document().camera().forward);
         if (place.word() == "along") return setDirection(light, place.vector());
-        const Vec3 target = place.word() == "at" ? place.vector() : place.surface().position;
+        const Vec3 target = place.word() == "at" ? place.position() : place.surface().position;
         const bool far = !traitsOf(light.light).position;
         setDirection(light, target - (far ? call.document().camera().eye : light.light.position));
     });

@@ -162,8 +162,9 @@ Result addBookmark(const Call& call) {
     checkName(call[0]);
     if (call.size() == 1) return {.answer = keep(call.document(), call[0], call.document().camera())};
     return {.when = ReplyWhen::Beside,
-            .work = [name = call[0], path = pathOf(call[1]), &document = call.document()]() -> Finish {
-                return [&document, name, camera = rtcore::readCameraFile(path).camera] {
+            .work = [name = call[0], path = pathOf(call[1]), zero = call.document().scene()->origin,
+                     &document = call.document()]() -> Finish {
+                return [&document, name, camera = rtcore::readCameraFile(path, zero).camera] {
                     return keep(document, name, camera);
                 };
             }};

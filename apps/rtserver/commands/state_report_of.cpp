@@ -71,6 +71,7 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
     app::StateReport report{.scene = scenePathOf(document),
                             .up = document.scene()->up,
                             .metresPerUnit = document.scene()->metresPerUnit,
+                            .origin = document.scene()->origin,
                             .lights = lightsOf(document),
                             .environments = environmentsOf(document),
                             .map = mapOf(document),

@@ -108,6 +108,7 @@ rtcore::CameraFile cameraFileOf(const Document& document, float exposure) {
     const rtcore::RenderSettings& settings = document.settings();
     rtcore::CameraFile file;
     file.camera = document.camera();
+    file.origin = scene.origin;
     file.camera.nameOffset = 0;
     file.width = settings.width;
     file.height = settings.height;

@@ -43,7 +43,7 @@ Opening openingOf(World& world, const Options& options, const rtcore::RenderSett
     rtcore::useGuesses(scene, loaded.guesses);
     std::optional<rtcore::CameraFile> camera;
     if (const std::filesystem::path path = cameraPathOf(world, options, first); !path.empty()) {
-        camera = rtcore::readCameraFile(path);
+        camera = rtcore::readCameraFile(path, scene.origin);
         const rtcore::Sentence warning = app::applyCameraToScene(*camera, path, scene);
         if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;

@@ -21,7 +21,7 @@ app::ExitCode runServer(const app::Arguments& arguments) {
     const Options options = readOptions(arguments);
     app::shareMemoryAmongThreads(); // each command with a file has a thread
     // A mistake in the list shows before a big scene is loaded.
-    if (options.path) const Playback check(*options.path);
+    if (options.path) const Playback check(*options.path, {});
     // Before the first thread, and before the lock that the server holds.
     if (options.daemon) {
         if (const std::optional<app::ExitCode> parent = app::goToBackground()) return *parent;

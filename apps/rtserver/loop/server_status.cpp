@@ -17,8 +17,8 @@ ipc::Status statusOf(const Workspace& state, const FrameMaker& frames, const Act
     status.frameSeconds = frames.seconds();
     status.raysPerSecond = frames.seconds() > 0 ? static_cast<double>(frames.rays()) / frames.seconds() : 0;
     status.polygons = state.document.scene()->model.mesh.triangles.size();
-    app::setView(state.document.camera(), state.document.settings().width, state.document.settings().height,
-                 status);
+    app::setView(state.document.camera(), state.document.scene()->origin, state.document.settings().width,
+                 state.document.settings().height, status);
     status.mode = state.walk.onUnseenFloor() ? 2 : state.walk.walking() ? 1 : 0;
     status.exposure = frames.exposure();
     status.kept = static_cast<float>(frames.kept());

@@ -16,7 +16,8 @@ constexpr std::chrono::duration<double> kCameraInterval{1.0 / 30};
 
 } // namespace
 
-Playback::Playback(const std::filesystem::path& list) : files_(rtcore::readCameraList(list)) {
+Playback::Playback(const std::filesystem::path& list, const rtcore::LocalOrigin& zero)
+    : files_(rtcore::readCameraList(list)), zero_(zero) {
     if (files_.empty())
         throw rtcore::FileError(rtcore::FailureKind::BadData, list.string(), "the list names no camera");
     for (const std::filesystem::path& file : files_) {
@@ -33,7 +34,7 @@ void Playback::readNext() {
     if (following_ == files_.size()) return;
     const bool first = following_ == 0;
     const std::filesystem::path& path = files_[following_];
-    next_ = Shot{rtcore::readCameraFile(path), path};
+    next_ = Shot{rtcore::readCameraFile(path, zero_), path};
     ++following_;
     const std::optional<double> time = next_->camera.time;
     if (first) firstTime_ = time;

@@ -15,8 +15,9 @@ namespace rtserver {
 /// Files without a time follow each other at 30 a second. One thread.
 class Playback {
   public:
-    /// Reads the list and its first camera. Throws FileError, BadData when the list is empty.
-    explicit Playback(const std::filesystem::path& list);
+    /// Reads the list and its first camera; cameras are seen from `zero`, that of the scene. Throws
+    /// FileError, BadData when the list is empty.
+    Playback(const std::filesystem::path& list, const rtcore::LocalOrigin& zero);
 
     /// Time goes on. The camera that is to be shown now, with the path of its file; nothing while that is the
     /// one of the last call. Throws FileError.
@@ -33,6 +34,7 @@ class Playback {
     void readNext();
 
     std::vector<std::filesystem::path> files_;
+    rtcore::LocalOrigin zero_;
     std::size_t following_ = 0; ///< index of the file after `next_`
     std::optional<Shot> next_;
     std::chrono::duration<double> now_{0}, due_{0}; ///< since the first camera; when `next_` is to be shown

@@ -66,7 +66,7 @@ void Walk::sceneOpened() {
     makePlayer();
     if (!firstPath_) return;
     const std::filesystem::path path = *std::exchange(firstPath_, std::nullopt);
-    play(std::make_unique<Playback>(path));
+    play(std::make_unique<Playback>(path, document_.scene()->origin));
 }
 
 // Cameras of a recording say which lights are on, not what they are like: a film of it would show other

@@ -32,6 +32,23 @@ std::string numberText(double value) {
     return {text.data(), end};
 }
 
+std::string pointText(const FilePoint& p) {
+    return numberText(p[0]) + ' ' + numberText(p[1]) + ' ' + numberText(p[2]);
+}
+
+/// Three numbers that positions may have, with a blank between them.
+std::optional<LocalOrigin> zeroOf(std::string_view text) {
+    constexpr double kFarthest = 1e12;
+    LocalOrigin origin;
+    for (double& value : origin.at) {
+        if (text.starts_with(' ')) text.remove_prefix(1);
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || !(std::fabs(value) <= kFarthest)) return {};
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+    return text.empty() ? std::optional(origin) : std::nullopt;
+}
+
 } // namespace
 
 std::string writeOrigin(const ModelOrigin& origin) {
@@ -43,6 +60,7 @@ std::string writeOrigin(const ModelOrigin& origin) {
     add("exporter", oneLine(origin.exporter));
     if (origin.up) add("up", std::string(axisName(*origin.up)));
     if (origin.metresPerUnit) add("metresPerUnit", numberText(*origin.metresPerUnit));
+    if (!origin.zero.isZero()) add("zero", pointText(origin.zero.at));
     return text;
 }
 
@@ -58,6 +76,8 @@ bool readOriginLine(std::string_view line, ModelOrigin& origin) {
         origin.up = axisNamed(value);
     } else if (name == "metresPerUnit") {
         origin.metresPerUnit = positive(value);
+    } else if (name == "zero") {
+        origin.zero = zeroOf(value).value_or(LocalOrigin());
     } else {
         return false;
     }

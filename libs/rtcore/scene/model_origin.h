@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/math/vec.h"
+#include "rtcore/scene/local_origin.h"
 
 #include <cstddef>
 #include <optional>
@@ -15,6 +16,7 @@ struct ModelOrigin {
     std::string exporter;   ///< in the words of the program that wrote it, one line; "" = it says nothing
     std::optional<Vec3> up; ///< one of the six axes, as imported, where the format fixes it
     std::optional<double> metresPerUnit; ///< above 0, as imported, where the format or the file says it
+    LocalOrigin zero = {};               ///< of the model, in the coordinates of its file
     friend bool operator==(const ModelOrigin&, const ModelOrigin&) = default;
 };
 

@@ -7,6 +7,7 @@
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/environment.h"
 #include "rtcore/scene/environment_source.h"
+#include "rtcore/scene/local_origin.h"
 #include "rtcore/scene/material_override.h"
 #include "rtcore/scene/model.h"
 #include "rtcore/scene/part_list.h"
@@ -56,6 +57,7 @@ struct SceneLook {
     WalkParameters walk;
     Vec3 up{0, 1, 0}; ///< one of the six axes
     float metresPerUnit = 1;
+    LocalOrigin origin; ///< the scene's zero, in the coordinates of the model's file
     std::optional<Sky> sky;
     /// Index into the scene's environments, of which the sky is the last; ignored when there are none.
     int activeEnvironment = 0;

@@ -148,7 +148,7 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
                           .exposure = drawing_.frames().exposure(),
                           .camera = state_.document.camera()});
     keepLight();
-    state_.walk.play(std::make_unique<rtserver::Playback>(recorder.list()));
+    state_.walk.play(std::make_unique<rtserver::Playback>(recorder.list(), state_.document.scene()->origin));
     begun_ = Clock::now();
     const double end = static_cast<double>(cameras.size()) / walk_.framesPerSecond;
     for (Clock::time_point moved = begun_; seconds(moved - begun_) < end;) {

@@ -29,8 +29,7 @@ FileImport importAt(const GltfBuilder& file, const std::string& pose) {
 
 /// The corner (1 0 0) of the square at a moment.
 Vec3 cornerAt(const GltfBuilder& file, const std::string& pose) {
-    const FileImport read = importAt(file, pose);
-    return test::meshOf(read.model).position(0, 1);
+    return test::cornerInFile(importAt(file, pose), 0, 1);
 }
 
 /// A square of which one value moves, with the keys at 1, 2 and 4 seconds.

@@ -124,6 +124,12 @@ inline rtcore::Mesh meshOf(const rtcore::ModelBuffers& model) {
             model.texcoords, model.colours,   model.alphas};
 }
 
+/// In the coordinates of the file.
+inline rtcore::Vec3 cornerInFile(const rtcore::FileImport& import, std::uint32_t triangle, int corner) {
+    const auto [x, y, z] = import.report.origin.zero.inFile(meshOf(import.model).position(triangle, corner));
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
 inline std::string warningsOf(const rtcore::FileImport& import) {
     std::string text;
     for (const rtcore::Sentence& warning : import.report.warnings) text += warning.english() + "\n";

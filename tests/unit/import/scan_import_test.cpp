@@ -519,10 +519,10 @@ TEST(ScanImport, AFileThatShrinksWhileItIsReadIsAnError) {
     const auto header = readPlyHeader(ply);
     ASSERT_TRUE(header);
     shrink("a.ply", ply.size() / 2)();
-    EXPECT_THROW(readPly(plyFile, *header, [] {}), FileError);
-    EXPECT_TRUE(readStl(stlFile, [] {}));
+    EXPECT_THROW(readPly(plyFile, *header, {}, [] {}), FileError);
+    EXPECT_TRUE(readStl(stlFile, {}, [] {}));
     shrink("a.stl", stl.size() / 2)();
-    EXPECT_THROW(readStl(stlFile, [] {}), FileError);
+    EXPECT_THROW(readStl(stlFile, {}, [] {}), FileError);
 }
 
 /// Whatever the bytes: a sound mesh, no mesh or a FileError. More of them: RT_MUTATIONS.

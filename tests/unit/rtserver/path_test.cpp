@@ -71,7 +71,7 @@ class Playing : public testing::Test {
 
 TEST_F(Playing, KeepsTheTimes) {
     write({3.0, 3.5, 3.6, 5.0});
-    rtserver::Playback playback(folder_ / "a.lst");
+    rtserver::Playback playback(folder_ / "a.lst", {});
     EXPECT_EQ(playback.untilNext(), 0ns);
     EXPECT_EQ(shown(playback, 0ns), 0) << "the first one at once";
     EXPECT_NEAR(std::chrono::duration<double>(playback.untilNext()).count(), 0.5, 1e-6);
@@ -84,7 +84,7 @@ TEST_F(Playing, KeepsTheTimes) {
 
 TEST_F(Playing, WithoutTimesGoesAtThirtyASecond) {
     write({std::nullopt, std::nullopt, std::nullopt});
-    rtserver::Playback playback(folder_ / "a.lst");
+    rtserver::Playback playback(folder_ / "a.lst", {});
     EXPECT_EQ(shown(playback, 0ns), 0);
     EXPECT_EQ(shown(playback, 34ms), 1);
     EXPECT_EQ(shown(playback, 34ms), 2);
@@ -95,18 +95,18 @@ TEST_F(Playing, WithoutTimesGoesAtThirtyASecond) {
 
 TEST_F(Playing, NeverGoesBackInTime) {
     write({1.0, 0.2, 1.1});
-    rtserver::Playback playback(folder_ / "a.lst");
+    rtserver::Playback playback(folder_ / "a.lst", {});
     EXPECT_EQ(shown(playback, 0ns), 1);
     EXPECT_EQ(shown(playback, 110ms), 2);
 }
 
 TEST_F(Playing, NeedsCameras) {
     write({});
-    EXPECT_THROW(rtserver::Playback(folder_ / "a.lst"), rtcore::FileError);
-    EXPECT_THROW(rtserver::Playback(folder_ / "none.lst"), rtcore::FileError);
+    EXPECT_THROW(rtserver::Playback(folder_ / "a.lst", {}), rtcore::FileError);
+    EXPECT_THROW(rtserver::Playback(folder_ / "none.lst", {}), rtcore::FileError);
     write({1.0, 1.1});
     std::ofstream(folder_ / "1.cam") << "nonsense";
-    rtserver::Playback playback(folder_ / "a.lst");
+    rtserver::Playback playback(folder_ / "a.lst", {});
     EXPECT_THROW(playback.advance(0ns), rtcore::FileError);
 }
 

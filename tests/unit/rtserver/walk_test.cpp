@@ -45,7 +45,7 @@ class WalkTest : public test::ShownRoom {
             list << name << "\n";
         }
         list.close();
-        return std::make_unique<Playback>(folder / "a.lst");
+        return std::make_unique<Playback>(folder / "a.lst", rtcore::LocalOrigin());
     }
 
     test::TemporaryFolder folder;

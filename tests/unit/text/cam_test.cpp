@@ -260,4 +260,26 @@ TEST(Cam, MissingFilesAreNoInput) {
     }
 }
 
+const std::string kFar =
+    "version = 1\norigin = [458213, 5428765, 312]\neye = [0.1, -2.5, 3]\nforward = [0, 0, -1]\n";
+
+TEST(Cam, AnOriginSaysFromWhereTheEyeCounts) {
+    const rtcore::LocalOrigin zero{{458213, 5428765, 312}};
+    const CameraFile file = parseCameraFile(kFar, "x.cam");
+    EXPECT_EQ(file.origin, zero);
+    EXPECT_EQ(file.camera.eye, (rtcore::Vec3{0.1F, -2.5F, 3}));
+    EXPECT_EQ(parseCameraFile(kFar, "x.cam", zero), file);
+    EXPECT_EQ(rtcore::formatCameraFile(file).find("version = 1\norigin = [458213.0, 5428765.0, 312.0]\n"),
+              0U);
+    EXPECT_EQ(parseCameraFile(rtcore::formatCameraFile(file), "x.cam", zero), file);
+    // A model that is not on the grid, and a camera by hand on a model that is.
+    EXPECT_EQ(parseCameraFile(kFar, "x.cam", rtcore::LocalOrigin()).camera.eye,
+              (rtcore::Vec3{458213.1F, 5428762.5F, 315}));
+    const CameraFile byHand = parseCameraFile(
+        "version = 1\neye = [458213.1, 5428762.5, 315]\nforward = [0, 0, -1]\n", "x.cam", zero);
+    EXPECT_EQ(byHand, file);
+    EXPECT_EQ(problem("version = 1\norigin = [1, 2, 1e13]\neye = [0, 0, 0]\nforward = [0, 0, -1]\n"),
+              "x.cam:2:17: origin is 1e+13, but takes a number at least -1e+12 and at most 1e+12");
+}
+
 } // namespace

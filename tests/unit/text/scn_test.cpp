@@ -434,4 +434,27 @@ TEST(Scn, SkiesThatMakeNoSenseAreRefused) {
     EXPECT_EQ(refusal("activeEnvironment = -1\n[sky]"), "no error");
 }
 
+TEST(Scn, PositionsAreSeenFromTheModelsZero) {
+    const rtcore::LocalOrigin zero{{458213, 5428765, 312}};
+    const std::string byHand =
+        "version = 2\nmodel = \"m\"\nup = \"+z\"\n"
+        "[camera]\neye = [458213.25, 5428760, 313.5]\nlookAt = [458213.25, 5428765, 313.5]\n"
+        "[[light]]\nkind = \"point\"\nposition = [458214.1, 5428765, 312]\n"
+        "[[bookmark]]\nname = \"b\"\neye = [458213, 5428765, 312.1]\nforward = [1, 0, 0]\n"
+        "[fog]\nkind = \"exponential\"\ngroundHeight = 311.9\n";
+    const rtcore::SceneFile scene = rtcore::parseSceneFile(byHand, "x.scn", zero);
+    EXPECT_EQ(scene.camera->eye, (rtcore::Vec3{0.25F, -5, 1.5F}));
+    EXPECT_EQ(scene.camera->forward, (rtcore::Vec3{0, 5, 0}));
+    EXPECT_EQ(scene.lights[0].light.position, (rtcore::Vec3{1.1F, 0, 0}));
+    EXPECT_EQ(scene.bookmarks[0].camera.eye, (rtcore::Vec3{0, 0, 0.1F}));
+    EXPECT_EQ(scene.fog.groundHeight, -0.1F);
+    const std::string written = rtcore::formatSceneFile(scene, "x.scn");
+    EXPECT_NE(written.find("origin = [458213.0, 5428765.0, 312.0]\n"), std::string::npos);
+    const rtcore::SceneFile again = rtcore::parseSceneFile(written, "x.scn", zero);
+    EXPECT_EQ(again.camera, scene.camera);
+    EXPECT_EQ(again.lights, scene.lights);
+    EXPECT_EQ(again.bookmarks, scene.bookmarks);
+    EXPECT_EQ(again.fog.groundHeight, scene.fog.groundHeight);
+}
+
 } // namespace

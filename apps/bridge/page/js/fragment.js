@@ -18,7 +18,8 @@ function readView(text) {
     return numbers.length === 6 || (numbers[6] > 0 && numbers[6] < 180) ? numbers : null;
 }
 
-const digits = (number) => String(Number(number.toPrecision(9)));
+// As many as floats have; on a national grid, a tenth of a millimetre.
+const digits = (number) => String(Number(Math.abs(number) < 1e5 ? number.toPrecision(9) : number.toFixed(4)));
 
 /** A view as it stands in a link, without `#`. @param {number[]} view */
 export const viewText = (view) => "v=" + view.map(digits).join(",");

@@ -15,8 +15,6 @@ namespace rtcore {
 inline constexpr float kCreaseAngle = 40;
 inline constexpr float kDeflection = 0.0005F;
 
-inline constexpr std::uint64_t kImportMemory = 2'000'000'000;
-inline constexpr std::uint64_t kImportMemoryPerByte = 40; ///< of the file
 inline constexpr double kImportSeconds = 15;
 inline constexpr double kImportSecondsPerByte = 2e-6; ///< of the file
 inline constexpr std::uint64_t kTinyModel = 64'000;   ///< bytes; a smaller file gets
@@ -43,10 +41,9 @@ struct ImportLimits {
     std::uint64_t memory = 0; ///< bytes
     double seconds = 0;       ///< for one step
 };
-/// The importer's limits: those of `options`, else the larger of kImportMemory and kImportMemoryPerByte times
-/// the file's size, but at most half of the machine's memory; and kImportSeconds plus kImportSecondsPerByte
-/// times that size, less for a tiny file other than a .gltf, whose buffers are files of their own. Holes in
-/// the file do not count.
+/// The importer's limits: those of `options`, else half of the machine's memory - a small file may name large
+/// images -, and kImportSeconds plus kImportSecondsPerByte times the file's size, less for a tiny file other
+/// than a .gltf, whose buffers are files of their own. Holes in the file do not count.
 ImportLimits importLimits(const std::filesystem::path& path, const ImportOptions& options = {});
 
 struct ImportedModel {

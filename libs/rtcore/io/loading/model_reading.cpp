@@ -41,6 +41,7 @@ class ModelReading {
             out_.tree = buildKdTree(scene.model.mesh, buildOptions(scene.model.mesh.triangles.size()),
                                     &out_.buildTimes, loading_.options.buildProgress);
         }
+        scene.origin = out_.origin.zero;
         scene.materials.assign(scene.model.materials.begin(), scene.model.materials.end());
         if (!scene.model.cameras.empty()) {
             out_.camera = scene.model.cameras.front();

@@ -42,6 +42,8 @@ class SceneReading {
         if (!import.flipTextures) import.flipTextures = file.flipTextures;
         if (!import.pose) import.pose = file.pose;
         readModel(loading_, file.model, std::move(model), kind, import);
+        const LocalOrigin& zero = out_.origin.zero;
+        if (zero != file.origin) seeFrom(zero, path, file);
 
         Scene& scene = out_.scene;
         if (file.modelLights) takeModelLights(scene);
@@ -61,7 +63,7 @@ class SceneReading {
         readSettings(file);
         if (file.camera) out_.camera = *file.camera;
         if (file.cameraFile) {
-            out_.camera = readCameraFile(*file.cameraFile).camera;
+            out_.camera = readCameraFile(*file.cameraFile, file.origin).camera;
             out_.files.push_back(*file.cameraFile);
         }
         loading_.hasCamera = file.camera || file.cameraFile;
@@ -69,6 +71,13 @@ class SceneReading {
     }
 
   private:
+    /// Reads it again: its numbers have more digits than its floats.
+    void seeFrom(const LocalOrigin& zero, const std::filesystem::path& path, SceneFile& file) {
+        const std::filesystem::path model = std::move(file.model);
+        file = readSceneFile(path, zero);
+        file.model = model;
+    }
+
     void readLights(const SceneFile& file) {
         Scene& scene = out_.scene;
         const auto unit =

@@ -44,13 +44,15 @@ void readLightIds(StrictTable& root, CameraFile& file) {
 
 } // namespace
 
-CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& path) {
+CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& path,
+                           const std::optional<LocalOrigin>& zero) {
     const std::string name = path.string();
     const TextValue content = parseToml(text, name);
     StrictTable root(content, name);
     root.checkVersion(kByIds);
     const Setting& exposure = requireSetting("exposure.value");
     CameraFile file;
+    file.origin = root.readOrigin(zero);
     file.width = readInteger(root, "width", "width");
     file.height = readInteger(root, "height", "height");
     file.antialiasing = readInteger(root, "antialiasing", "antialiasing");
@@ -64,14 +66,15 @@ CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& p
     return file;
 }
 
-CameraFile readCameraFile(const std::filesystem::path& path) {
-    return parseCameraFile(readShortText(path), path);
+CameraFile readCameraFile(const std::filesystem::path& path, const std::optional<LocalOrigin>& zero) {
+    return parseCameraFile(readShortText(path), path, zero);
 }
 
 std::string formatCameraFile(const CameraFile& file) {
     TomlWriter writer;
     const bool byIds = !file.lightsOn.empty() || !file.lightsOff.empty();
     writer.add("version", byIds ? kByIds : 1);
+    writer.add("origin", file.origin);
     writeCamera(writer, file.camera);
     writer.add("width", file.width);
     writer.add("height", file.height);
@@ -85,6 +88,13 @@ std::string formatCameraFile(const CameraFile& file) {
     }
     writer.add("environment", file.environment);
     writer.add("time", file.time);
+    return writer.text();
+}
+
+std::string formatCameraInFile(const Camera& camera, const LocalOrigin& zero) {
+    TomlWriter writer;
+    writer.add("version", 1);
+    writeCamera(writer, camera, zero);
     return writer.text();
 }
 

@@ -16,9 +16,9 @@ bool isZero(Vec3 a) { return normalize(a) == Vec3{}; }
 } // namespace
 
 Camera readCamera(StrictTable& table, Vec3 up, bool lookAtAllowed) {
-    const auto eye = table.vector("eye");
+    const auto eye = table.position("eye");
     auto forward = table.vector("forward");
-    const auto lookAt = lookAtAllowed ? table.vector("lookAt") : std::nullopt;
+    const auto lookAt = lookAtAllowed ? table.position("lookAt") : std::nullopt;
     const auto givenUp = table.vector("up");
     const auto fov = table.number("fov", kFieldOfView);
     const auto width = table.number("orthographicWidth", kWidth);
@@ -50,8 +50,12 @@ Camera readCamera(StrictTable& table, Vec3 up, bool lookAtAllowed) {
     return camera;
 }
 
-void writeCamera(TomlWriter& writer, const Camera& camera) {
-    writer.add("eye", camera.eye);
+void writeCamera(TomlWriter& writer, const Camera& camera, const LocalOrigin& zero) {
+    if (zero.isZero()) {
+        writer.add("eye", camera.eye);
+    } else {
+        writer.add("eye", zero.inFile(camera.eye));
+    }
     writer.add("forward", camera.forward);
     writer.add("up", camera.up);
     if (camera.kind == CameraKind::Orthographic) {

@@ -19,6 +19,7 @@ inline constexpr std::array kCameraKeys{"eye", "forward",           "lookAt", "u
 /// parallel to forward, numbers out of range, fov and orthographicWidth both.
 Camera readCamera(StrictTable& table, Vec3 up, bool lookAtAllowed);
 
-void writeCamera(TomlWriter& writer, const Camera& camera);
+/// Its eye in the coordinates in which that of the scene's zero is `zero`.
+void writeCamera(TomlWriter& writer, const Camera& camera, const LocalOrigin& zero = {});
 
 } // namespace rtcore

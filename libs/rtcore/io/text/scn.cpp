@@ -27,12 +27,12 @@ constexpr std::array<std::string_view, 3> kFogKinds{"none", "homogeneous", "expo
 constexpr Limits kMetresPerUnit{.minimum = 1e-9, .maximum = 1e9};
 constexpr Limits kCreaseAngle{.minimum = 0, .maximum = 180};
 
-Fog readFog(StrictTable& table) {
+Fog readFog(StrictTable& table, Vec3 up) {
     const auto kind = table.choice("kind", kFogKinds);
     Fog fog;
     fog.density = table.number("density", kNotNegative).value_or(fog.density);
     fog.scaleHeight = table.number("scaleHeight", kPositive).value_or(fog.scaleHeight);
-    fog.groundHeight = table.number("groundHeight", kAnyNumber).value_or(fog.groundHeight);
+    fog.groundHeight = table.height("groundHeight", up).value_or(fog.groundHeight);
     fog.colour = table.colour("colour", kNotNegative).value_or(fog.colour);
     fog.albedo = table.colour("albedo", kUnitRange).value_or(fog.albedo);
     fog.surroundings = table.number("surroundings", kNotNegative).value_or(fog.surroundings);
@@ -56,11 +56,13 @@ WalkParameters readWalk(StrictTable& table) {
 /// Reads one .scn. What needs several keys is decided when all were read.
 class SceneReader {
   public:
-    SceneReader(const TextValue& content, const std::string& file, std::filesystem::path folder)
-        : root_(content, file), folder_(std::move(folder)) {}
+    SceneReader(const TextValue& content, const std::filesystem::path& path, const std::string& file,
+                const std::optional<LocalOrigin>& zero)
+        : root_(content, file), folder_(path.parent_path()), zero_(zero) {}
 
     SceneFile read() {
         root_.checkVersion(kSceneFileVersion);
+        scene_.origin = root_.readOrigin(zero_);
         readRoot();
         readLists();
         readSections();
@@ -140,7 +142,7 @@ class SceneReader {
 
     void readSections() {
         if (auto table = root_.table("camera")) readCameraTable(*table);
-        if (auto table = root_.table("fog")) scene_.fog = readFog(*table);
+        if (auto table = root_.table("fog")) scene_.fog = readFog(*table, scene_.up);
         if (auto table = root_.table("walk")) scene_.walk = readWalk(*table);
         scene_.live = readSettingsSection(root_, "live");
         scene_.still = readSettingsSection(root_, "still");
@@ -162,6 +164,7 @@ class SceneReader {
 
     StrictTable root_;
     std::filesystem::path folder_;
+    std::optional<LocalOrigin> zero_;
     SceneFile scene_;
     std::optional<std::filesystem::path> model_;
 };
@@ -204,6 +207,7 @@ class SceneWriter {
         if (scene_.settings) addPath("settings", *scene_.settings);
         if (scene_.output) addPath("output", *scene_.output);
         writer_.add("metresPerUnit", scene_.metresPerUnit);
+        writer_.add("origin", scene_.origin);
         writer_.add("up", axisName(scene_.up));
         writer_.add("background", scene_.background);
         writer_.add("ambient", scene_.ambient);
@@ -253,14 +257,15 @@ class SceneWriter {
 
 } // namespace
 
-SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path) {
+SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path,
+                         const std::optional<LocalOrigin>& zero) {
     const std::string name = path.string();
     const TextValue content = parseToml(text, name);
-    return SceneReader(content, name, path.parent_path()).read();
+    return SceneReader(content, path, name, zero).read();
 }
 
-SceneFile readSceneFile(const std::filesystem::path& path) {
-    return parseSceneFile(readShortText(path), path);
+SceneFile readSceneFile(const std::filesystem::path& path, const std::optional<LocalOrigin>& zero) {
+    return parseSceneFile(readShortText(path), path, zero);
 }
 
 std::string formatSceneFile(const SceneFile& scene, const std::filesystem::path& path) {

@@ -92,11 +92,13 @@ struct SceneFile : SceneLook {
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 
-/// Throws FileError: NoInput, or BadData with line and column. The files that the scene names are not looked
-/// at.
-SceneFile readSceneFile(const std::filesystem::path& path);
+/// Positions are seen from `zero`, that of the model (ModelOrigin), which is its `origin` then; without one,
+/// from the file's own `origin`. Throws FileError: NoInput, or BadData with line and column. The files that
+/// the scene names are not looked at.
+SceneFile readSceneFile(const std::filesystem::path& path, const std::optional<LocalOrigin>& zero = {});
 /// The same from memory; `path` gives the folder of relative paths and is named in errors.
-SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path);
+SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path,
+                         const std::optional<LocalOrigin>& zero = {});
 
 /// The keys of a [[material]] that commands may give.
 std::span<const std::string_view> materialKeys();

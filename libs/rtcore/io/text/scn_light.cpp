@@ -107,7 +107,7 @@ LightDescription readLight(StrictTable& table, const std::filesystem::path& fold
     if (temperature) table.needVersion(2, "temperature");
     const auto name = table.text("name");
     const auto kind = table.choice("kind", kKinds);
-    const auto position = table.vector("position");
+    const auto position = table.position("position");
     const auto direction = table.vector("direction");
     const auto intensity = table.colour("intensity", kNotNegative);
     const auto radius = table.number("radius", kNotNegative);

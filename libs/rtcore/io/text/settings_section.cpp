@@ -1,5 +1,6 @@
 #include "rtcore/io/text/settings_section.h"
 
+#include "rtcore/math/nearest_float.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 
@@ -83,7 +84,7 @@ class SectionReader {
     static SettingValue convert(const std::string& name, const TextValue& value) {
         if (const auto* flag = std::get_if<bool>(&value.content)) return *flag;
         if (const auto* text = std::get_if<std::string>(&value.content)) return *text;
-        if (const auto* number = std::get_if<double>(&value.content)) return toFloat(*number);
+        if (const auto* number = std::get_if<double>(&value.content)) return nearestFloat(*number);
         if (const auto* whole = std::get_if<std::int64_t>(&value.content)) return toNumber(*whole);
         throw BadValue(say("{0} is {1}, but takes one value", name, describeType(value)));
     }

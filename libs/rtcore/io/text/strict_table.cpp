@@ -2,6 +2,7 @@
 
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_writer.h"
+#include "rtcore/math/nearest_float.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
@@ -66,7 +67,7 @@ Number checkedNumber(const Place& place, const TextValue& value, const Limits& l
     const double number = anyNumber(place, value, limits);
     Number rounded{};
     if constexpr (std::is_same_v<Number, float>) {
-        rounded = toFloat(number);
+        rounded = nearestFloat(number);
     } else {
         rounded = number;
     }
@@ -75,14 +76,15 @@ Number checkedNumber(const Place& place, const TextValue& value, const Limits& l
            say("{0} is {1}, but takes {2}", place.key, shortestText(number), describeLimits(limits)));
 }
 
-std::array<float, 3> threeNumbers(const Place& place, const TextValue& value, const Limits& limits) {
+template <typename Number = float>
+std::array<Number, 3> threeNumbers(const Place& place, const TextValue& value, const Limits& limits) {
     const auto* array = std::get_if<TextArray>(&value.content);
     if (array == nullptr) failType(place.file, place.key, value, say("three numbers in brackets"));
     if (array->size() != 3)
         failAt(place.file, value.position,
                say("{0} has {1} values, but takes three numbers in brackets", place.key, array->size()));
-    std::array<float, 3> numbers{};
-    for (std::size_t i = 0; i < 3; ++i) numbers[i] = checkedNumber<float>(place, (*array)[i], limits);
+    std::array<Number, 3> numbers{};
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = checkedNumber<Number>(place, (*array)[i], limits);
     return numbers;
 }
 
@@ -103,15 +105,6 @@ Sentence describeType(const TextValue& value) {
         form("a date or time"), form("true or false"), form("a whole number"), form("a number"),
         form("text"),           form("an array"),      form("a table")};
     return names[value.content.index()];
-}
-
-float toFloat(double number) {
-    constexpr double roundsToInfinity = 0x1.FFFFFFp127, largest = std::numeric_limits<float>::max();
-    const double size = std::fabs(number);
-    if (size <= largest || std::isnan(number)) return static_cast<float>(number);
-    const float bound =
-        size < roundsToInfinity ? std::numeric_limits<float>::max() : std::numeric_limits<float>::infinity();
-    return number < 0 ? -bound : bound;
 }
 
 StrictTable::StrictTable(const TextValue& table, const std::string& file) : table_(&table), file_(&file) {}
@@ -199,6 +192,33 @@ std::optional<Vec3> StrictTable::vector(std::string_view key) {
     return Vec3{x, y, z};
 }
 
+std::optional<Vec3> StrictTable::position(std::string_view key) {
+    if (shift_ == FilePoint{}) return vector(key);
+    const TextValue* found = value(key);
+    if (found == nullptr) return std::nullopt;
+    const auto p = threeNumbers<double>({*file_, key}, *found, kAnyNumber);
+    return Vec3{nearestFloat(p[0] + shift_[0]), nearestFloat(p[1] + shift_[1]),
+                nearestFloat(p[2] + shift_[2])};
+}
+
+std::optional<float> StrictTable::height(std::string_view key, Vec3 up) {
+    if (shift_ == FilePoint{}) return number(key, kAnyNumber);
+    const auto height = preciseNumber(key, kAnyNumber);
+    if (!height) return std::nullopt;
+    double shift = 0;
+    for (int i = 0; i < 3; ++i) shift += double{up[i]} * shift_[static_cast<std::size_t>(i)];
+    return nearestFloat(*height + shift);
+}
+
+LocalOrigin StrictTable::readOrigin(const std::optional<LocalOrigin>& zero) {
+    LocalOrigin own;
+    if (const TextValue* found = value("origin"))
+        own.at = threeNumbers<double>({*file_, "origin"}, *found, kCoordinate);
+    if (!zero) return own;
+    for (std::size_t i = 0; i < 3; ++i) shift_[i] = own.at[i] - zero->at[i];
+    return *zero;
+}
+
 std::optional<Colour> StrictTable::colour(std::string_view key, const Limits& limits) {
     const TextValue* found = value(key);
     if (found == nullptr) return std::nullopt;
@@ -264,6 +284,7 @@ std::optional<StrictTable> StrictTable::table(std::string_view key) {
 StrictTable StrictTable::within(const TextValue& table) const {
     StrictTable result(table, *file_);
     result.version_ = version_;
+    result.shift_ = shift_;
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/scene/local_origin.h"
 
 #include <filesystem>
 #include <optional>
@@ -26,6 +27,7 @@ inline constexpr Limits kAnyNumber{};
 inline constexpr Limits kNotNegative{.minimum = 0};
 inline constexpr Limits kPositive{.minimum = 0, .minimumExcluded = true};
 inline constexpr Limits kUnitRange{.minimum = 0, .maximum = 1};
+inline constexpr Limits kCoordinate{.minimum = -1e12, .maximum = 1e12};
 
 /// Use: ask for every key that the format knows, call finish(), then check what must be there.
 /// An absent key is nullopt. All functions throw FileError BadData. Keeps references to what it was made
@@ -44,6 +46,9 @@ class StrictTable {
     /// The number of the name in `names`.
     std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> names);
     std::optional<Vec3> vector(std::string_view key);
+    /// Three coordinates, or one of them along an axis, as seen from the zero of readOrigin().
+    std::optional<Vec3> position(std::string_view key);
+    std::optional<float> height(std::string_view key, Vec3 up);
     std::optional<Colour> colour(std::string_view key, const Limits& limits);
     /// A number means grey.
     std::optional<Colour> colourOrNumber(std::string_view key, const Limits& limits);
@@ -62,6 +67,10 @@ class StrictTable {
     /// The root of a file of this suite: `version = n` must be there, 1 <= n <= newest. Tables that are asked
     /// for afterwards know it.
     void checkVersion(int newest = 1);
+    /// The key `origin` of the root: from where its positions count. Positions of tables that are asked for
+    /// afterwards are then seen from `zero`, or where there is none from `origin`. Returns the one that
+    /// holds.
+    LocalOrigin readOrigin(const std::optional<LocalOrigin>& zero);
     /// Refuses the key in a file of an older version than that which brought it.
     void needVersion(int version, std::string_view key) const;
     /// Refuses the first key that was not asked for, and names the nearest that was.
@@ -86,6 +95,7 @@ class StrictTable {
     const TextValue* table_;
     const std::string* file_;
     int version_ = 1;
+    FilePoint shift_{}; ///< what to add to positions
     std::vector<std::string_view> asked_;
 };
 

@@ -41,8 +41,4 @@ struct TextEntry {
 /// "a table", "text", ...
 Sentence describeType(const TextValue& value);
 
-/// The nearest float; infinity (which no range holds) beyond all floats, where a plain conversion is
-/// undefined.
-float toFloat(double number);
-
 } // namespace rtcore

@@ -27,7 +27,8 @@ float readByDouble(const std::string& digits) {
     return static_cast<float>(value);
 }
 
-std::string threeNumbers(float a, float b, float c) {
+template <typename Number>
+std::string threeNumbers(Number a, Number b, Number c) {
     return fmt::format("[{}, {}, {}]", tomlNumber(a), tomlNumber(b), tomlNumber(c));
 }
 
@@ -89,6 +90,13 @@ void TomlWriter::add(std::string_view key, std::string_view value) { line(key, t
 void TomlWriter::add(std::string_view key, Vec3 value) { line(key, threeNumbers(value.x, value.y, value.z)); }
 void TomlWriter::add(std::string_view key, Colour value) {
     line(key, threeNumbers(value.r, value.g, value.b));
+}
+
+void TomlWriter::add(std::string_view key, const FilePoint& value) {
+    line(key, threeNumbers(value[0], value[1], value[2]));
+}
+void TomlWriter::add(std::string_view key, const LocalOrigin& value) {
+    if (!value.isZero()) add(key, value.at);
 }
 
 void TomlWriter::add(std::string_view key, const std::vector<bool>& values) {

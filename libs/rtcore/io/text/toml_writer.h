@@ -3,6 +3,7 @@
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/scene/local_origin.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <filesystem>
@@ -33,6 +34,9 @@ class TomlWriter {
     void add(std::string_view key, double value);
     void add(std::string_view key, std::string_view value);
     void add(std::string_view key, Vec3 value);
+    void add(std::string_view key, const FilePoint& value);
+    /// Nothing when it is zero.
+    void add(std::string_view key, const LocalOrigin& value);
     void add(std::string_view key, Colour value);
     void add(std::string_view key, const std::vector<bool>& values);
     void add(std::string_view key, const std::vector<int>& values);

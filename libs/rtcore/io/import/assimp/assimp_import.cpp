@@ -16,6 +16,7 @@
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/colour_decoder.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/io/import/mesh/polygon.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
@@ -33,6 +34,7 @@
 #include <cmath>
 #include <new>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace rtcore {
@@ -54,6 +56,7 @@ struct Instance {
 struct NodeWalk {
     std::vector<Instance> instances; ///< depth first, in the order of the file
     NodeTransforms transforms;
+    double coarseness = 0; ///< of where nodes stand; looked at where an origin was taken off
 };
 
 bool hasMesh(const aiScene& scene, unsigned number) {
@@ -67,19 +70,29 @@ bool needsTransforms(const aiScene& scene) {
     return false;
 }
 
+/// Assimp has translations in floats.
+double coarsenessOf(const Affine& local, const Affine& parent) {
+    const Vec3 at = local.point({});
+    return rtcore::coarsenessOf(std::span(&at, 1), parent);
+}
+
 /// Iterative, with a limit that only a graph with cycles reaches.
-NodeWalk walkNodes(const aiScene& scene, const ScenePose& pose, HiddenNodes& hidden) {
+NodeWalk walkNodes(const aiScene& scene, const ScenePose& pose, const LocalOrigin& origin,
+                   HiddenNodes& hidden) {
     constexpr std::size_t kMaxNodes = 4'000'000;
     const bool transforms = needsTransforms(scene);
+    const Affine ofFile = lessOrigin(origin);
     NodeWalk walk;
+    if (!origin.isZero()) walk.transforms.try_emplace(kNoNode, ofFile);
     std::size_t visited = 0;
     std::vector<std::pair<const aiNode*, Affine>> open;
-    if (scene.mRootNode != nullptr) open.emplace_back(scene.mRootNode, Affine{});
+    if (scene.mRootNode != nullptr) open.emplace_back(scene.mRootNode, ofFile);
     while (!open.empty()) {
         const auto [node, parent] = open.back();
         open.pop_back();
         if (++visited > kMaxNodes) refuse("its node graph has no end; repair the file");
-        const Affine toWorld = parent * pose.localOf(*node);
+        const Affine local = pose.localOf(*node), toWorld = parent * local;
+        if (!origin.isZero()) walk.coarseness = std::max(walk.coarseness, coarsenessOf(local, parent));
         if (transforms) walk.transforms.try_emplace(node->mName.C_Str(), toWorld);
         const bool shown = !hidden.takeNext(*node);
         for (unsigned i = 0; shown && i < node->mNumMeshes; ++i) {
@@ -92,6 +105,13 @@ NodeWalk walkNodes(const aiScene& scene, const ScenePose& pose, HiddenNodes& hid
     if (walk.instances.empty() && hidden.any())
         refuse("all of its parts are hidden; show them in the program that wrote it and export it again");
     return walk;
+}
+
+double coarsenessOf(const aiMesh& mesh, const Affine& toWorld) {
+    std::vector<Vec3> positions;
+    for (unsigned i = 0; mesh.mVertices != nullptr && i < mesh.mNumVertices; ++i)
+        positions.push_back({mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z});
+    return rtcore::coarsenessOf(positions, toWorld);
 }
 
 /// Makes SourceMeshes of Assimp's meshes; keeps its memory from one to the next.
@@ -386,9 +406,7 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
     return path.empty() || name.empty() ? path + name : path + "/" + name;
 }
 
-} // namespace
-
-FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
+FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
     FileImport result;
     const bool animated = options.pose.kind != PoseChoice::Kind::Rest;
@@ -402,7 +420,8 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     pose.choose(options.pose, result.report);
     const FbxNotes notes = quirks.fbxNotes ? readFbxNotes(path) : FbxNotes{};
     HiddenNodes hidden(scene, notes);
-    const NodeWalk walk = walkNodes(scene, pose, hidden);
+    const NodeWalk walk = walkNodes(scene, pose, options.origin, hidden);
+    result.coarseness = walk.coarseness;
     MeshAssembler assembler;
     makeRoom(scene, walk, options.memoryLimit, assembler);
 
@@ -414,6 +433,8 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     MeshReader reader(quirks, poser, result.report);
     for (const Instance& instance : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
+        if (!options.origin.isZero())
+            result.coarseness = std::max(result.coarseness, coarsenessOf(mesh, instance.toWorld));
         SourceMesh source = reader.read(mesh, instance, materials.texcoordUse(mesh.mMaterialIndex));
         if (source.triangles.empty()) continue;
         source.material = materials.numberOf(mesh.mMaterialIndex);
@@ -423,7 +444,7 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
             {result.model.addName(nameOf(instance, scene)), first, assembler.triangleCount() - first});
         options.alive();
     }
-    finishGeometry(assembler, options.creaseAngle, result);
+    finishGeometry(assembler, options.creaseAngle, options.origin, result);
     const std::optional<Sentence> cut = cutOff(path);
     if (cut && result.model.triangles.empty()) refuse(*cut);
     refuseUseless(assembler, scene.mNumMeshes, result);
@@ -440,6 +461,12 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     addLights(scene, walk.transforms, quirks, bounds, result.model, result.report);
     addCameras(scene, walk.transforms, quirks, result.model, result.report);
     return result;
+}
+
+} // namespace
+
+FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
+    return readNearZero(sceneAsItLies, path, options);
 }
 
 } // namespace rtcore

@@ -30,7 +30,9 @@ Affine transformOf(const aiScene& scene, const NodeTransforms& transforms, const
                    const char* name) {
     const auto& root = scene.mRootNode;
     const auto at = transforms.find(quirks.lightsInRoot && root != nullptr ? root->mName.C_Str() : name);
-    return at != transforms.end() ? at->second : Affine{};
+    if (at != transforms.end()) return at->second;
+    const auto ofFile = transforms.find(kNoNode);
+    return ofFile != transforms.end() ? ofFile->second : Affine{};
 }
 
 /// The intensity of a light whose file knows colours and falloff only: so that a white surface in the middle

@@ -48,6 +48,8 @@ Affine affineOf(const aiMatrix4x4t<float>& matrix);
 
 /// World transforms of the nodes that joints, lights and cameras are named after.
 using NodeTransforms = std::map<std::string, Affine>;
+/// Under this name of no node: that of what stands below none, where an origin was taken off.
+inline constexpr const char* kNoNode = "\n";
 
 /// Appends the scene's lights and cameras. `bounds` of the model sets the scale of lights without units.
 void addLights(const aiScene& scene, const NodeTransforms& transforms, const FormatQuirks& quirks,

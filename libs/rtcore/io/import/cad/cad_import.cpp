@@ -7,6 +7,7 @@
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
 
@@ -70,7 +71,8 @@ class CadMeshes {
         for (const std::uint32_t material : materials) {
             FaceMesh mesh;
             for (const CadFace& face : part.faces)
-                if (materialOf(face.paint) == material) addFace(face.face, part.location, mesh);
+                if (materialOf(face.paint) == material)
+                    addFace(face.face, part.location, options_.origin, mesh);
             triangles_ += mesh.triangles.size();
             refuseTooMuch(0, triangles_, options_.memoryLimit, assembler);
             SourceMesh source{
@@ -104,7 +106,9 @@ class CadMeshes {
 
 } // namespace
 
-FileImport importCad(const std::filesystem::path& path, const FileImportOptions& options) {
+namespace {
+
+FileImport cadAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
     try {
         FileImport import;
         addFile(import.report, plainPath(path).string());
@@ -114,7 +118,7 @@ FileImport importCad(const std::filesystem::path& path, const FileImportOptions&
         const std::vector<CadPart> parts = cadPartsOf(readCadDocument(path, options.alive));
         MeshAssembler assembler;
         CadMeshes(options, import).read(parts, assembler);
-        finishGeometry(assembler, options.creaseAngle, import);
+        finishGeometry(assembler, options.creaseAngle, options.origin, import);
         refuseUseless(assembler, parts.size(), import);
         warnOfLostTriangles(import.model, import.report);
         warnOfOutliers(import.model, import.report);
@@ -126,6 +130,12 @@ FileImport importCad(const std::filesystem::path& path, const FileImportOptions&
             say("Open CASCADE cannot read it ({0}); export it as STL, 3MF or glTF from the CAD program",
                 std::string(words != nullptr && *words != '\0' ? words : failure.DynamicType()->Name())));
     }
+}
+
+} // namespace
+
+FileImport importCad(const std::filesystem::path& path, const FileImportOptions& options) {
+    return readNearZero(cadAsItLies, path, options);
 }
 
 } // namespace rtcore

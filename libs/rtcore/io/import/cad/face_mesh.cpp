@@ -20,7 +20,8 @@ Vec3 vecOf(const gp_XYZ& p) {
 
 } // namespace
 
-void addFace(const TopoDS_Shape& shape, const TopLoc_Location& location, FaceMesh& mesh) {
+void addFace(const TopoDS_Shape& shape, const TopLoc_Location& location, const LocalOrigin& origin,
+             FaceMesh& mesh) {
     const TopoDS_Face& face = TopoDS::Face(shape);
     TopLoc_Location own;
     const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, own);
@@ -30,7 +31,8 @@ void addFace(const TopoDS_Shape& shape, const TopLoc_Location& location, FaceMes
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     BRepAdaptor_Surface surface(face, false);
     for (Standard_Integer i = 1; i <= triangulation->NbNodes(); ++i) {
-        mesh.positions.push_back(vecOf(triangulation->Node(i).Transformed(toWorld).XYZ()));
+        const gp_XYZ p = triangulation->Node(i).Transformed(toWorld).XYZ();
+        mesh.positions.push_back(origin.local({p.X(), p.Y(), p.Z()}));
         Vec3 normal;
         if (triangulation->HasUVNodes()) {
             const gp_Pnt2d at = triangulation->UVNode(i);

@@ -25,7 +25,7 @@ struct Channel {
 };
 
 /// 0 for what is no path of a node.
-std::uint32_t componentsOf(std::string_view path) {
+std::uint32_t channelComponents(std::string_view path) {
     if (path == "translation" || path == "scale") return 3;
     if (path == "rotation") return 4;
     return path == "weights" ? 1 : 0;
@@ -63,7 +63,7 @@ std::vector<float> timesOf(const Json& sampler, Accessors& accessors) {
 /// False where lists cannot be read, or do not agree.
 bool readKeys(const Json& sampler, Accessors& accessors, Channel& channel) {
     constexpr std::size_t kMaxTargets = 65'536;
-    const std::uint32_t components = componentsOf(channel.path);
+    const std::uint32_t components = channelComponents(channel.path);
     // Whole numbers of these cannot be anything else.
     const bool normalized = channel.path == "rotation" || channel.path == "weights";
     channel.interpolation = interpolationOf(sampler);
@@ -158,7 +158,7 @@ std::size_t animate(Json& root, std::size_t animation, std::optional<double> sec
         const Json& target = member(each, "target");
         const auto number = index(target, "node");
         Channel channel{text(target, "path"), {}, {}, {}, 1};
-        if (!number || componentsOf(channel.path) == 0) continue; // of an extension
+        if (!number || channelComponents(channel.path) == 0) continue; // of an extension
         const Json& sampler = element(member(stated, "samplers"), index(each, "sampler"));
         const bool sound = *number < nodes && readKeys(sampler, accessors, channel);
         Json* const node = sound ? &root["nodes"][*number] : nullptr;

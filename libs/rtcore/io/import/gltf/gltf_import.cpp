@@ -11,6 +11,7 @@
 #include "rtcore/io/import/inspection/cut_off.h"
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/import/pose/animation_choice.h"
 #include "rtcore/platform/error.h"
@@ -49,15 +50,15 @@ class GltfReader {
                const FileImportOptions& options)
         : path_(path), posed_(container.root), root_(container.root), options_(options),
           buffers_(container, path, import_.report), views_(root_, buffers_), accessors_(root_, views_),
-          primitives_(root_, accessors_, views_), skins_(root_, accessors_) {}
+          primitives_(root_, accessors_, views_), world_(options.origin), skins_(root_, world_, accessors_) {}
 
     FileImport read() {
         const gltf::Needs needs = gltf::needsOf(root_);
         if (needs.fatal) refuseGltf(*needs.fatal);
         describe();
         pose();
-        walk_ = gltf::walkNodes(root_);
-        placements_ = gltf::placementsOf(root_, walk_, accessors_, options_.memoryLimit);
+        walk_ = gltf::walkNodes(root_, world_);
+        placements_ = gltf::placementsOf(root_, world_, walk_, accessors_, options_.memoryLimit);
         MeshAssembler assembler;
         makeRoom(assembler);
         refuseMissing(buffers_.missing());
@@ -161,6 +162,8 @@ class GltfReader {
         damagedAttributes_ += primitive.damagedAttributes;
         import_.report.ignoredPrimitives += primitive.list.pointsAndLines;
         import_.report.unconnectedTriangles += primitive.list.unconnected;
+        if (!options_.origin.isZero())
+            import_.coarseness = std::max(import_.coarseness, coarsenessOf(primitive.positions, at.toWorld));
         SourceMesh mesh = placer_.place(primitive, at.toWorld,
                                         isSkinned(at) ? skins_.joints(*at.skin) : std::span<const Affine>());
         if (mesh.triangles.empty()) return;
@@ -174,7 +177,7 @@ class GltfReader {
     }
 
     void finish(MeshAssembler& assembler) {
-        finishGeometry(assembler, creaseOf(options_), import_);
+        finishGeometry(assembler, creaseOf(options_), options_.origin, import_);
         cut_ = cutOff(path_);
         if (import_.model.triangles.empty()) {
             if (cut_) refuseGltf(*cut_);
@@ -210,6 +213,7 @@ class GltfReader {
     gltf::Views views_;
     gltf::Accessors accessors_;
     gltf::PrimitiveReader primitives_;
+    gltf::World world_;
     gltf::Skins skins_;
     gltf::MeshPlacer placer_;
     gltf::NodeWalk walk_;
@@ -218,13 +222,17 @@ class GltfReader {
     std::optional<Sentence> cut_;
 };
 
-} // namespace
-
-std::optional<FileImport> importGltf(const std::filesystem::path& path, const FileImportOptions& options) {
+std::optional<FileImport> gltfAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
     std::optional<gltf::Container> container = gltf::openContainer(path);
     if (!container) return std::nullopt;
     options.alive();
     return GltfReader(path, *container, options).read();
+}
+
+} // namespace
+
+std::optional<FileImport> importGltf(const std::filesystem::path& path, const FileImportOptions& options) {
+    return readNearZero(gltfAsItLies, path, options);
 }
 
 } // namespace rtcore

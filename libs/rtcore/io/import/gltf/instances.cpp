@@ -44,8 +44,8 @@ std::optional<std::vector<Affine>> instancesOf(const Json& node, Accessors& acce
     instances.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto triple = [&](const std::vector<float>& list, float otherwise) {
-            return list.empty() ? Vec3{otherwise, otherwise, otherwise}
-                                : Vec3{list[3 * i], list[3 * i + 1], list[3 * i + 2]};
+            return list.empty() ? std::array{otherwise, otherwise, otherwise}
+                                : std::array{list[3 * i], list[3 * i + 1], list[3 * i + 2]};
         };
         const std::array<float, 4> rotation =
             r.empty() ? std::array<float, 4>{0, 0, 0, 1}

@@ -10,12 +10,13 @@ namespace {
 
 const Json kNothing;
 
-std::optional<float> floatOf(const Json& value) {
+template <typename Number>
+std::optional<Number> numberOf(const Json& value) {
     constexpr double kLargest = std::numeric_limits<float>::max();
     if (!value.is_number()) return std::nullopt;
     const auto read = value.get<double>();
     if (std::isnan(read)) return std::nullopt;
-    return static_cast<float>(std::clamp(read, -kLargest, kLargest));
+    return static_cast<Number>(std::clamp(read, -kLargest, kLargest));
 }
 
 } // namespace
@@ -51,7 +52,7 @@ std::uint64_t wholeNumber(const Json& object, const char* name, std::uint64_t ot
 }
 
 float number(const Json& object, const char* name, float otherwise) {
-    return floatOf(member(object, name)).value_or(otherwise);
+    return numberOf<float>(member(object, name)).value_or(otherwise);
 }
 
 bool flag(const Json& object, const char* name, bool otherwise) {
@@ -64,13 +65,13 @@ std::string text(const Json& object, const char* name) {
     return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-template <std::size_t N>
-std::optional<std::array<float, N>> numbers(const Json& object, const char* name) {
+template <std::size_t N, typename Number>
+std::optional<std::array<Number, N>> numbers(const Json& object, const char* name) {
     const Json& list = member(object, name);
     if (sizeOf(list) != N) return std::nullopt;
-    std::array<float, N> read{};
+    std::array<Number, N> read{};
     for (std::size_t i = 0; i < N; ++i) {
-        const auto value = floatOf(list[i]);
+        const auto value = numberOf<Number>(list[i]);
         if (!value) return std::nullopt;
         read[i] = *value;
     }
@@ -81,5 +82,8 @@ template std::optional<std::array<float, 2>> numbers<2>(const Json&, const char*
 template std::optional<std::array<float, 3>> numbers<3>(const Json&, const char*);
 template std::optional<std::array<float, 4>> numbers<4>(const Json&, const char*);
 template std::optional<std::array<float, 16>> numbers<16>(const Json&, const char*);
+template std::optional<std::array<double, 3>> numbers<3, double>(const Json&, const char*);
+template std::optional<std::array<double, 4>> numbers<4, double>(const Json&, const char*);
+template std::optional<std::array<double, 16>> numbers<16, double>(const Json&, const char*);
 
 } // namespace rtcore::gltf

@@ -28,9 +28,9 @@ float number(const Json& object, const char* name, float otherwise);
 bool flag(const Json& object, const char* name, bool otherwise);
 std::string text(const Json& object, const char* name);
 
-/// A list of N numbers, or none of them is read.
-template <std::size_t N>
-std::optional<std::array<float, N>> numbers(const Json& object, const char* name);
+/// A list of N numbers, or none of them is read. As doubles, they are finite.
+template <std::size_t N, typename Number = float>
+std::optional<std::array<Number, N>> numbers(const Json& object, const char* name);
 
 /// As many as there are elements; 0 for what is no list.
 inline std::size_t sizeOf(const Json& list) { return list.is_array() ? list.size() : 0; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace rtcore::gltf {
@@ -38,49 +39,64 @@ std::vector<std::size_t> rootsOf(const Json& root) {
 
 bool isHidden(const Json& node) { return !flag(extension(node, "KHR_node_visibility"), "visible", true); }
 
-std::array<float, 4> unitRotation(std::array<float, 4> q) {
-    constexpr float kRounded = 1e-4F; // of what is of unit length but for its digits
-    const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+template <typename Number>
+std::array<Number, 4> unitRotation(std::array<Number, 4> q) {
+    // Of what is of unit length but for its digits.
+    constexpr auto kRounded = std::is_same_v<Number, float> ? Number(1e-4) : Number(0);
+    const Number square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     if (std::fabs(square - 1) < kRounded) return q;
     if (!(square > 0) || !std::isfinite(square)) return {0, 0, 0, 1};
-    const float length = std::sqrt(square);
-    for (float& v : q) v /= length;
+    const Number length = std::sqrt(square);
+    for (Number& v : q) v /= length;
     return q;
 }
 
-} // namespace
-
-// In floats, rounded as Assimp's matrices were, so that models keep their bits.
-Affine affineOf(Vec3 translation, const std::array<float, 4>& rotation, Vec3 scale) {
-    const auto [x, y, z, w] = unitRotation(rotation);
-    const float r[3][3] = {{1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y - z * w), 2.0F * (x * z + y * w)},
-                           {2.0F * (x * y + z * w), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z - x * w)},
-                           {2.0F * (x * z - y * w), 2.0F * (y * z + x * w), 1.0F - 2.0F * (x * x + y * y)}};
-    Affine a;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            a.m[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-                double{r[row][column] * scale[column]};
-        a.m[static_cast<std::size_t>(row)][3] = double{translation[row]};
-    }
-    return a;
-}
-
-Affine localOf(const Json& node) {
-    if (const auto matrix = numbers<16>(node, "matrix")) {
+template <typename Number>
+Affine statedTransform(const Json& node) {
+    if (const auto matrix = numbers<16, Number>(node, "matrix")) {
         Affine a;
         for (std::size_t row = 0; row < 3; ++row)
             for (std::size_t column = 0; column < 4; ++column)
                 a.m[row][column] = double{(*matrix)[4 * column + row]};
         return a;
     }
-    const auto t = numbers<3>(node, "translation").value_or(std::array<float, 3>{0, 0, 0});
-    const auto r = numbers<4>(node, "rotation").value_or(std::array<float, 4>{0, 0, 0, 1});
-    const auto s = numbers<3>(node, "scale").value_or(std::array<float, 3>{1, 1, 1});
-    return affineOf({t[0], t[1], t[2]}, r, {s[0], s[1], s[2]});
+    return affineOf<Number>(numbers<3, Number>(node, "translation").value_or(std::array<Number, 3>{0, 0, 0}),
+                            numbers<4, Number>(node, "rotation").value_or(std::array<Number, 4>{0, 0, 0, 1}),
+                            numbers<3, Number>(node, "scale").value_or(std::array<Number, 3>{1, 1, 1}));
 }
 
-NodeWalk walkNodes(const Json& root) {
+} // namespace
+
+// In floats, rounded as Assimp's matrices were, so that models keep their bits.
+template <typename Number>
+Affine affineOf(const std::array<Number, 3>& translation, const std::array<Number, 4>& rotation,
+                const std::array<Number, 3>& scale) {
+    const auto [x, y, z, w] = unitRotation(rotation);
+    const Number one = 1, two = 2;
+    const Number r[3][3] = {{one - two * (y * y + z * z), two * (x * y - z * w), two * (x * z + y * w)},
+                            {two * (x * y + z * w), one - two * (x * x + z * z), two * (y * z - x * w)},
+                            {two * (x * z - y * w), two * (y * z + x * w), one - two * (x * x + y * y)}};
+    Affine a;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column)
+            a.m[row][column] = double{r[row][column] * scale[column]};
+        a.m[row][3] = double{translation[row]};
+    }
+    return a;
+}
+
+template Affine affineOf(const std::array<float, 3>&, const std::array<float, 4>&,
+                         const std::array<float, 3>&);
+
+World::World(const LocalOrigin& origin) : precise_(!origin.isZero()), ofFile_(lessOrigin(origin)) {}
+
+Affine World::localOf(const Json& node, bool isRoot) const {
+    if (!precise_) return statedTransform<float>(node);
+    const Affine local = statedTransform<double>(node);
+    return isRoot ? ofFile_ * local : local;
+}
+
+NodeWalk walkNodes(const Json& root, const World& world) {
     constexpr std::size_t kMaxNodes = 4'000'000; // more has only a graph with cycles
     const Json& nodes = member(root, "nodes");
     const std::vector<std::size_t> roots = rootsOf(root);
@@ -95,11 +111,10 @@ NodeWalk walkNodes(const Json& root) {
             throw FileError(FailureKind::BadData, "", "its node graph has no end; repair the file");
         const Json& node = element(nodes, at.node);
         if (!node.is_object() || isHidden(node)) continue;
-        const Affine local = localOf(node);
+        const bool isRoot = at.parent == PlacedNode::kNoParent;
+        const Affine local = world.localOf(node, isRoot);
         const std::size_t placed = walk.nodes.size();
-        walk.nodes.push_back(
-            {at.node, at.parent == PlacedNode::kNoParent ? local : walk.nodes[at.parent].toWorld * local,
-             at.parent});
+        walk.nodes.push_back({at.node, isRoot ? local : walk.nodes[at.parent].toWorld * local, at.parent});
         const Json& children = member(node, "children");
         for (std::size_t i = sizeOf(children); i-- > 0;)
             if (const auto child = wholeNumber(children[i])) open.push_back({*child, placed, at.depth + 1});

@@ -3,6 +3,7 @@
 
 #include "rtcore/io/import/gltf/json_members.h"
 #include "rtcore/io/import/mesh/affine.h"
+#include "rtcore/scene/local_origin.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +12,25 @@
 
 namespace rtcore::gltf {
 
-/// A rotation (x, y, z, w), whose length need not be 1, between a scale and a translation.
-Affine affineOf(Vec3 translation, const std::array<float, 4>& rotation, Vec3 scale);
-/// From a node's coordinates to its parent's.
-Affine localOf(const Json& node);
+/// A rotation (x, y, z, w), whose length need not be 1, between a scale and a translation. Number: float, as
+/// near models have it, or double.
+template <typename Number>
+Affine affineOf(const std::array<Number, 3>& translation, const std::array<Number, 4>& rotation,
+                const std::array<Number, 3>& scale);
+
+/// The world in which nodes stand: that of the file, less an origin. Where that is not zero, all is double.
+class World {
+  public:
+    explicit World(const LocalOrigin& origin);
+    /// From the coordinates of what is below no node.
+    const Affine& ofFile() const { return ofFile_; }
+    /// From a node's coordinates to its parent's, or of one without a parent to the world's.
+    Affine localOf(const Json& node, bool isRoot) const;
+
+  private:
+    bool precise_;
+    Affine ofFile_;
+};
 
 struct PlacedNode {
     static constexpr std::size_t kNoParent = ~std::size_t{0};
@@ -30,7 +46,7 @@ struct NodeWalk {
 
 /// Of the stated scene, else of the first, else of all nodes that are no children. Without nodes that
 /// KHR_node_visibility hides. Throws FileError BadData for a graph with cycles.
-NodeWalk walkNodes(const Json& root);
+NodeWalk walkNodes(const Json& root, const World& world);
 
 /// The numbers of its nodes, each behind all below it: the order in which Assimp comes to materials, cameras
 /// and lights, and so the one that they keep.

@@ -28,8 +28,8 @@ std::string meshName(const Json& mesh, std::size_t number, std::size_t primitive
 
 } // namespace
 
-std::vector<Placement> placementsOf(const Json& root, const NodeWalk& walk, Accessors& accessors,
-                                    std::uint64_t memoryLimit) {
+std::vector<Placement> placementsOf(const Json& root, const World& world, const NodeWalk& walk,
+                                    Accessors& accessors, std::uint64_t memoryLimit) {
     const Json &nodes = member(root, "nodes"), &meshes = member(root, "meshes");
     std::vector<Placement> placements;
     std::uint64_t count = 0;
@@ -53,7 +53,7 @@ std::vector<Placement> placementsOf(const Json& root, const NodeWalk& walk, Acce
     }
     if (walk.nodes.empty() && sizeOf(nodes) == 0) // a file of meshes alone
         for (std::size_t m = 0; m < sizeOf(meshes); ++m)
-            placements.push_back({m, PlacedNode::kNoParent, {}, std::nullopt, std::nullopt});
+            placements.push_back({m, PlacedNode::kNoParent, world.ofFile(), std::nullopt, std::nullopt});
     return placements;
 }
 

@@ -23,8 +23,8 @@ struct Placement {
 
 /// In the order of the walk. Throws FileError BadData where they are too many for a memory of so many bytes
 /// (0: any).
-std::vector<Placement> placementsOf(const Json& root, const NodeWalk& walk, Accessors& accessors,
-                                    std::uint64_t memoryLimit);
+std::vector<Placement> placementsOf(const Json& root, const World& world, const NodeWalk& walk,
+                                    Accessors& accessors, std::uint64_t memoryLimit);
 
 /// What a mesh of a placement is called: by the way to its node, else by the mesh. The primitives of one mesh
 /// go by their materials, instances by their numbers.

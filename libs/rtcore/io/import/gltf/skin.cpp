@@ -1,7 +1,5 @@
 #include "rtcore/io/import/gltf/skin.h"
 
-#include "rtcore/io/import/gltf/node_walk.h"
-
 #include <numeric>
 #include <optional>
 
@@ -19,8 +17,8 @@ Affine affineOf(std::span<const float> matrix) {
 
 } // namespace
 
-Skins::Skins(const Json& root, Accessors& accessors)
-    : root_(root), accessors_(accessors), parents_(gltf::sizeOf(member(root, "nodes"))),
+Skins::Skins(const Json& root, const World& world, Accessors& accessors)
+    : root_(root), world_(world), accessors_(accessors), parents_(gltf::sizeOf(member(root, "nodes"))),
       worlds_(parents_.size()) {
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
     const Json& nodes = member(root, "nodes");
@@ -43,8 +41,9 @@ const Affine& Skins::toWorld(std::size_t node) {
     }
     while (!chain.empty()) {
         const std::size_t at = chain.back(), parent = parents_[at];
-        const Affine local = localOf(member(root_, "nodes")[at]);
-        worlds_[at] = parent != at && worlds_[parent] ? *worlds_[parent] * local : local;
+        const bool isRoot = parent == at || !worlds_[parent];
+        const Affine local = world_.localOf(member(root_, "nodes")[at], isRoot);
+        worlds_[at] = isRoot ? local : *worlds_[parent] * local;
         chain.pop_back();
     }
     return *worlds_[node];
@@ -64,7 +63,7 @@ std::span<const Affine> Skins::joints(std::size_t skin) {
     }
     for (std::size_t i = 0; i < gltf::sizeOf(numbers); ++i) {
         const auto node = wholeNumber(numbers[i]);
-        const Affine world = node && *node < worlds_.size() ? toWorld(*node) : Affine();
+        const Affine world = node && *node < worlds_.size() ? toWorld(*node) : world_.ofFile();
         joints.push_back(bind.empty() ? world : world * affineOf(std::span(bind).subspan(16 * i, 16)));
     }
     return joints;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/io/import/gltf/accessors.h"
+#include "rtcore/io/import/gltf/node_walk.h"
 #include "rtcore/io/import/gltf/primitive.h"
 #include "rtcore/io/import/mesh/affine.h"
 
@@ -16,8 +17,8 @@ namespace rtcore::gltf {
 /// The skins of a file, with the joints where its nodes put them.
 class Skins {
   public:
-    /// Both must outlive the object.
-    Skins(const Json& root, Accessors& accessors);
+    /// All must outlive the object.
+    Skins(const Json& root, const World& world, Accessors& accessors);
 
     bool has(std::size_t skin) const;
     /// From a mesh's coordinates to the world's, by joint. Valid until the next call.
@@ -27,6 +28,7 @@ class Skins {
     const Affine& toWorld(std::size_t node);
 
     const Json& root_;
+    const World& world_;
     Accessors& accessors_;
     std::vector<std::size_t> parents_;          ///< by node; its own number where it has none
     std::vector<std::optional<Affine>> worlds_; ///< by node, those that were asked for

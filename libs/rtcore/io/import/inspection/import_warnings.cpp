@@ -2,8 +2,11 @@
 
 #include "rtcore/accel/float4.h"
 #include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/mesh/equal_positions.h"
 #include "rtcore/math/box.h"
 #include "rtcore/platform/sentence.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -26,16 +29,18 @@ Box3 boundsOfAll(std::span<const Vertex> vertices) {
     return boxOf(all);
 }
 
-/// Without the outermost twentieth on each side of each axis.
-Box3 bulkOf(std::span<const Vertex> vertices) {
+Vec3 positionOf(const Vertex& v) { return v.position(); }
+Vec3 positionOf(Vec3 p) { return isUsablePosition(p) ? p : Vec3{}; }
+
+template <typename Point>
+Box3 bulkOfAll(std::span<const Point> points) {
     constexpr std::size_t kMaxSamples = 20'000;
-    const std::size_t step = vertices.size() / kMaxSamples + 1;
+    const std::size_t step = points.size() / kMaxSamples + 1;
     Vec3 lo, hi;
     std::vector<float> values;
     for (int axis = 0; axis < 3; ++axis) {
         values.clear();
-        for (std::size_t i = 0; i < vertices.size(); i += step)
-            values.push_back(vertices[i].position()[axis]);
+        for (std::size_t i = 0; i < points.size(); i += step) values.push_back(positionOf(points[i])[axis]);
         std::sort(values.begin(), values.end());
         lo[axis] = values[values.size() / 20];
         hi[axis] = values[values.size() - 1 - values.size() / 20];
@@ -85,6 +90,16 @@ void warnWhenInvisible(const ModelBuffers& model, ImportReport& report) {
         std::all_of(model.shading.begin(), model.shading.end(),
                     [&](const ShadingTriangle& t) { return isInvisible(model.materials[t.material]); });
     if (invisible) addWarning(report, import_forms::kInvisible);
+}
+
+Box3 bulkOf(std::span<const Vertex> vertices) { return bulkOfAll(vertices); }
+Box3 bulkOf(std::span<const Vec3> positions) { return bulkOfAll(positions); }
+
+void warnOfCoarseness(double coarseness, const ModelBuffers& model, ImportReport& report) {
+    constexpr double kFine = 1e-6;
+    const Vec3 size = boundsOfAll(model.vertices).size();
+    if (coarseness <= kFine * double{std::max({size.x, size.y, size.z})}) return;
+    addWarning(report, say(import_forms::kCoarse, fmt::format("{:.2g}", coarseness)));
 }
 
 void warnOfOutliers(const ModelBuffers& model, ImportReport& report) {

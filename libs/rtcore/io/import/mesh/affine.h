@@ -2,9 +2,11 @@
 #pragma once
 
 #include "rtcore/math/vec.h"
+#include "rtcore/scene/local_origin.h"
 
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace rtcore {
 
@@ -69,5 +71,19 @@ struct Affine {
         return m[a][c] * m[b][d] - m[a][d] * m[b][c];
     }
 };
+
+/// From coordinates of a file to those with an origin taken off.
+inline Affine lessOrigin(const LocalOrigin& origin) {
+    Affine a;
+    for (std::size_t row = 0; row < 3; ++row) a.m[row][3] = 0 - origin.at[row];
+    return a;
+}
+
+/// Of positions in floats, where they stand: what floats cannot tell apart, times the scale.
+inline double coarsenessOf(std::span<const Vec3> positions, const Affine& toWorld) {
+    FileBounds bounds;
+    for (const Vec3 p : positions) bounds.extend(p);
+    return coarsenessAt(bounds.farthest()) * std::cbrt(std::fabs(toWorld.determinant()));
+}
 
 } // namespace rtcore

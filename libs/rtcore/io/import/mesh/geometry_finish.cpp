@@ -1,5 +1,7 @@
 #include "rtcore/io/import/mesh/geometry_finish.h"
 
+#include "rtcore/io/import/inspection/import_warnings.h"
+#include "rtcore/io/import/mesh/equal_positions.h"
 #include "rtcore/io/import/mesh/equal_triangles.h"
 #include "rtcore/platform/error.h"
 
@@ -33,6 +35,24 @@ void refuseTooSmall(const Box3& bounds) {
                    fmt::format("{:.0e}", 1 / std::max(double{largest}, 1e-45))));
 }
 
+FileBounds boundsOf(const Box3& box) {
+    FileBounds bounds;
+    if (box.empty()) return bounds;
+    bounds.extend(box.lo);
+    bounds.extend(box.hi);
+    return bounds;
+}
+
+/// That of all, else of nearly all: a corner that was left at zero does not keep a house on its grid.
+template <typename Point>
+void refuseFarAt(const FileBounds& bounds, std::span<const Point> points, const LocalOrigin& taken) {
+    constexpr double kFine = 1e-6, kSeen = 1e-4; // of the size
+    if (!taken.isZero()) return;
+    LocalOrigin wanted = originOf(bounds, kFine);
+    if (wanted.isZero() && !points.empty()) wanted = originOf(boundsOf(bulkOf(points)), kSeen);
+    if (!wanted.isZero()) throw FarFromZero{wanted};
+}
+
 } // namespace
 
 void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_t memoryLimit,
@@ -48,6 +68,13 @@ void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_
     assembler.reserve(vertices, triangles);
 }
 
+void refuseFar(std::span<const Vec3> positions, const LocalOrigin& taken) {
+    FileBounds bounds;
+    for (const Vec3 p : positions)
+        if (isUsablePosition(p)) bounds.extend(p);
+    refuseFarAt(bounds, positions, taken);
+}
+
 void refusePoints(std::uint64_t count) {
     refuseMesh(say(
         "it is a cloud of {0} points, which has no surfaces; make a mesh of it (CloudCompare, MeshLab) and "
@@ -55,7 +82,9 @@ void refusePoints(std::uint64_t count) {
         count));
 }
 
-void finishGeometry(MeshAssembler& assembler, float creaseAngle, FileImport& import) {
+void finishGeometry(MeshAssembler& assembler, float creaseAngle, const LocalOrigin& origin,
+                    FileImport& import) {
+    refuseFarAt(boundsOf(assembler.bounds()), assembler.vertices(), origin);
     assembler.finish(import.model, creaseAngle);
     import.report.degenerateTriangles = assembler.degenerateTriangles();
     import.report.nonFiniteTriangles = assembler.nonFiniteTriangles();

@@ -5,6 +5,7 @@
 #include "rtcore/io/import/mesh/mesh_assembly.h"
 
 #include <cstddef>
+#include <span>
 
 namespace rtcore {
 
@@ -15,8 +16,19 @@ void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_
 /// Refuses a file that has vertices alone.
 [[noreturn]] void refusePoints(std::uint64_t count);
 
-/// Moves the geometry into the model, with normals, and fills in the report what was dropped.
-void finishGeometry(MeshAssembler& assembler, float creaseAngle, FileImport& import);
+/// Thrown by finishGeometry(): floats are too coarse for the positions; the file is to be read once more,
+/// with that origin taken off.
+struct FarFromZero {
+    LocalOrigin origin;
+};
+
+/// Throws FarFromZero for points from which nothing was taken off, and something should be.
+void refuseFar(std::span<const Vec3> positions, const LocalOrigin& taken);
+
+/// Moves the geometry into the model, with normals, and fills in the report what was dropped. `origin`: what
+/// was taken off; throws FarFromZero where nothing was and something should be.
+void finishGeometry(MeshAssembler& assembler, float creaseAngle, const LocalOrigin& origin,
+                    FileImport& import);
 
 /// Afterwards: refuses a model, of `meshes` meshes, with nothing to see, and drops equal triangles.
 void refuseUseless(const MeshAssembler& assembler, std::size_t meshes, FileImport& import);

@@ -66,6 +66,8 @@ class MeshAssembler {
     /// Fills the geometry of `model`; computes the normals that are missing (crease_normals.h). Call it once.
     void finish(ModelBuffers& model, float creaseAngle);
 
+    /// So far, welded; the first mesh of positions alone may have none yet.
+    std::span<const Vertex> vertices() const { return out_.vertices; }
     /// The bounds of all finite triangles added, even without area, and before small numbers become 0.
     const Box3& bounds() const { return bounds_; }
     std::uint64_t degenerateTriangles() const { return degenerate_; }

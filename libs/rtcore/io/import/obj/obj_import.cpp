@@ -6,6 +6,7 @@
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/io/import/obj/obj_meshes.h"
 #include "rtcore/io/import/obj/obj_reader.h"
 #include "rtcore/io/import/text/statement_text.h"
@@ -114,9 +115,7 @@ void addMeshes(ObjFile& file, const ObjMaterials& materials, const FileImportOpt
     import.report.unconnectedTriangles = meshes.unconnectedTriangles();
 }
 
-} // namespace
-
-std::optional<FileImport> importObj(const std::filesystem::path& path, const FileImportOptions& options) {
+std::optional<FileImport> objAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
     if (inSmallLetters(path.extension().string()) != ".obj") return std::nullopt;
     refuseMisnamed(path);
     FileImport import;
@@ -128,20 +127,26 @@ std::optional<FileImport> importObj(const std::filesystem::path& path, const Fil
     TextureStore textures(import.model, import.report, path.parent_path(), none, options.alive);
     std::size_t meshes = 0;
     {
-        ObjFile file = readObj(path, import.report, options.alive);
+        ObjFile file = readObj(path, options.origin, import.report, options.alive);
         meshes = inOrder(file.model).size();
         if (meshes == 0 && !file.model.positions.empty()) refusePoints(file.model.positions.size());
         makeRoom(file.model, options.memoryLimit, assembler);
         const ObjMaterials materials(file.materials.all(), usedMaterials(file), import, textures);
         addMeshes(file, materials, options, assembler, import);
     }
-    finishGeometry(assembler, options.creaseAngle, import);
+    finishGeometry(assembler, options.creaseAngle, options.origin, import);
     refuseUseless(assembler, meshes, import);
     warnOfLostTriangles(import.model, import.report);
     warnOfMissingTextures(textures.missing(), import.report);
     warnWhenInvisible(import.model, import.report);
     warnOfOutliers(import.model, import.report);
     return import;
+}
+
+} // namespace
+
+std::optional<FileImport> importObj(const std::filesystem::path& path, const FileImportOptions& options) {
+    return readNearZero(objAsItLies, path, options);
 }
 
 } // namespace rtcore

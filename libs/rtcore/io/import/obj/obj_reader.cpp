@@ -32,9 +32,10 @@ constexpr std::array kPassedOver{View("s"),          View("mg"),        View("be
 
 class ObjStatements {
   public:
-    ObjStatements(const std::filesystem::path& path, ObjFile& file, ImportReport& report)
-        : model_(file.model), materials_(file.materials), structure_(file.model), libraries_(path),
-          report_(report) {}
+    ObjStatements(const std::filesystem::path& path, const LocalOrigin& origin, ObjFile& file,
+                  ImportReport& report)
+        : origin_(origin), model_(file.model), materials_(file.materials), structure_(file.model),
+          libraries_(path), report_(report) {}
 
     /// `text` is of whole statements.
     void read(View text) {
@@ -114,7 +115,7 @@ class ObjStatements {
         std::size_t count = 0;
         bool good = true;
         while (count < numbers.size() && in.hasWord() && in.next() != '#') {
-            const auto number = in.number();
+            const auto number = count < 3 ? in.coordinate(origin_.at[count]) : in.number();
             good = good && number.has_value();
             numbers[count++] = number.value_or(std::numeric_limits<float>::quiet_NaN());
         }
@@ -122,7 +123,7 @@ class ObjStatements {
         good = good && count >= 3;
         Vec3 position =
             good ? Vec3{n[0], n[1], n[2]} : Vec3{1, 1, 1} * std::numeric_limits<float>::quiet_NaN();
-        if (good && count == 4 && n[3] != 0) position = {n[0] / n[3], n[1] / n[3], n[2] / n[3]};
+        if (good && count == 4 && n[3] != 0) position = divided(position, n[3]);
         model_.positions.push_back(position);
         if (good && (count == 6 || count == 7)) {
             model_.colours.resize(model_.positions.size(), kWhite);
@@ -131,6 +132,14 @@ class ObjStatements {
             model_.colours.push_back(kWhite);
         }
         return good;
+    }
+
+    /// A position whose numbers are to be divided by its weight, less the origin either way.
+    Vec3 divided(Vec3 p, float weight) const {
+        if (origin_.isZero()) return {p.x / weight, p.y / weight, p.z / weight};
+        FilePoint point = origin_.inFile(p);
+        for (double& each : point) each /= double{weight};
+        return origin_.local(point);
     }
 
     bool readTexcoord(StatementText& in) {
@@ -248,6 +257,7 @@ class ObjStatements {
         if (!names.empty()) addWarning(report_, say(names.size() == 1 ? one : several, firstOf(names)));
     }
 
+    LocalOrigin origin_;
     ObjModel& model_;
     MtlMaterials& materials_;
     ObjStructure structure_;
@@ -263,10 +273,11 @@ class ObjStatements {
 
 } // namespace
 
-ObjFile readObj(const std::filesystem::path& path, ImportReport& report, const std::function<void()>& alive) {
+ObjFile readObj(const std::filesystem::path& path, const LocalOrigin& origin, ImportReport& report,
+                const std::function<void()>& alive) {
     ObjFile file;
     const InputFile input(path);
-    ObjStatements statements(path, file, report);
+    ObjStatements statements(path, origin, file, report);
     forEachStatements(input, alive, [&](View text, std::uint64_t next) {
         statements.read(text);
         const std::uint64_t left = input.size() - std::min(input.size(), next);

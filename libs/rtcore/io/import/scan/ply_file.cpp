@@ -51,10 +51,12 @@ bool isPlyCloud(const PlyHeader& header) {
            std::ranges::all_of(elements, fits);
 }
 
-ScanMesh readPly(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive) {
+ScanMesh readPly(const InputFile& file, const PlyHeader& header, const LocalOrigin& origin,
+                 const std::function<void()>& alive) {
     PlySource source{PieceReader(file, header.size, alive),
                      header.bigEndian != (std::endian::native == std::endian::big)};
     ScanMesh mesh;
+    mesh.origin = origin;
     for (const PlyElement& element : header.elements) {
         if (areScanVertices(element)) {
             readPlyVertices(source, element, mesh);

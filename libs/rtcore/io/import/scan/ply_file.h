@@ -18,11 +18,12 @@ bool isScan(const PlyHeader& header);
 /// Whether it reads one of points alone: binary, vertices as above, no lists.
 bool isPlyCloud(const PlyHeader& header);
 
-/// Positions, and where they are there normals, texture coordinates and colours (as sRGB). Polygons are cut
-/// into triangles (polygon.h). Memory follows the file's bytes, whatever its head says. `alive` is called now
-/// and then. Throws FileError BadData for a file that is shorter than its head says and for a face that names
-/// no vertex, what InputFile throws, and std::bad_alloc.
-ScanMesh readPly(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive);
+/// Positions, less `origin`, and where they are there normals, texture coordinates and colours (as sRGB).
+/// Polygons are cut into triangles (polygon.h). Memory follows the file's bytes, whatever its head says.
+/// `alive` is called now and then. Throws FileError BadData for a file that is shorter than its head says and
+/// for a face that names no vertex, what InputFile throws, and std::bad_alloc.
+ScanMesh readPly(const InputFile& file, const PlyHeader& header, const LocalOrigin& origin,
+                 const std::function<void()>& alive);
 
 /// Whether readPlyMesh() reads a file with this head, of text or not: vertices as above, then faces, strips
 /// or neither, whose one list are their indices. No materials, no texture coordinates of faces.
@@ -31,7 +32,8 @@ bool isPlyMesh(const PlyHeader& header);
 bool hasFaceColours(const PlyHeader& header);
 /// The same as readPly(), not as fast, with strips (`tristrips`) and colours of faces, which count where
 /// vertices have none. Faces that name a vertex that does not exist are left out and counted.
-ScanMesh readPlyMesh(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive);
+ScanMesh readPlyMesh(const InputFile& file, const PlyHeader& header, const LocalOrigin& origin,
+                     const std::function<void()>& alive);
 
 /// Assimp makes up what a file of text lacks. Throws FileError BadData where it has fewer lines than its head
 /// promises elements, and what InputFile throws. `alive` is called now and then.

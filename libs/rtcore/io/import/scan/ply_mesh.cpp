@@ -35,6 +35,8 @@ struct FaceFields {
 
 class PlyMeshReader {
   public:
+    explicit PlyMeshReader(const LocalOrigin& origin) { mesh_.origin = origin; }
+
     void add(const PlyElement& element, const PlyRow& row) {
         if (element.name == "vertex") {
             if (!vertices_) vertices_.emplace(element, mesh_);
@@ -167,8 +169,9 @@ bool isPlyMesh(const PlyHeader& header) {
     return hasVertices;
 }
 
-ScanMesh readPlyMesh(const InputFile& file, const PlyHeader& header, const std::function<void()>& alive) {
-    PlyMeshReader reader;
+ScanMesh readPlyMesh(const InputFile& file, const PlyHeader& header, const LocalOrigin& origin,
+                     const std::function<void()>& alive) {
+    PlyMeshReader reader(origin);
     readPlyRows(file, header, alive,
                 [&](const PlyElement& element, const PlyRow& row) { reader.add(element, row); });
     return reader.finish();

@@ -3,6 +3,7 @@
 #include "rtcore/io/import/scan/ply_numbers.h"
 #include "rtcore/platform/large_vector.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
@@ -76,6 +77,11 @@ class VertexLayout {
     std::span<const std::optional<Field>> fieldsOf(Attribute attribute) const {
         return fields_[static_cast<std::size_t>(attribute)];
     }
+    bool inFloats() const {
+        return std::ranges::any_of(fieldsOf(Attribute::Position), [](const auto& field) {
+            return field && field->type == PlyType::Float32;
+        });
+    }
     bool has(Attribute attribute) const {
         for (const auto& field : fieldsOf(attribute)) {
             if (field) return true;
@@ -95,6 +101,7 @@ struct Column {
     bool fraction;    ///< a part of a colour
     float* to;        ///< of the first vertex
     std::size_t step; ///< numbers from one vertex to the next
+    double zero = 0;  ///< what is taken off
 
     /// `records` are whole vertices of `size` bytes, the first of which has the number `first`.
     void read(std::span<const std::byte> records, std::size_t size, bool swapped, std::size_t first) const {
@@ -103,7 +110,9 @@ struct Column {
             float* out = to + first * step;
             for (std::size_t at = from.offset; at < records.size(); at += size, out += step) {
                 const T value = plyNumber<T>(records.data() + at, swapped);
-                *out = fraction ? fractionOf(value) : static_cast<float>(value);
+                *out = fraction    ? fractionOf(value)
+                       : zero == 0 ? static_cast<float>(value)
+                                   : static_cast<float>(static_cast<double>(value) - zero);
             }
         });
     }
@@ -112,14 +121,15 @@ struct Column {
 /// Makes room in `list` and adds a column for each number that the file has.
 template <typename Element>
 void addColumns(const VertexLayout& layout, Attribute attribute, std::size_t count,
-                std::vector<Element>& list, std::vector<Column>& columns) {
+                std::vector<Element>& list, std::vector<Column>& columns, const FilePoint& zero = {}) {
     if (!layout.has(attribute)) return;
     constexpr std::size_t kNumbers = sizeof(Element) / sizeof(float);
     resizeLarge(list, count);
     auto* const numbers = reinterpret_cast<float*>(list.data());
     for (std::size_t component = 0; component < kNumbers; ++component) {
         if (const auto& field = layout.fieldsOf(attribute)[component])
-            columns.push_back({*field, attribute == Attribute::Colour, numbers + component, kNumbers});
+            columns.push_back({*field, attribute == Attribute::Colour, numbers + component, kNumbers,
+                               component < zero.size() ? zero[component] : 0});
     }
 }
 
@@ -139,7 +149,8 @@ void readPlyVertices(PlySource& source, const PlyElement& element, ScanMesh& mes
         refuseDamaged(say("it has {0} vertices, more than can be numbered", element.count));
     const VertexLayout layout(element);
     std::vector<Column> columns;
-    addColumns(layout, Attribute::Position, element.count, mesh.positions, columns);
+    addColumns(layout, Attribute::Position, element.count, mesh.positions, columns, mesh.origin.at);
+    mesh.inFloats = layout.inFloats();
     addColumns(layout, Attribute::Normal, element.count, mesh.normals, columns);
     addColumns(layout, Attribute::Colour, element.count, mesh.colours, columns);
     addColumns(layout, Attribute::Texcoord, element.count, mesh.texcoords, columns);
@@ -188,7 +199,10 @@ void PlyVertexRows::add(std::span<const double> numbers) {
     for (const Field& f : fields_) {
         const bool colour = f.attribute == static_cast<std::size_t>(Attribute::Colour);
         const double number = numbers[f.property];
-        row[f.attribute][f.component] = colour ? plyFraction(f.type, number) : static_cast<float>(number);
+        const bool position = f.attribute == static_cast<std::size_t>(Attribute::Position);
+        const double zero = position ? mesh_.origin.at[f.component] : 0;
+        row[f.attribute][f.component] =
+            colour ? plyFraction(f.type, number) : static_cast<float>(number - zero);
     }
     const auto& [position, normal, colour, texcoord] = row;
     mesh_.positions.push_back({position[0], position[1], position[2]});

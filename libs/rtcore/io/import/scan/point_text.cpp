@@ -5,6 +5,7 @@
 #include "rtcore/io/import/text/statement_pieces.h"
 #include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/io/import/text/statement_warning.h"
+#include "rtcore/math/nearest_float.h"
 #include "rtcore/platform/error.h"
 
 #include <algorithm>
@@ -25,9 +26,14 @@ constexpr std::size_t kMaxNumbers = 10;
 
 /// The numbers at the beginning of a line.
 struct Row {
-    std::array<float, kMaxNumbers> numbers{};
+    std::array<double, kMaxNumbers> numbers{};
     std::size_t count = 0;
     bool onlyNumbers = true;
+
+    Vec3 triple(std::size_t first) const { return LocalOrigin().local(point(first)); }
+    FilePoint point(std::size_t first) const {
+        return {numbers[first], numbers[first + 1], numbers[first + 2]};
+    }
 };
 
 /// Where commas stand between numbers, not before fractions: no blanks do, or they follow commas.
@@ -45,7 +51,7 @@ Row readRow(std::string_view line) {
         line.remove_prefix(std::min(line.find_first_not_of(between), line.size()));
         if (line.empty()) break;
         const std::size_t end = std::min(line.find_first_of(between), line.size());
-        const auto number = numberOf(line.substr(0, end));
+        const auto number = preciseNumberOf(line.substr(0, end));
         row.onlyNumbers = number.has_value();
         if (!number) break;
         row.numbers[row.count++] = *number;
@@ -64,7 +70,7 @@ struct Layout {
 /// Whether three numbers of all rows from `first` on are of unit length.
 bool areNormals(const std::vector<Row>& rows, std::size_t first) {
     return std::ranges::all_of(rows, [&](const Row& row) {
-        const Vec3 v{row.numbers[first], row.numbers[first + 1], row.numbers[first + 2]};
+        const Vec3 v = row.triple(first);
         return row.count < first + 3 || std::fabs(length(v) - 1) < 0.02F || length(v) == 0;
     });
 }
@@ -86,7 +92,10 @@ Layout layoutOf(const std::vector<Row>& rows, bool intensityFirst) {
 
 class PointLines {
   public:
-    PointLines(const Layout& layout, OddStatements& odd) : layout_(layout), odd_(odd) {}
+    PointLines(const Layout& layout, const LocalOrigin& origin, OddStatements& odd)
+        : layout_(layout), odd_(odd) {
+        points_.origin = origin;
+    }
 
     void read(std::string_view text) {
         while (!text.empty()) {
@@ -119,18 +128,15 @@ class PointLines {
             return;
         }
         if (++count_ > kMaxPoints) return;
-        points_.positions.push_back(triple(row, 0));
-        if (layout_.normal != 0) points_.normals.push_back(triple(row, layout_.normal));
+        points_.positions.push_back(points_.origin.local(row.point(0)));
+        if (layout_.normal != 0) points_.normals.push_back(row.triple(layout_.normal));
         if (layout_.colour != 0) {
-            const Vec3 c = triple(row, layout_.colour);
+            const Vec3 c = row.triple(layout_.colour);
             points_.colours.push_back({c.x, c.y, c.z});
         } else if (layout_.intensity != 0) {
-            const float grey = row.numbers[layout_.intensity];
+            const float grey = nearestFloat(row.numbers[layout_.intensity]);
             points_.colours.push_back({grey, grey, grey});
         }
-    }
-    static Vec3 triple(const Row& row, std::size_t first) {
-        return {row.numbers[first], row.numbers[first + 1], row.numbers[first + 2]};
     }
 
     void decodeColours() {
@@ -199,7 +205,7 @@ bool isMolecule(std::span<const std::string_view> lines) {
 
 } // namespace
 
-PointText readPointText(const std::filesystem::path& path, ImportReport& report,
+PointText readPointText(const std::filesystem::path& path, const LocalOrigin& origin, ImportReport& report,
                         const std::function<void()>& alive) {
     constexpr std::size_t kLookedThrough = 65536;
     InputFile file(path);
@@ -215,7 +221,7 @@ PointText readPointText(const std::filesystem::path& path, ImportReport& report,
     }
     OddStatements odd;
     const bool isPts = inSmallLetters(path.extension().string()) == ".pts";
-    PointLines points(layoutOf(rows, isPts), odd);
+    PointLines points(layoutOf(rows, isPts), origin, odd);
     forEachStatements(file, alive, [&](std::string_view text, std::uint64_t) { points.read(text); });
     if (points.count() == 0)
         refusePointText(

@@ -16,12 +16,12 @@ namespace rtcore {
 /// how many follow), comments and a line of names at the beginning are passed over; others that are no points
 /// cost themselves alone, with a warning. More than kMaxPoints are counted only. Throws FileError BadData for
 /// what holds none and for molecules, which are called .xyz, too; what InputFile throws; and std::bad_alloc.
-/// `alive` is called now and then.
+/// `origin` is taken off the positions. `alive` is called now and then.
 struct PointText {
     ScanMesh points;
     std::uint64_t count = 0; ///< of the file
 };
-PointText readPointText(const std::filesystem::path& path, ImportReport& report,
+PointText readPointText(const std::filesystem::path& path, const LocalOrigin& origin, ImportReport& report,
                         const std::function<void()>& alive);
 
 } // namespace rtcore

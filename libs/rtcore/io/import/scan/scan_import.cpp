@@ -7,6 +7,7 @@
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/material_mapping.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/io/import/scan/ply_elements.h"
 #include "rtcore/io/import/scan/ply_file.h"
 #include "rtcore/io/import/scan/point_discs.h"
@@ -59,7 +60,7 @@ void refuseManyPlyPoints(const PlyHeader& header, std::uint64_t memoryLimit) {
 
 Scan readPoints(const std::filesystem::path& path, const FileImportOptions& options, ImportReport& report) {
     refuseMisnamed(path);
-    PointText text = readPointText(path, report, options.alive);
+    PointText text = readPointText(path, options.origin, report, options.alive);
     refuseManyPoints(text.count, options.memoryLimit);
     const bool coloured = !text.points.colours.empty();
     Scan scan = ofOne(std::move(text.points), "Point cloud (XYZ, PTS)", "");
@@ -68,15 +69,16 @@ Scan readPoints(const std::filesystem::path& path, const FileImportOptions& opti
 }
 
 std::optional<Scan> readStlScan(const std::filesystem::path& path, const InputFile& file,
-                                ImportReport& report, const std::function<void()>& alive) {
+                                const LocalOrigin& origin, ImportReport& report,
+                                const std::function<void()>& alive) {
     constexpr const char* kFormat = "Stereolithography (STL) Importer";
     constexpr const char* kMaterial = "DefaultMaterial";
-    if (auto stl = readStl(file, alive)) {
+    if (auto stl = readStl(file, origin, alive)) {
         Scan scan = ofOne(std::move(stl->mesh), kFormat, kMaterial);
         scan.colour = stl->colour;
         return scan;
     }
-    auto solids = readTextStl(path, report, alive);
+    auto solids = readTextStl(path, origin, report, alive);
     if (!solids) return {};
     return Scan{std::move(*solids), kFormat, kMaterial};
 }
@@ -93,14 +95,15 @@ std::optional<Scan> readScan(const std::filesystem::path& path, const FileImport
     constexpr const char* kPly = "Stanford Polygon Library (PLY) Importer";
     if (header) refuseManyPlyPoints(*header, options.memoryLimit);
     if (header && (isPlyCloud(*header) || (isScan(*header) && !hasFaceColours(*header))))
-        return ofOne(readPly(file, *header, alive), kPly, "");
-    if (header && isPlyMesh(*header)) return ofOne(readPlyMesh(file, *header, alive), kPly, "");
+        return ofOne(readPly(file, *header, options.origin, alive), kPly, "");
+    if (header && isPlyMesh(*header))
+        return ofOne(readPlyMesh(file, *header, options.origin, alive), kPly, "");
     if (header && header->isText) refuseCutOffText(file, *header, alive);
     // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
     // ever.
     if (endsInPlyHeader(text)) refuseDamaged(say("its head does not end within {0} bytes", head.size()));
     if (!isNamed(path, ".stl")) return {};
-    return readStlScan(path, file, report, alive);
+    return readStlScan(path, file, options.origin, report, alive);
 }
 
 /// What a highlight would need is not in the file.
@@ -115,6 +118,13 @@ void addMaterial(const Scan& scan, const std::filesystem::path& path, const File
     import.model.materials.push_back(material);
 }
 
+double coarsenessOf(const ScanMesh& mesh) {
+    FileBounds bounds;
+    if (mesh.inFloats && !mesh.origin.isZero())
+        for (const Vec3 p : mesh.positions) bounds.extend(mesh.origin.inFile(p));
+    return bounds.empty() ? 0 : coarsenessAt(bounds.farthest());
+}
+
 SourceMesh viewOf(const ScanMesh& mesh) {
     return {mesh.positions, mesh.normals, mesh.texcoords, mesh.colours, {}, mesh.triangles};
 }
@@ -124,6 +134,7 @@ void showPoints(ScanMesh points, const std::filesystem::path& path, const FileIm
                 FileImport& import) {
     const std::uint64_t count = points.positions.size();
     refuseManyPoints(count, options.memoryLimit);
+    refuseFar(points.positions, options.origin);
     const LostPoints lost = addDiscs(std::move(points), import.model, options.alive);
     if (import.model.triangles.empty())
         throw FileError(FailureKind::BadData, "",
@@ -136,9 +147,7 @@ void showPoints(ScanMesh points, const std::filesystem::path& path, const FileIm
     warnOfOutliers(import.model, import.report);
 }
 
-} // namespace
-
-std::optional<FileImport> importScan(const std::filesystem::path& path, const FileImportOptions& options) {
+std::optional<FileImport> scanAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
     FileImport import;
     std::optional<Scan> scan = readScan(path, options, import.report);
     if (!scan) return {};
@@ -154,6 +163,7 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
         triangles += part.mesh.triangles.size();
         import.report.ignoredPrimitives += part.mesh.ignoredPrimitives;
         import.report.unconnectedTriangles += part.mesh.unconnectedTriangles;
+        import.coarseness = std::max(import.coarseness, coarsenessOf(part.mesh));
     }
     const bool bare = import.report.ignoredPrimitives + import.report.unconnectedTriangles == 0;
     if (triangles == 0 && vertices > 0 && bare && scan->parts.size() == 1) {
@@ -172,7 +182,7 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
     }
     const std::size_t meshes = scan->parts.size();
     scan.reset();
-    finishGeometry(assembler, options.creaseAngle, import);
+    finishGeometry(assembler, options.creaseAngle, options.origin, import);
     const std::optional<Sentence> cut = cutOff(path);
     if (cut && import.model.triangles.empty()) throw FileError(FailureKind::BadData, "", *cut);
     refuseUseless(assembler, meshes, import);
@@ -180,6 +190,12 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
     warnOfLostTriangles(import.model, import.report);
     warnOfOutliers(import.model, import.report);
     return import;
+}
+
+} // namespace
+
+std::optional<FileImport> importScan(const std::filesystem::path& path, const FileImportOptions& options) {
+    return readNearZero(scanAsItLies, path, options);
 }
 
 } // namespace rtcore

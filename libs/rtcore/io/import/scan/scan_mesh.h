@@ -3,6 +3,7 @@
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/scene/local_origin.h"
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
@@ -11,9 +12,12 @@
 
 namespace rtcore {
 
-/// One mesh; the lists of normals, texture coordinates and colours are empty or as long as `positions`.
+/// One mesh, whose positions are those of the file less `origin`; the lists of normals, texture coordinates
+/// and colours are empty or as long as `positions`.
 struct ScanMesh {
-    std::vector<Vec3> positions, normals;   ///< as in the file
+    LocalOrigin origin;
+    bool inFloats = false; ///< the file has its positions in floats
+    std::vector<Vec3> positions, normals;
     std::vector<Vec2> texcoords;            ///< (0, 0) = lower left of the image
     std::vector<Colour> colours;            ///< linear
     std::vector<Triangle> triangles;        ///< indices below positions.size()

@@ -87,11 +87,14 @@ Colour colourOf(std::uint16_t attribute, const StlHead& head) {
 
 } // namespace
 
-std::optional<StlFile> readStl(const InputFile& file, const std::function<void()>& alive) {
+std::optional<StlFile> readStl(const InputFile& file, const LocalOrigin& origin,
+                               const std::function<void()>& alive) {
     const std::optional<StlHead> head = headOf(file);
     if (!head) return {};
     StlFile stl;
     ScanMesh& mesh = stl.mesh;
+    mesh.origin = origin;
+    mesh.inFloats = true;
     resizeLarge(mesh.positions, std::size_t{head->facets} * 3);
     resizeLarge(mesh.triangles, head->facets);
     std::vector<std::uint16_t> attributes;
@@ -109,6 +112,8 @@ std::optional<StlFile> readStl(const InputFile& file, const std::function<void()
             Vec3* const corners = &mesh.positions[std::size_t{facet} * 3];
             std::memcpy(corners, record + kCorners, 3 * sizeof(Vec3));
             for (int i = 0; i < 3; ++i) toNative(corners[i]);
+            if (!origin.isZero())
+                for (int i = 0; i < 3; ++i) corners[i] = origin.local(filePoint(corners[i]));
             mesh.triangles[facet] = {{3 * facet, 3 * facet + 1, 3 * facet + 2}};
         }
         return true;

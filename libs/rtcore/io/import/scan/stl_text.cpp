@@ -20,6 +20,8 @@ bool isKeyword(std::string_view word, std::string_view keyword) {
 
 class StlTextReader {
   public:
+    explicit StlTextReader(const LocalOrigin& origin) : origin_(origin) {}
+
     void read(std::string_view text) {
         StatementText in(text);
         while (!in.atEnd()) {
@@ -56,7 +58,8 @@ class StlTextReader {
     }
 
     void readVertex(std::uint64_t line, StatementText& in) {
-        const auto x = in.number(), y = in.number(), z = in.number();
+        const auto& zero = origin_.at;
+        const auto x = in.coordinate(zero[0]), y = in.coordinate(zero[1]), z = in.coordinate(zero[2]);
         if (x && y && z) {
             corners_.push_back({*x, *y, *z});
         } else {
@@ -84,6 +87,7 @@ class StlTextReader {
             mesh.triangles.push_back({{first + t.v[0], first + t.v[1], first + t.v[2]}});
     }
 
+    LocalOrigin origin_;
     std::vector<ScanPart> solids_;
     std::vector<Vec3> corners_; ///< of the facet at hand
     PolygonCutter cutter_;
@@ -105,11 +109,11 @@ bool beginsAsText(InputFile& file) {
 
 } // namespace
 
-std::optional<std::vector<ScanPart>> readTextStl(const std::filesystem::path& path, ImportReport& report,
-                                                 const std::function<void()>& alive) {
+std::optional<std::vector<ScanPart>> readTextStl(const std::filesystem::path& path, const LocalOrigin& origin,
+                                                 ImportReport& report, const std::function<void()>& alive) {
     InputFile file(path);
     if (!beginsAsText(file)) return std::nullopt;
-    StlTextReader reader;
+    StlTextReader reader(origin);
     forEachStatements(file, alive, [&](std::string_view text, std::uint64_t) { reader.read(text); });
     return reader.finish(path, report);
 }

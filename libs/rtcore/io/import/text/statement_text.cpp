@@ -1,5 +1,7 @@
 #include "rtcore/io/import/text/statement_text.h"
 
+#include "rtcore/math/nearest_float.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -54,6 +56,13 @@ std::optional<float> StatementText::number() {
     return numberOf(word());
 }
 
+std::optional<float> StatementText::coordinate(double zero) {
+    if (zero == 0) return number();
+    if (!hasWord()) return std::nullopt;
+    const auto number = preciseNumberOf(word());
+    return number ? std::optional(nearestFloat(*number - zero)) : std::nullopt;
+}
+
 std::optional<double> StatementText::preciseNumber() {
     std::string_view text = word();
     if (text.starts_with('+')) text.remove_prefix(1);
@@ -63,20 +72,34 @@ std::optional<double> StatementText::preciseNumber() {
     return end == last && error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-std::optional<float> numberOf(std::string_view word) {
+namespace {
+
+/// With a comma before its fraction in place of the point; "" for what has none alone.
+std::string withPoint(std::string_view word) {
+    const std::size_t comma = word.find(',');
+    if (comma == std::string_view::npos || word.find_first_of(",.", comma + 1) != std::string_view::npos)
+        return {};
+    std::string pointed(word);
+    pointed[comma] = '.';
+    return pointed.find('.') == comma ? pointed : std::string();
+}
+
+template <typename Number>
+std::optional<Number> parsed(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const char* const last = word.data() + word.size();
-    float value = 0;
+    Number value = 0;
     const auto [end, error] = std::from_chars(word.data(), last, value);
     if (end == last && error == std::errc()) return value;
     if (error == std::errc::result_out_of_range) return outsideOfFloats(word.data(), last);
-    const std::size_t comma = word.find(',');
-    if (comma == std::string_view::npos || word.find_first_of(",.", comma + 1) != std::string_view::npos)
-        return std::nullopt;
-    std::string pointed(word);
-    pointed[comma] = '.';
-    return pointed.find('.') == comma ? numberOf(pointed) : std::nullopt;
+    const std::string pointed = withPoint(word);
+    return pointed.empty() ? std::nullopt : parsed<Number>(pointed);
 }
+
+} // namespace
+
+std::optional<float> numberOf(std::string_view word) { return parsed<float>(word); }
+std::optional<double> preciseNumberOf(std::string_view word) { return parsed<double>(word); }
 
 std::string inSmallLetters(std::string_view text) {
     std::string result(text);

@@ -78,6 +78,8 @@ class StatementText {
 
     /// The next word as a number; nothing where there is none, and the word is passed over then.
     std::optional<float> number();
+    /// The same less `zero`, which counts before it is rounded.
+    std::optional<float> coordinate(double zero);
     /// The same with all its digits, and a point alone before its fraction.
     std::optional<double> preciseNumber();
 
@@ -98,6 +100,7 @@ class StatementText {
 /// A word as a number, with a point or a comma before its fraction; infinite where it is too large, and no
 /// number where it says so. Nothing for what is none.
 std::optional<float> numberOf(std::string_view word);
+std::optional<double> preciseNumberOf(std::string_view word);
 
 /// In small letters.
 std::string inSmallLetters(std::string_view text);

@@ -5,6 +5,7 @@
 #include "rtcore/io/import/inspection/foreign_formats.h"
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
+#include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/io/import/threemf/build_items.h"
 #include "rtcore/io/import/threemf/looks.h"
@@ -183,13 +184,19 @@ void addObjects(Package& package, const std::filesystem::path& path, const FileI
     Looks looks(images, textures, import);
     ObjectMeshes meshes(looks, assembler, import);
     std::size_t objects = 0;
-    items.walk([&](const PlacedObject& placed) {
+    const Affine ofFile = lessOrigin(options.origin);
+    items.walk([&](PlacedObject placed) {
         ++objects;
+        if (!options.origin.isZero()) {
+            import.coarseness =
+                std::max(import.coarseness, coarsenessOf(placed.object->positions, placed.toWorld));
+            placed.toWorld = ofFile * placed.toWorld;
+        }
         meshes.add(placed);
         options.alive();
     });
     warn(items, looks, meshes.unknown(), import.report);
-    finishGeometry(assembler, options.creaseAngle, import);
+    finishGeometry(assembler, options.creaseAngle, options.origin, import);
     refuseUseless(assembler, objects, import);
 }
 
@@ -199,7 +206,10 @@ void addObjects(Package& package, const std::filesystem::path& path, const FileI
 
 namespace rtcore {
 
-std::optional<FileImport> importThreeMf(const std::filesystem::path& path, const FileImportOptions& options) {
+namespace {
+
+std::optional<FileImport> packageAsItLies(const std::filesystem::path& path,
+                                          const FileImportOptions& options) {
     if (inSmallLetters(path.extension().string()) != ".3mf") return std::nullopt;
     if (const auto cut = cutOff(path)) throw FileError(FailureKind::BadData, "", *cut);
     refuseMisnamed(path);
@@ -211,6 +221,12 @@ std::optional<FileImport> importThreeMf(const std::filesystem::path& path, const
     warnWhenInvisible(import.model, import.report);
     warnOfOutliers(import.model, import.report);
     return import;
+}
+
+} // namespace
+
+std::optional<FileImport> importThreeMf(const std::filesystem::path& path, const FileImportOptions& options) {
+    return readNearZero(packageAsItLies, path, options);
 }
 
 } // namespace rtcore
