@@ -54,7 +54,7 @@ Result describe(const Call& call) {
     if (rtcore::findInvalidUtf8(light.name) != std::string::npos) light.name = rtcore::printable(light.name);
     const std::filesystem::path file = std::exchange(light.file, {});
     rtcore::TomlWriter writer;
-    rtcore::writeLight(writer, light, {});
+    rtcore::writeLight(writer, light, {}, scene.origin);
     // Whole: who asks may be in another folder.
     if (!file.empty()) writer.add("file", rtcore::printable(rtcore::pathToUtf8(rtcore::plainPath(file))));
     const bool placed = traitsOf(light.light).position;

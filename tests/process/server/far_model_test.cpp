@@ -106,7 +106,13 @@ TEST_F(FarModel, ItsCoordinatesAreKept) {
     expectNear(eye(), onGrid(kEye));
     picture("after.png");
     EXPECT_EQ(bytes("after.png"), bytes("before.png"));
-    EXPECT_NE(ask({"light", "get", id.substr(0, id.find('\n'))}).find("point"), std::string::npos);
+    const std::string told = ask({"light", "get", id.substr(0, id.find('\n'))});
+    Point position{};
+    ASSERT_EQ(std::sscanf(told.substr(told.find("position")).c_str(), "position = [%lf, %lf, %lf]",
+                          &position[0], &position[1], &position[2]),
+              3)
+        << told;
+    expectNear(position, light);
     // The same camera from its file, by the scene and by hand.
     ask({"camera", "turn", "20", "5"});
     ask({"load", "camera", "view.cam"});

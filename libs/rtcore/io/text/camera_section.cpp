@@ -51,11 +51,7 @@ Camera readCamera(StrictTable& table, Vec3 up, bool lookAtAllowed) {
 }
 
 void writeCamera(TomlWriter& writer, const Camera& camera, const LocalOrigin& zero) {
-    if (zero.isZero()) {
-        writer.add("eye", camera.eye);
-    } else {
-        writer.add("eye", zero.inFile(camera.eye));
-    }
+    writer.addPosition("eye", camera.eye, zero);
     writer.add("forward", camera.forward);
     writer.add("up", camera.up);
     if (camera.kind == CameraKind::Orthographic) {

@@ -150,15 +150,15 @@ LightDescription readLight(StrictTable& table, const std::filesystem::path& fold
     return result;
 }
 
-void writeLight(TomlWriter& writer, const LightDescription& description,
-                const std::filesystem::path& folder) {
+void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder,
+                const LocalOrigin& zero) {
     const Light& light = description.light;
     const LightTraits& traits = traitsOf(light);
     writer.section("[[light]]");
     if (description.id > 0) writer.add("id", description.id);
     if (!description.name.empty()) writer.add("name", description.name);
     writer.add("kind", traits.name);
-    if (traits.position) writer.add("position", light.position);
+    if (traits.position) writer.addPosition("position", light.position, zero);
     if (traits.direction) writer.add("direction", light.direction);
     if (!description.file.empty()) writer.add("file", pathToUtf8(pathSeenFrom(folder, description.file)));
     writer.add("intensity", light.intensity);

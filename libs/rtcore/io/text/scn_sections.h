@@ -28,8 +28,10 @@ Sky readSky(StrictTable& table, const Sky& usual = {});
 /// All [[bookmark]] of the root; `up` as in readCamera().
 SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
 
-/// The writers check nothing.
-void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder);
+/// The writers check nothing. A light's position is written in the coordinates in which that of the scene's
+/// zero is `zero`.
+void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder,
+                const LocalOrigin& zero = {});
 void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder);
 void writePart(TomlWriter& writer, const PartDescription& part);
 void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,

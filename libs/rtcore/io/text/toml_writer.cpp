@@ -95,6 +95,13 @@ void TomlWriter::add(std::string_view key, Colour value) {
 void TomlWriter::add(std::string_view key, const FilePoint& value) {
     line(key, threeNumbers(value[0], value[1], value[2]));
 }
+void TomlWriter::addPosition(std::string_view key, Vec3 value, const LocalOrigin& zero) {
+    if (zero.isZero()) {
+        add(key, value);
+    } else {
+        add(key, zero.inFile(value));
+    }
+}
 void TomlWriter::add(std::string_view key, const LocalOrigin& value) {
     if (!value.isZero()) add(key, value.at);
 }
