@@ -190,7 +190,7 @@ bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, r
     renderer_->lightIndirectlyFrom(nullptr);
     viewLight_.reset(); // its memory; a whole frame begins anew
     live_->lightIndirectly(indirect ? &walkLight_->light() : nullptr, WalkLight::budgetOf(detail.learning),
-                           walkLight_->turns());
+                           walkLight_->turns(detail.scale));
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};

@@ -45,13 +45,18 @@ void WalkLight::follow(const Document& document, int threads) {
     std::erase_if(before_, [&](const auto& of) { return of.first.get() != light_->sceneBefore(); });
 }
 
-int WalkLight::turns() const {
+int WalkLight::turns(double scale) const {
     struct After {
         int frames, turns;
     };
     constexpr After kAfter[] = {{8, 4}, {24, 8}};
     for (const After& after : kAfter)
         if (frames_ < after.frames) return after.turns;
+    // So few of them that turns of frames of about one size do not mix.
+    constexpr int kOfSmallFrames[] = {8, 12, 24};
+    const double wanted = kTurns * scale * scale;
+    for (const int turns : kOfSmallFrames)
+        if (turns >= wanted) return turns;
     return kTurns;
 }
 

@@ -22,8 +22,9 @@ class WalkLight {
     static rtcore::GatherBudget budgetOf(double learning);
     static constexpr int kTurns = 48;
 
-    /// kTurns, but for some frames after a change of light: then samples follow sooner.
-    int turns() const;
+    /// kTurns, but for some frames after a change of light, and in frames of so much of the size each way:
+    /// then samples follow sooner. A frame of few pixels updates about as many as one of all.
+    int turns(double scale) const;
     /// Before each frame: takes what has changed, so that what is known suits the state.
     void follow(const Document& document, int threads);
     /// Of a frame that no time is planned for.

@@ -109,6 +109,19 @@ TEST(LiveGovernor, PlansMoreRaysForAPlaceThatNothingIsKnownOf) {
     EXPECT_EQ(WalkLight::budgetOf(0.5).maxTimes, 1) << "there is no time for more";
 }
 
+/// A machine that is busy has small frames: they are not to be a mosaic of what was learned when.
+TEST(WalkLight, UpdatesSmallFramesInFewerTurns) {
+    const WalkLight light;
+    EXPECT_EQ(light.turns(1), WalkLight::kTurns);
+    EXPECT_EQ(light.turns(11.0 / 12), WalkLight::kTurns);
+    EXPECT_EQ(light.turns(0.5), 12);
+    EXPECT_EQ(light.turns(1.0 / 3), 8);
+    for (int twelfths = 4; twelfths <= 12; ++twelfths) {
+        const double scale = twelfths / 12.0;
+        EXPECT_LE(scale * scale / light.turns(scale), 1.0 / WalkLight::kTurns) << "no more pixels at once";
+    }
+}
+
 TEST(LiveGovernor, PlansTheRaysOfCoarseFrames) {
     const auto after = [](double secondsOfAll) {
         LiveGovernor governor;
