@@ -1400,10 +1400,6 @@
         <translation>potřebuje rozšíření {0}, které nelze načíst; {1}</translation>
     </message>
     <message>
-        <source>it shows its meshes {0} times, more than fit into the memory that it may use; raise the limit or export fewer instances</source>
-        <translation>zobrazuje své sítě {0}krát, víc než se vejde do paměti, kterou smí použít; zvyšte limit nebo exportujte méně instancí</translation>
-    </message>
-    <message>
         <source>it unpacks to more than {0} times its size, as no model does; it is damaged or made to fill memory</source>
         <translation>rozbaluje se na více než {0}násobek své velikosti, což žádný model nedělá; je poškozený, nebo má zaplnit paměť</translation>
     </message>
@@ -1432,8 +1428,12 @@
         <translation>jeho poměr stran je mimo rozsah</translation>
     </message>
     <message>
-        <source>its assemblies hold themselves or are too many; export it again</source>
-        <translation>jeho sestavy obsahují samy sebe, nebo jich je příliš mnoho; vyexportujte jej znovu</translation>
+        <source>its assemblies are deeper than {0}; export it again</source>
+        <translation>jeho sestavy jsou hlubší než {0}; vyexportujte jej znovu</translation>
+    </message>
+    <message>
+        <source>its assemblies hold themselves; export it again</source>
+        <translation>jeho sestavy obsahují samy sebe; vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>its bounds are no box</source>
@@ -1602,6 +1602,10 @@
     <message>
         <source>its width is out of range</source>
         <translation>jeho šířka je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its {0} triangles take {1} MB of memory, more than the {2} MB that the importer may use; raise that (--memory-limit), else simplify the model</source>
+        <translation>jeho trojúhelníky ({0}) zaberou {1} MB paměti, víc než {2} MB, které importér smí použít; zvyšte je (--memory-limit), nebo model zjednodušte</translation>
     </message>
     <message>
         <source>joints of its skins that are missing: {0}; what they would move goes with the others</source>
@@ -3068,12 +3072,12 @@
         <translation>celá čísla v hranatých závorkách</translation>
     </message>
     <message>
-        <source>with all instances it has {0} faces, more than fit into the memory that it may use; raise the limit or simplify the model</source>
-        <translation>se všemi instancemi má {0} stěn, víc, než se vejde do paměti, kterou smí použít; zvyšte limit, nebo model zjednodušte</translation>
+        <source>with all instances it has {0} parts and {1} triangles, which take {2} MB of memory, more than the {3} MB that the importer may use; raise that (--memory-limit), else export fewer instances or simplify the model</source>
+        <translation>se všemi instancemi má {0} částí a {1} trojúhelníků, které zaberou {2} MB paměti, víc než {3} MB, které importér smí použít; zvyšte je (--memory-limit), nebo exportujte méně instancí či model zjednodušte</translation>
     </message>
     <message>
-        <source>with all instances it has {0} objects, more than {1}; simplify the model</source>
-        <translation>se všemi instancemi má {0} objektů, více než {1}; zjednodušte model</translation>
+        <source>with all instances it has {0} parts, more than {1}; export fewer instances</source>
+        <translation>se všemi instancemi má {0} částí, více než {1}; exportujte méně instancí</translation>
     </message>
     <message>
         <source>with the [sky]</source>

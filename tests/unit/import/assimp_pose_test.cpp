@@ -203,10 +203,10 @@ TEST(FbxNotes, DamagedTextDoesNoHarm) {
     const test::TemporaryFolder folder;
     for (std::size_t length = 0; length < whole.size(); length += 7) {
         test::writeText(folder / "m.fbx", whole.substr(0, length));
-        rtcore::readFbxNotes(folder / "m.fbx");
+        rtcore::fbxNotesOf(rtcore::readFbxElements(folder / "m.fbx"));
     }
     test::writeText(folder / "m.fbx", "Objects: {" + std::string(100'000, '{') + ": \"");
-    rtcore::readFbxNotes(folder / "m.fbx");
+    rtcore::fbxNotesOf(rtcore::readFbxElements(folder / "m.fbx"));
 }
 
 } // namespace

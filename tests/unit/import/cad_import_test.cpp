@@ -1,5 +1,6 @@
 // Surfaces of CAD programs: files that Open CASCADE writes, read back as triangles.
 #include "rtcore/io/import/cad/cad_import.h"
+#include "rtcore/io/import/cad/cad_parts.h"
 
 #include "import_support.h"
 #include "support/damaged_text.h"
@@ -81,6 +82,43 @@ double volume(const FileImport& import, std::size_t part) {
 
 std::string nameOf(const FileImport& import, std::size_t part) {
     return import.model.strings.data() + import.model.parts[part].nameOffset;
+}
+
+/// Assemblies of ten of the assembly below each, with a box at the bottom.
+Handle(TDocStd_Document) nestedAssemblies(int levels) {
+    Handle(TDocStd_Document) document;
+    XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
+    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    TDF_Label below = shapes->AddShape(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), false);
+    for (int level = 0; level < levels; ++level) {
+        const TDF_Label above = shapes->NewShape();
+        for (int i = 0; i < 10; ++i) {
+            gp_Trsf to;
+            to.SetTranslation(gp_Vec(2 * i, level, 0));
+            shapes->AddComponent(above, below, TopLoc_Location(to));
+        }
+        below = above;
+    }
+    return document;
+}
+
+TEST(CadImport, AssembliesAreCountedBeforeMemoryGoes) {
+    EXPECT_EQ(cadPartsOf(nestedAssemblies(2), 1'000'000).size(), 100U);
+    try {
+        cadPartsOf(nestedAssemblies(9), 0);
+        ADD_FAILURE() << "accepted";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("1000000000 parts, more than"), std::string::npos)
+            << error.what();
+    }
+    try {
+        cadPartsOf(nestedAssemblies(4), 1'000'000);
+        ADD_FAILURE() << "accepted";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("10000 parts and 60000 triangles, which take 10 MB"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(CadImport, AssembliesOfStep) {

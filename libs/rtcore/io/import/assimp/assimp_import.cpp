@@ -3,6 +3,7 @@
 #include "rtcore/io/import/assimp/assimp_files.h"
 #include "rtcore/io/import/assimp/assimp_parts.h"
 #include "rtcore/io/import/assimp/collada_morphs.h"
+#include "rtcore/io/import/assimp/expanded_nodes.h"
 #include "rtcore/io/import/assimp/hidden_nodes.h"
 #include "rtcore/io/import/assimp/md5_frame_rate.h"
 #include "rtcore/io/import/assimp/mesh_poser.h"
@@ -366,13 +367,12 @@ ModelOrigin originOf(const std::filesystem::path& path, const std::string& forma
 /// Instances multiply: a small file can stand for more triangles than any memory holds.
 void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
               MeshAssembler& assembler) {
-    std::uint64_t triangles = 0, vertices = 0;
+    ExpandedCount count;
     for (const Instance& i : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[i.mesh];
-        vertices += mesh.mNumVertices;
-        triangles += mesh.mNumFaces; // polygons have more, but no more than vertices
+        count.add({1, mesh.mNumVertices, mesh.mNumFaces}); // polygons have more, but no more than vertices
     }
-    refuseTooMuch(vertices, triangles, memoryLimit, assembler);
+    makeRoomFor(count, memoryLimit, assembler);
 }
 
 void warnOfFiles(const std::filesystem::path& path, ImportReport& report) {
@@ -407,6 +407,8 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 }
 
 FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
+    std::vector<FbxElement> fbx = isFbx(path) ? readFbxElements(path) : std::vector<FbxElement>();
+    refuseManyNodes(path, fbx, options.memoryLimit);
     const auto importer = std::make_shared<Assimp::Importer>();
     FileImport result;
     const bool animated = options.pose.kind != PoseChoice::Kind::Rest;
@@ -418,7 +420,8 @@ FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOpti
     result.report.origin = originOf(path, formatOf(*importer), quirks, scene);
     ScenePose pose(scene, quirks);
     pose.choose(options.pose, result.report);
-    const FbxNotes notes = quirks.fbxNotes ? readFbxNotes(path) : FbxNotes{};
+    if (quirks.fbxNotes && fbx.empty()) fbx = readFbxElements(path);
+    const FbxNotes notes = fbxNotesOf(fbx);
     HiddenNodes hidden(scene, notes);
     const NodeWalk walk = walkNodes(scene, pose, options.origin, hidden);
     result.coarseness = walk.coarseness;

@@ -325,6 +325,14 @@ std::string FbxElement::text(std::size_t index) const {
     return string != nullptr ? *string : std::string();
 }
 
+bool isFbx(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    if (ending == ".fbx" || ending == ".FBX") return true;
+    const FileBytes file = openFileBytes(path);
+    const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+    return text.starts_with(kBinaryMark) || text.starts_with("; FBX");
+}
+
 std::vector<FbxElement> readFbxElements(const std::filesystem::path& path) {
     const FileBytes file = openFileBytes(path);
     const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());

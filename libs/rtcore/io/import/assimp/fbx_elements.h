@@ -26,6 +26,9 @@ struct FbxElement {
     std::string text(std::size_t index) const;
 };
 
+/// Whether a file is FBX by its name or its beginning.
+bool isFbx(const std::filesystem::path& path);
+
 /// `Objects` and `Connections`, and of those the models, deformers, attributes and geometries with some of
 /// their properties; geometries without their lists. Of a damaged file what stands before the damage. Throws
 /// as openFileBytes() does.

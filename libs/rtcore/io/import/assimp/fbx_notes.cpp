@@ -1,7 +1,5 @@
 #include "rtcore/io/import/assimp/fbx_notes.h"
 
-#include "rtcore/io/import/assimp/fbx_elements.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -187,8 +185,7 @@ std::vector<double> FbxMorphChannel::weightsAt(double at) const {
     return weights;
 }
 
-FbxNotes readFbxNotes(const std::filesystem::path& path) {
-    const std::vector<FbxElement> elements = readFbxElements(path);
+FbxNotes fbxNotesOf(const std::vector<FbxElement>& elements) {
     const FbxObjects objects(elements);
     FbxNotes notes;
     Visibility(objects, notes).walk();

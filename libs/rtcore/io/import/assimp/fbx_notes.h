@@ -2,9 +2,10 @@
 /// moved.
 #pragma once
 
+#include "rtcore/io/import/assimp/fbx_elements.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,7 +38,6 @@ struct FbxNotes {
     std::map<std::string, std::vector<std::uint8_t>> hidden;
 };
 
-/// Throws as openFileBytes() does. Of a damaged file what stands before the damage.
-FbxNotes readFbxNotes(const std::filesystem::path& path);
+FbxNotes fbxNotesOf(const std::vector<FbxElement>& elements);
 
 } // namespace rtcore

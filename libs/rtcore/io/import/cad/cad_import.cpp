@@ -74,7 +74,7 @@ class CadMeshes {
                 if (materialOf(face.paint) == material)
                     addFace(face.face, part.location, options_.origin, mesh);
             triangles_ += mesh.triangles.size();
-            refuseTooMuch(0, triangles_, options_.memoryLimit, assembler);
+            makeRoomFor({0, 0, triangles_}, options_.memoryLimit, assembler);
             SourceMesh source{
                 .positions = mesh.positions, .normals = mesh.normals, .triangles = mesh.triangles};
             source.material = material;
@@ -115,7 +115,8 @@ FileImport cadAsItLies(const std::filesystem::path& path, const FileImportOption
         const bool hasUnit = cadFormat(path) != CadFormat::Brep;
         import.report.origin = {"Open CASCADE (STEP, IGES, BREP)", {}, {}, {}};
         if (hasUnit) import.report.origin.metresPerUnit = 0.001;
-        const std::vector<CadPart> parts = cadPartsOf(readCadDocument(path, options.alive));
+        const std::vector<CadPart> parts =
+            cadPartsOf(readCadDocument(path, options.alive), options.memoryLimit);
         MeshAssembler assembler;
         CadMeshes(options, import).read(parts, assembler);
         finishGeometry(assembler, options.creaseAngle, options.origin, import);

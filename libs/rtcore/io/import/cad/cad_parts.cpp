@@ -1,8 +1,11 @@
 #include "rtcore/io/import/cad/cad_parts.h"
 
+#include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/platform/error.h"
 
+#include <NCollection_DataMap.hxx>
 #include <Quantity_ColorRGBA.hxx>
+#include <TDF_LabelMapHasher.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp_Explorer.hxx>
@@ -15,7 +18,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kMaxParts = 10'000'000;
 constexpr int kMaxDepth = 200;
 
 std::string nameOf(const TDF_Label& label) {
@@ -29,13 +31,64 @@ std::string nameOf(const TDF_Label& label) {
     return text;
 }
 
+/// How many parts and faces the assemblies hold, each as often as it is named.
+class PartCount {
+  public:
+    explicit PartCount(const Handle(XCAFDoc_ShapeTool) & shapes) : shapes_(shapes) {}
+
+    std::optional<ExpandedCount> count() {
+        TDF_LabelSequence labels;
+        shapes_->GetFreeShapes(labels);
+        std::vector<std::size_t> roots;
+        for (const TDF_Label& label : labels) roots.push_back(numberOf(label));
+        for (std::size_t i = 0; i < known_.size(); ++i) addContent(i);
+        return graph_.count(roots);
+    }
+
+  private:
+    std::size_t numberOf(const TDF_Label& label) {
+        TDF_Label shape = label;
+        XCAFDoc_ShapeTool::GetReferredShape(label, shape);
+        if (const Standard_Integer* const known = numbers_.Seek(shape))
+            return static_cast<std::size_t>(*known);
+        const std::size_t number = graph_.addNode();
+        numbers_.Bind(shape, static_cast<Standard_Integer>(number));
+        known_.push_back(shape);
+        return number;
+    }
+
+    void addContent(std::size_t number) {
+        const TDF_Label shape = known_[number];
+        if (XCAFDoc_ShapeTool::IsAssembly(shape)) {
+            TDF_LabelSequence components;
+            XCAFDoc_ShapeTool::GetComponents(shape, components);
+            for (const TDF_Label& component : components) graph_.addChild(number, numberOf(component));
+            return;
+        }
+        ExpandedCount own{1, 0, 0};
+        const TopoDS_Shape of = XCAFDoc_ShapeTool::GetShape(shape);
+        if (!of.IsNull())
+            for (TopExp_Explorer at(of, TopAbs_FACE); at.More(); at.Next()) ++own.triangles;
+        graph_.own(number) = own;
+    }
+
+    const Handle(XCAFDoc_ShapeTool) & shapes_;
+    InstanceGraph graph_;
+    NCollection_DataMap<TDF_Label, Standard_Integer, TDF_LabelMapHasher> numbers_;
+    std::vector<TDF_Label> known_; ///< by their numbers
+};
+
 class PartWalk {
   public:
     explicit PartWalk(const Handle(TDocStd_Document) & document)
         : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
           colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
 
-    std::vector<CadPart> read() {
+    std::vector<CadPart> read(std::uint64_t memoryLimit) {
+        const auto count = PartCount(shapes_).count();
+        if (!count)
+            throw FileError(FailureKind::BadData, "", say("its assemblies hold themselves; export it again"));
+        refuseTooMuch(*count, memoryLimit);
         TDF_LabelSequence labels;
         shapes_->GetFreeShapes(labels);
         for (const TDF_Label& label : labels) visit(label, {}, "", {}, 0);
@@ -57,9 +110,9 @@ class PartWalk {
 
     void visit(const TDF_Label& label, const TopLoc_Location& above, const std::string& path,
                std::optional<CadPaint> paint, int depth) {
-        if (depth > kMaxDepth || parts_.size() > kMaxParts)
+        if (depth > kMaxDepth)
             throw FileError(FailureKind::BadData, "",
-                            say("its assemblies hold themselves or are too many; export it again"));
+                            say("its assemblies are deeper than {0}; export it again", kMaxDepth));
         TDF_Label shape = label;
         const TopLoc_Location location = above * XCAFDoc_ShapeTool::GetLocation(label);
         const bool isInstance = XCAFDoc_ShapeTool::GetReferredShape(label, shape);
@@ -113,8 +166,8 @@ class PartWalk {
 
 } // namespace
 
-std::vector<CadPart> cadPartsOf(const Handle(TDocStd_Document) & document) {
-    return PartWalk(document).read();
+std::vector<CadPart> cadPartsOf(const Handle(TDocStd_Document) & document, std::uint64_t memoryLimit) {
+    return PartWalk(document).read(memoryLimit);
 }
 
 } // namespace rtcore

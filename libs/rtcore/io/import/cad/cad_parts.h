@@ -33,8 +33,8 @@ struct CadPart {
     std::vector<CadFace> faces; ///< in the coordinates of `shape`
 };
 
-/// In the order of the document. Throws FileError BadData where assemblies hold themselves or are more than
-/// ten million.
-std::vector<CadPart> cadPartsOf(const Handle(TDocStd_Document) & document);
+/// In the order of the document. Throws FileError BadData where assemblies hold themselves, or the parts,
+/// which are counted first, do not fit into so many bytes (0: any).
+std::vector<CadPart> cadPartsOf(const Handle(TDocStd_Document) & document, std::uint64_t memoryLimit);
 
 } // namespace rtcore

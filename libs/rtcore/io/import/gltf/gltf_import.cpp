@@ -57,10 +57,10 @@ class GltfReader {
         if (needs.fatal) refuseGltf(*needs.fatal);
         describe();
         pose();
-        walk_ = gltf::walkNodes(root_, world_);
-        placements_ = gltf::placementsOf(root_, world_, walk_, accessors_, options_.memoryLimit);
         MeshAssembler assembler;
-        makeRoom(assembler);
+        makeRoomFor(gltf::shownOf(root_, primitives_, accessors_), options_.memoryLimit, assembler);
+        walk_ = gltf::walkNodes(root_, world_);
+        placements_ = gltf::placementsOf(root_, world_, walk_, accessors_);
         refuseMissing(buffers_.missing());
         const gltf::Images images(root_, views_);
         TextureStore textures(import_.model, import_.report, path_.parent_path(), images, options_.alive);
@@ -92,25 +92,6 @@ class GltfReader {
         std::optional<double> seconds;
         if (options_.pose.kind == PoseChoice::Kind::Moment) seconds = options_.pose.seconds;
         damagedChannels_ = gltf::animate(posed_, *animation, seconds, accessors_);
-    }
-
-    /// Instances multiply: a small file can stand for more triangles than any memory holds.
-    void makeRoom(MeshAssembler& assembler) {
-        std::map<std::size_t, gltf::PrimitiveReader::Size> sizes; // by mesh
-        std::uint64_t vertices = 0, faces = 0;
-        for (const gltf::Placement& at : placements_) {
-            const auto [entry, isNew] = sizes.try_emplace(at.mesh);
-            auto& [_, size] = *entry;
-            for (const Json& primitive : primitivesOf(at.mesh)) {
-                if (!isNew) break;
-                const auto own = primitives_.sizeOf(primitive);
-                size.vertices += own.vertices;
-                size.faces += own.faces;
-            }
-            vertices += size.vertices;
-            faces += size.faces;
-        }
-        refuseTooMuch(vertices, faces, options_.memoryLimit, assembler);
     }
 
     std::vector<float> weightsOf(const gltf::Placement& at) const {

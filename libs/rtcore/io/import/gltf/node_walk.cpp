@@ -1,7 +1,5 @@
 #include "rtcore/io/import/gltf/node_walk.h"
 
-#include "rtcore/platform/error.h"
-
 #include <algorithm>
 #include <optional>
 #include <type_traits>
@@ -12,32 +10,8 @@ namespace rtcore::gltf {
 namespace {
 
 struct OpenNode {
-    std::size_t node, parent, depth;
+    std::size_t node, parent;
 };
-
-std::vector<std::size_t> rootsOf(const Json& root) {
-    const Json &scenes = member(root, "scenes"), &nodes = member(root, "nodes");
-    const auto shown = index(root, "scene").value_or(0);
-    std::vector<std::size_t> roots;
-    const Json& scene = element(scenes, shown < sizeOf(scenes) ? shown : 0);
-    if (!scene.is_null()) {
-        for (const Json& number : member(scene, "nodes"))
-            if (const auto node = wholeNumber(number)) roots.push_back(*node);
-        return roots;
-    }
-    std::vector<char> isChild(sizeOf(nodes), 0);
-    for (const Json& node : nodes) {
-        for (const Json& number : member(node, "children")) {
-            const auto child = wholeNumber(number);
-            if (child && *child < isChild.size()) isChild[*child] = 1;
-        }
-    }
-    for (std::size_t i = 0; i < isChild.size(); ++i)
-        if (isChild[i] == 0) roots.push_back(i);
-    return roots;
-}
-
-bool isHidden(const Json& node) { return !flag(extension(node, "KHR_node_visibility"), "visible", true); }
 
 template <typename Number>
 std::array<Number, 4> unitRotation(std::array<Number, 4> q) {
@@ -66,6 +40,30 @@ Affine statedTransform(const Json& node) {
 }
 
 } // namespace
+
+std::vector<std::size_t> rootsOf(const Json& root) {
+    const Json &scenes = member(root, "scenes"), &nodes = member(root, "nodes");
+    const auto shown = index(root, "scene").value_or(0);
+    std::vector<std::size_t> roots;
+    const Json& scene = element(scenes, shown < sizeOf(scenes) ? shown : 0);
+    if (!scene.is_null()) {
+        for (const Json& number : member(scene, "nodes"))
+            if (const auto node = wholeNumber(number)) roots.push_back(*node);
+        return roots;
+    }
+    std::vector<char> isChild(sizeOf(nodes), 0);
+    for (const Json& node : nodes) {
+        for (const Json& number : member(node, "children")) {
+            const auto child = wholeNumber(number);
+            if (child && *child < isChild.size()) isChild[*child] = 1;
+        }
+    }
+    for (std::size_t i = 0; i < isChild.size(); ++i)
+        if (isChild[i] == 0) roots.push_back(i);
+    return roots;
+}
+
+bool isHidden(const Json& node) { return !flag(extension(node, "KHR_node_visibility"), "visible", true); }
 
 // In floats, rounded as Assimp's matrices were, so that models keep their bits.
 template <typename Number>
@@ -97,18 +95,15 @@ Affine World::localOf(const Json& node, bool isRoot) const {
 }
 
 NodeWalk walkNodes(const Json& root, const World& world) {
-    constexpr std::size_t kMaxNodes = 4'000'000; // more has only a graph with cycles
     const Json& nodes = member(root, "nodes");
     const std::vector<std::size_t> roots = rootsOf(root);
     NodeWalk walk;
     walk.oneRoot = roots.size() == 1;
     std::vector<OpenNode> open;
-    for (std::size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], PlacedNode::kNoParent, 0});
+    for (std::size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], PlacedNode::kNoParent});
     while (!open.empty()) {
         const OpenNode at = open.back();
         open.pop_back();
-        if (at.depth > sizeOf(nodes) || walk.nodes.size() > kMaxNodes)
-            throw FileError(FailureKind::BadData, "", "its node graph has no end; repair the file");
         const Json& node = element(nodes, at.node);
         if (!node.is_object() || isHidden(node)) continue;
         const bool isRoot = at.parent == PlacedNode::kNoParent;
@@ -117,7 +112,7 @@ NodeWalk walkNodes(const Json& root, const World& world) {
         walk.nodes.push_back({at.node, isRoot ? local : walk.nodes[at.parent].toWorld * local, at.parent});
         const Json& children = member(node, "children");
         for (std::size_t i = sizeOf(children); i-- > 0;)
-            if (const auto child = wholeNumber(children[i])) open.push_back({*child, placed, at.depth + 1});
+            if (const auto child = wholeNumber(children[i])) open.push_back({*child, placed});
     }
     return walk;
 }

@@ -44,8 +44,13 @@ struct NodeWalk {
     bool oneRoot = false;
 };
 
-/// Of the stated scene, else of the first, else of all nodes that are no children. Without nodes that
-/// KHR_node_visibility hides. Throws FileError BadData for a graph with cycles.
+/// Of the stated scene, else of the first, else all nodes that are no children.
+std::vector<std::size_t> rootsOf(const Json& root);
+/// By KHR_node_visibility, with all below it.
+bool isHidden(const Json& node);
+
+/// The roots and all below them that is not hidden. The graph has no cycles, and what it stands for fits into
+/// memory (scene_meshes.h, shownOf).
 NodeWalk walkNodes(const Json& root, const World& world);
 
 /// The numbers of its nodes, each behind all below it: the order in which Assimp comes to materials, cameras

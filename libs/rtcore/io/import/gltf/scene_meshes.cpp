@@ -10,14 +10,13 @@ namespace rtcore::gltf {
 
 namespace {
 
-/// Each has at least a triangle and a name beside its place.
-void refuseMany(std::uint64_t count, std::uint64_t memoryLimit) {
-    constexpr std::uint64_t kMax = 50'000'000, kBytesOfOne = 400;
-    if (count <= (memoryLimit > 0 ? std::min(memoryLimit / kBytesOfOne, kMax) : kMax)) return;
-    throw FileError(FailureKind::BadData, "",
-                    say("it shows its meshes {0} times, more than fit into the memory that it may use; raise "
-                        "the limit or export fewer instances",
-                        count));
+ExpandedCount sizeOfMesh(const Json& mesh, PrimitiveReader& primitives) {
+    ExpandedCount size;
+    for (const Json& primitive : member(mesh, "primitives")) {
+        const auto [vertices, faces] = primitives.sizeOf(primitive);
+        size.add({1, vertices, faces});
+    }
+    return size;
 }
 
 std::string meshName(const Json& mesh, std::size_t number, std::size_t primitive) {
@@ -28,17 +27,40 @@ std::string meshName(const Json& mesh, std::size_t number, std::size_t primitive
 
 } // namespace
 
+ExpandedCount shownOf(const Json& root, PrimitiveReader& primitives, Accessors& accessors) {
+    const Json &nodes = member(root, "nodes"), &meshes = member(root, "meshes");
+    std::vector<ExpandedCount> sizes;
+    for (const Json& mesh : meshes) sizes.push_back(sizeOfMesh(mesh, primitives));
+    ExpandedCount all;
+    if (sizeOf(nodes) == 0) { // a file of meshes alone
+        for (const ExpandedCount& size : sizes) all.add(size);
+        return all;
+    }
+    InstanceGraph graph;
+    for (const Json& node : nodes) {
+        const bool hidden = isHidden(node);
+        const auto mesh = hidden ? std::nullopt : index(node, "mesh");
+        ExpandedCount own;
+        if (mesh && *mesh < sizes.size()) own = sizes[*mesh].times(instanceCount(node, accessors));
+        own.parts = std::max<std::uint64_t>(own.parts, 1);
+        const std::size_t number = graph.addNode(own);
+        if (hidden) continue;
+        for (const Json& child : member(node, "children"))
+            if (const auto below = wholeNumber(child)) graph.addChild(number, *below);
+    }
+    const auto count = graph.count(rootsOf(root));
+    if (!count) throw FileError(FailureKind::BadData, "", "its node graph has no end; repair the file");
+    return *count;
+}
+
 std::vector<Placement> placementsOf(const Json& root, const World& world, const NodeWalk& walk,
-                                    Accessors& accessors, std::uint64_t memoryLimit) {
+                                    Accessors& accessors) {
     const Json &nodes = member(root, "nodes"), &meshes = member(root, "meshes");
     std::vector<Placement> placements;
-    std::uint64_t count = 0;
     for (std::size_t i = 0; i < walk.nodes.size(); ++i) {
         const Json& node = nodes[walk.nodes[i].node];
         const auto mesh = index(node, "mesh");
         if (!mesh || *mesh >= sizeOf(meshes)) continue;
-        count += instanceCount(node, accessors);
-        refuseMany(count, memoryLimit);
         Placement placement{*mesh, i, walk.nodes[i].toWorld, index(node, "skin"), std::nullopt};
         const auto instances = instancesOf(node, accessors);
         if (!instances) {

@@ -3,7 +3,9 @@
 
 #include "rtcore/io/import/gltf/accessors.h"
 #include "rtcore/io/import/gltf/node_walk.h"
+#include "rtcore/io/import/gltf/primitive.h"
 #include "rtcore/io/import/mesh/affine.h"
+#include "rtcore/io/import/mesh/instance_graph.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,10 +23,12 @@ struct Placement {
     std::optional<std::uint64_t> instance; ///< of a node that shows it many times
 };
 
-/// In the order of the walk. Throws FileError BadData where they are too many for a memory of so many bytes
-/// (0: any).
+/// Of what the file shows, with all instances. Throws FileError BadData for a graph with cycles.
+ExpandedCount shownOf(const Json& root, PrimitiveReader& primitives, Accessors& accessors);
+
+/// In the order of the walk.
 std::vector<Placement> placementsOf(const Json& root, const World& world, const NodeWalk& walk,
-                                    Accessors& accessors, std::uint64_t memoryLimit);
+                                    Accessors& accessors);
 
 /// What a mesh of a placement is called: by the way to its node, else by the mesh. The primitives of one mesh
 /// go by their materials, instances by their numbers.

@@ -55,17 +55,29 @@ void refuseFarAt(const FileBounds& bounds, std::span<const Point> points, const 
 
 } // namespace
 
-void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_t memoryLimit,
-                   MeshAssembler& assembler) {
-    constexpr std::uint64_t kBytesPerTriangle = 100;
-    const std::uint64_t max = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
-    if (triangles > max || vertices / 4 > max) {
+void refuseTooMuch(const ExpandedCount& count, std::uint64_t memoryLimit, std::uint64_t bytesOfPart) {
+    constexpr std::uint64_t kMaxParts = 50'000'000, kBytesOfTriangle = 100, kMega = 1'000'000;
+    if (count.parts > kMaxParts)
+        refuseMesh(say("with all instances it has {0} parts, more than {1}; export fewer instances",
+                       count.parts, kMaxParts));
+    const ExpandedCount triangles{0, 0, std::max(count.triangles, count.vertices / 4)};
+    const std::uint64_t bytes = count.parts * bytesOfPart + triangles.times(kBytesOfTriangle).triangles;
+    if (memoryLimit == 0 || bytes <= memoryLimit) return;
+    if (count.parts == 0)
         refuseMesh(
-            say("with all instances it has {0} faces, more than fit into the memory that it may use; raise "
-                "the limit or simplify the model",
-                triangles));
-    }
-    assembler.reserve(vertices, triangles);
+            say("its {0} triangles take {1} MB of memory, more than the {2} MB that the importer may use; "
+                "raise that (--memory-limit), else simplify the model",
+                triangles.triangles, bytes / kMega, memoryLimit / kMega));
+    refuseMesh(
+        say("with all instances it has {0} parts and {1} triangles, which take {2} MB of memory, more than "
+            "the {3} MB that the importer may use; raise that (--memory-limit), else export fewer instances "
+            "or simplify the model",
+            count.parts, count.triangles, bytes / kMega, memoryLimit / kMega));
+}
+
+void makeRoomFor(const ExpandedCount& count, std::uint64_t memoryLimit, MeshAssembler& assembler) {
+    refuseTooMuch(count, memoryLimit);
+    assembler.reserve(count.vertices, count.triangles);
 }
 
 void refuseFar(std::span<const Vec3> positions, const LocalOrigin& taken) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/io/import/file_import.h"
+#include "rtcore/io/import/mesh/instance_graph.h"
 #include "rtcore/io/import/mesh/mesh_assembly.h"
 
 #include <cstddef>
@@ -9,9 +10,16 @@
 
 namespace rtcore {
 
-/// Refuses what does not fit into memory, else makes room. A `memoryLimit` of 0 is none.
-void refuseTooMuch(std::uint64_t vertices, std::uint64_t triangles, std::uint64_t memoryLimit,
-                   MeshAssembler& assembler);
+/// Memory that each part of a model takes beside its triangles, bytes.
+inline constexpr std::uint64_t kBytesOfPart = 400;
+
+/// Refuses what does not fit into so many bytes, and more than 50 million parts. A `memoryLimit` of 0 is
+/// none.
+void refuseTooMuch(const ExpandedCount& count, std::uint64_t memoryLimit,
+                   std::uint64_t bytesOfPart = kBytesOfPart);
+
+/// The same, else makes room.
+void makeRoomFor(const ExpandedCount& count, std::uint64_t memoryLimit, MeshAssembler& assembler);
 
 /// Refuses a file that has vertices alone.
 [[noreturn]] void refusePoints(std::uint64_t count);

@@ -88,7 +88,7 @@ void makeRoom(const ObjModel& model, std::uint64_t memoryLimit, MeshAssembler& a
     const std::uint64_t corners = model.corners.positions.size();
     const std::uint64_t triangles =
         model.sizes.empty() ? model.faces : corners - std::min<std::uint64_t>(corners, 2 * model.faces);
-    refuseTooMuch(corners, triangles, memoryLimit, assembler);
+    makeRoomFor({0, corners, triangles}, memoryLimit, assembler);
 }
 
 void addMeshes(ObjFile& file, const ObjMaterials& materials, const FileImportOptions& options,

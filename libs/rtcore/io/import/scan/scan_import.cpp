@@ -170,7 +170,7 @@ std::optional<FileImport> scanAsItLies(const std::filesystem::path& path, const 
         showPoints(std::move(scan->parts[0].mesh), path, options, import);
         return import;
     }
-    refuseTooMuch(vertices, triangles, options.memoryLimit, assembler);
+    makeRoomFor({0, vertices, triangles}, options.memoryLimit, assembler);
     for (ScanPart& part : scan->parts) {
         if (part.mesh.triangles.empty() && scan->parts.size() > 1) continue;
         const std::uint32_t first = assembler.triangleCount();

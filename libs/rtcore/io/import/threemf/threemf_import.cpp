@@ -150,13 +150,7 @@ void refuseRequired(const BuildItems& items) {
 
 /// Before memory goes to instances.
 void makeRoom(const BuildItems& items, const FileImportOptions& options, MeshAssembler& assembler) {
-    constexpr std::uint64_t kMaxObjects = 10'000'000;
-    if (items.objects() > kMaxObjects) {
-        throw FileError(FailureKind::BadData, "",
-                        say("with all instances it has {0} objects, more than {1}; simplify the model",
-                            items.objects(), kMaxObjects));
-    }
-    refuseTooMuch(0, items.triangles(), options.memoryLimit, assembler);
+    makeRoomFor({items.objects(), 0, items.triangles()}, options.memoryLimit, assembler);
 }
 
 void warn(const BuildItems& items, const Looks& looks, std::uint64_t unknown, ImportReport& report) {
