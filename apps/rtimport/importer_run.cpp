@@ -109,6 +109,7 @@ void importModel(const Arguments& arguments, Reader read) {
     rtcore::FileImport result = read(arguments.input, options);
     if (arguments.flip) {
         for (rtcore::Vec2& t : result.model.texcoords) t.y = 1 - t.y;
+        for (rtcore::Vec2& t : result.model.furtherTexcoords) t.y = 1 - t.y;
     }
     rtcore::writeBsp(arguments.output, rtcore::makeModel(std::move(result.model)), nullptr, {});
     std::fputs(rtcore::writeReport(result.report).c_str(), stdout);

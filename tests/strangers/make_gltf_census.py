@@ -85,13 +85,13 @@ class Maker:
         return entry, own, ((c * sx, s * sy, ox), (-s * sx, c * sy, oy))
 
     def material(self, stretch):
-        """Its number, and what it looks like; None: the format's own."""
+        """Its number (None: the format's own), what it looks like, and how its images lie: base colour, emission."""
         rng = self.rng
         if self.chance(0.05):
             look = plain_glb.PlainMaterial((1, 1, 1, 1))
             look.metallic = 1
-            return None, look, None
-        pbr, entry, place = {"metallicFactor": 0, "roughnessFactor": rng.choice((1, 0.8))}, {}, None
+            return None, look, (None, None)
+        pbr, entry, place, shines = {"metallicFactor": 0, "roughnessFactor": rng.choice((1, 0.8))}, {}, None, None
         colour = (1, 1, 1, 1)
         if self.chance(0.8):
             colour = tuple(rng.uniform(0.2, 1) for _ in range(4))
@@ -104,6 +104,9 @@ class Maker:
             look.unlit = True
             entry["extensions"] = {"KHR_materials_unlit": {}}
             self.file.use("KHR_materials_unlit")
+        elif self.chance(0.3):
+            look.emission = entry["emissiveFactor"] = [rng.uniform(0.2, 1) for _ in range(3)]
+            entry["emissiveTexture"], look.emission_image, look.emission_sampler, shines = self.image_use(stretch)
         if self.chance(0.3):
             look.cutoff = rng.uniform(0.1, 0.9)
             entry.update(alphaMode="MASK", alphaCutoff=look.cutoff)
@@ -120,7 +123,7 @@ class Maker:
         if self.chance(0.7):
             entry["name"] = rng.choice(("red", "Wände", "a/b", ""))
         entry["pbrMetallicRoughness"] = pbr
-        return self.file.add("materials", entry), look, place
+        return self.file.add("materials", entry), look, (place, shines)
 
     # --- meshes ---
 
@@ -180,7 +183,7 @@ class Maker:
             at = rng.randint(1, len(indices) // 3 - 1) * 3
             cuts = [indices[:at], indices[at:]]
         for cut in cuts:
-            number, look, place = self.material(stretch)
+            number, look, places = self.material(stretch)
             entry = {"attributes": attributes}
             if number is not None:
                 entry["material"] = number
@@ -191,7 +194,7 @@ class Maker:
             if targets:
                 entry["targets"] = targets
             entries.append(entry)
-            mesh.primitives.append(self.shown(lists, moves, shapes.triangles_of(s.mode, cut), look, place))
+            mesh.primitives.append(self.shown(lists, moves, shapes.triangles_of(s.mode, cut), look, places))
         if self.chance(0.1):
             entries.append({"attributes": attributes, "mode": rng.randint(0, 3)})
 
@@ -220,12 +223,14 @@ class Maker:
             moves.append(move)
         return entries, moves
 
-    def shown(self, lists, moves, triangles, look, place):
+    def shown(self, lists, moves, triangles, look, places):
         own = dict(lists)
-        if place is not None:
+        for name, place in zip(("UV", "EMISSION_UV"), places):
+            if place is None:
+                continue
             chosen, (mu, mv) = place
             uv = lists["TEXCOORD_1" if chosen else "TEXCOORD_0"]
-            own["UV"] = [(mu[0] * u + mu[1] * v + mu[2], mv[0] * u + mv[1] * v + mv[2]) for u, v in uv]
+            own[name] = [(mu[0] * u + mu[1] * v + mu[2], mv[0] * u + mv[1] * v + mv[2]) for u, v in uv]
         return Shown(own, moves, triangles, look)
 
     # --- nodes ---
@@ -353,7 +358,8 @@ class Maker:
         pick = lambda values: [values[i] for i in order] if values else None  # noqa: E731
         colours = [(*c, 1.0)[:4] for c in shown.lists.get("COLOR_0", [])]
         self.parts.append(plain_glb.PlainPart(f"part{len(self.parts)}", pick(place), pick(normals),
-                                              pick(shown.lists.get("UV")), pick(colours), shown.material))
+                                              pick(shown.lists.get("UV")), pick(colours), shown.material,
+                                              pick(shown.lists.get("EMISSION_UV"))))
 
     def scenes(self):
         """The shown one among others."""

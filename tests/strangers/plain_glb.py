@@ -25,17 +25,20 @@ def flat_normals(corners):
 
 
 class PlainPart:
-    """Corners of triangles, three by three; `normals` may be None, as may what a corner does not have."""
+    """Corners of triangles, three by three; `normals` may be None, as may what a corner does not have. The image of the
+    emission lies by coordinates of its own."""
 
-    def __init__(self, name, corners, normals, texcoords, colours, material):
+    def __init__(self, name, corners, normals, texcoords, colours, material, emission_texcoords=None):
         self.name, self.corners, self.material = name, corners, material
         self.normals = normals or flat_normals(corners)
-        self.texcoords, self.colours = texcoords, colours
+        self.texcoords, self.colours, self.emission_texcoords = texcoords, colours, emission_texcoords
 
     def attributes(self):
         lists = [("POSITION", 3, self.corners), ("NORMAL", 3, [_unit(n) for n in self.normals])]
         if self.texcoords:
             lists.append(("TEXCOORD_0", 2, self.texcoords))
+        if self.emission_texcoords:
+            lists.append(("TEXCOORD_1", 2, self.emission_texcoords))
         if self.colours:
             lists.append(("COLOR_0", 4, self.colours))
         return lists
@@ -46,6 +49,7 @@ class PlainMaterial:
         self.colour, self.image, self.sampler = colour, image, sampler or {}
         self.unlit, self.cutoff = unlit, cutoff
         self.metallic, self.roughness = 0, 1
+        self.emission, self.emission_image, self.emission_sampler = None, None, {}
 
 
 def write(path, parts):
@@ -66,16 +70,22 @@ def write(path, parts):
                                   "type": {2: "VEC2", 3: "VEC3", 4: "VEC4"}[components]})
         return len(root["accessors"]) - 1
 
+    def texture(image, sampler):
+        for name in ("images", "samplers", "textures"):
+            root.setdefault(name, [])
+        root["images"].append({"bufferView": view(image), "mimeType": "image/png"})
+        root["samplers"].append(sampler)
+        root["textures"].append({"source": len(root["images"]) - 1, "sampler": len(root["samplers"]) - 1})
+        return len(root["textures"]) - 1
+
     def material(of):
         pbr = {"baseColorFactor": list(of.colour), "metallicFactor": of.metallic, "roughnessFactor": of.roughness}
         entry = {"pbrMetallicRoughness": pbr, "doubleSided": True}
         if of.image is not None:
-            for name in ("images", "samplers", "textures"):
-                root.setdefault(name, [])
-            root["images"].append({"bufferView": view(of.image), "mimeType": "image/png"})
-            root["samplers"].append(of.sampler)
-            root["textures"].append({"source": len(root["images"]) - 1, "sampler": len(root["samplers"]) - 1})
-            pbr["baseColorTexture"] = {"index": len(root["textures"]) - 1}
+            pbr["baseColorTexture"] = {"index": texture(of.image, of.sampler)}
+        if of.emission is not None:
+            entry["emissiveFactor"] = of.emission
+            entry["emissiveTexture"] = {"index": texture(of.emission_image, of.emission_sampler), "texCoord": 1}
         if of.unlit:
             entry["extensions"] = {"KHR_materials_unlit": {}}
         if of.cutoff is not None:

@@ -50,6 +50,7 @@ class SampleModel {
             b.vertices.push_back({p.x, p.y, p.z, 0});
             b.normals.push_back(rtcore::normalize(vector(1)));
             b.texcoords.push_back({number(-2, 3), number(-2, 3)});
+            b.furtherTexcoords.push_back({b.texcoords.back().y, b.texcoords.back().x});
             b.colours.push_back(colour(1));
             b.alphas.push_back(0.25F * static_cast<float>(corner));
         }
@@ -86,7 +87,7 @@ class SampleModel {
         for (const std::uint32_t side : {2U, 5U}) {
             buffers_.textures.push_back(
                 {buffers_.texels.size(), side, side + 1, rtcore::TextureWrap::ClampToEdge,
-                 rtcore::TextureWrap::MirroredRepeat, rtcore::TextureFilter::Nearest});
+                 rtcore::TextureWrap::MirroredRepeat, rtcore::TextureFilter::Nearest, side == 5 ? 1U : 0U});
             for (std::uint32_t i = 0; i < side * (side + 1); ++i) {
                 const auto bits = static_cast<std::uint32_t>(random_());
                 buffers_.texels.push_back(

@@ -1376,6 +1376,10 @@
         <translation>je to {0}; {1}</translation>
     </message>
     <message>
+        <source>it lies by texture coordinates that do not exist</source>
+        <translation>leží podle souřadnic textur, které neexistují</translation>
+    </message>
+    <message>
         <source>it names a photometric file, which is not in it</source>
         <translation>odkazuje na fotometrický soubor, který v něm není</translation>
     </message>
@@ -2214,6 +2218,10 @@
     <message>
         <source>texcoords: there must be none or one per normal</source>
         <translation>texcoords: nesmí být žádné, nebo musí být jedny na každou normálu</translation>
+    </message>
+    <message>
+        <source>texcoordsets: there must be none or as many for each normal</source>
+        <translation>texcoordsets: musí jich být nula, nebo pro každou normálu stejně</translation>
     </message>
     <message>
         <source>text</source>

@@ -37,6 +37,9 @@ struct ShadingTriangle {
 };
 static_assert(sizeof(ShadingTriangle) == 16);
 
+/// Sets of texture coordinates that a mesh may have beside the first.
+inline constexpr std::size_t kMaxFurtherSets = 7;
+
 struct Mesh {
     std::span<const Vertex> vertices;
     std::span<const Triangle> triangles;
@@ -45,6 +48,14 @@ struct Mesh {
     std::span<const Vec2> texcoords; ///< empty, or as many as normals; (0,0) = lower left of the image
     std::span<const Colour> colours; ///< empty, or as many as normals; linear, multiplies the diffuse albedo
     std::span<const float> alphas = {}; ///< empty, or as many as normals; 0..1 (Material::vertexAlpha)
+    /// Of further sets (Texture::texcoordSet): empty, or as many for each normal, one normal after another.
+    std::span<const Vec2> furtherTexcoords = {};
+
+    std::size_t furtherSets() const { return normals.empty() ? 0 : furtherTexcoords.size() / normals.size(); }
+    /// `texcoords` is not empty, and `set` one of those that there are, counted from 0.
+    Vec2 texcoord(std::uint32_t index, std::uint32_t set) const {
+        return set == 0 ? texcoords[index] : furtherTexcoords[index * furtherSets() + set - 1];
+    }
 
     Vec3 position(std::uint32_t triangle, int corner) const {
         return vertices[triangles[triangle].v[corner]].position();

@@ -17,7 +17,7 @@ Model makeModel(ModelBuffers buffers) {
     const auto owned = std::make_shared<const ModelBuffers>(std::move(buffers));
     Model model;
     model.mesh = {owned->vertices,  owned->triangles, owned->shading, owned->normals,
-                  owned->texcoords, owned->colours,   owned->alphas};
+                  owned->texcoords, owned->colours,   owned->alphas,  owned->furtherTexcoords};
     model.materials = owned->materials;
     model.textures = owned->textures;
     model.texels = owned->texels;

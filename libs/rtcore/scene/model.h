@@ -24,13 +24,13 @@ enum class TextureWrap : std::uint32_t { Repeat = 0, ClampToEdge = 1, MirroredRe
 enum class TextureFilter : std::uint32_t { Linear = 0, Nearest = 1 };
 
 /// One texture: rows from the top, in Model::texels from `firstTexel`. Textures that differ only in how they
-/// wrap and are filtered share their texels.
+/// wrap, lie and are filtered share their texels.
 struct Texture {
     std::uint64_t firstTexel = 0;
     std::uint32_t width = 0, height = 0;
     TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
     TextureFilter filter = TextureFilter::Linear;
-    std::uint32_t unused = 0;
+    std::uint32_t texcoordSet = 0; ///< by which it lies on surfaces (Mesh::texcoord)
     friend bool operator==(const Texture&, const Texture&) = default;
 };
 static_assert(sizeof(Texture) == 32);
@@ -71,6 +71,7 @@ struct ModelBuffers {
     std::vector<Vec2> texcoords;
     std::vector<Colour> colours;
     std::vector<float> alphas;
+    std::vector<Vec2> furtherTexcoords;
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Rgba8> texels;

@@ -25,6 +25,7 @@ struct GroundedMesh {
     std::vector<Vec2> texcoords;
     std::vector<Colour> colours;
     std::vector<float> alphas;
+    std::vector<Vec2> furtherTexcoords;
 };
 
 /// With room for so many more.
@@ -104,9 +105,11 @@ std::shared_ptr<const SkyGround> makeGround(const Model& model, Vec3 up, Colour 
     grounded->texcoords = copyOf(mesh.texcoords, corners);
     grounded->colours = copyOf(mesh.colours, corners);
     grounded->alphas = copyOf(mesh.alphas, corners);
+    grounded->furtherTexcoords = copyOf(mesh.furtherTexcoords, corners * mesh.furtherSets());
     addSquare(*grounded, *ground, sizeOf(model.materials));
+    grounded->furtherTexcoords.resize(grounded->normals.size() * mesh.furtherSets());
     ground->mesh = {grounded->vertices,  grounded->triangles, grounded->shading, grounded->normals,
-                    grounded->texcoords, grounded->colours,   grounded->alphas};
+                    grounded->texcoords, grounded->colours,   grounded->alphas,  grounded->furtherTexcoords};
     ground->storage = std::move(grounded);
     return ground;
 }

@@ -105,6 +105,7 @@ inline void expectEqual(const rtcore::Model& a, const rtcore::Model& b) {
     EXPECT_TRUE(equal(a.mesh.texcoords, b.mesh.texcoords));
     EXPECT_TRUE(equal(a.mesh.colours, b.mesh.colours));
     EXPECT_TRUE(equal(a.mesh.alphas, b.mesh.alphas));
+    EXPECT_TRUE(equal(a.mesh.furtherTexcoords, b.mesh.furtherTexcoords));
     EXPECT_TRUE(equal(a.materials, b.materials));
     EXPECT_TRUE(equal(a.textures, b.textures));
     EXPECT_TRUE(equal(a.texels, b.texels));

@@ -53,6 +53,7 @@ TEST(BspRoundTrip, WhatAModelMayLackMayBeMissing) {
     const test::TemporaryFolder folder;
     rtcore::ModelBuffers buffers = test::SampleModel(9).make(10);
     buffers.texcoords.clear();
+    buffers.furtherTexcoords.clear();
     buffers.colours.clear();
     buffers.lights.clear();
     buffers.cameras.clear();

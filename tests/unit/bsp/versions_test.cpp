@@ -156,12 +156,16 @@ TEST(BspVersions, TheOrderOfSectionsIsFree) {
 TEST(BspVersions, MissingSectionsTakeTheirDefault) {
     Parts parts = sampleParts();
     rtcore::ModelBuffers expected = sample();
-    for (const char* name : {"parts", "cameras", "lights", "texcoords", "colours", "warnings"})
+    parts.resizeElements("textures", offsetof(rtcore::Texture, texcoordSet));
+    for (const char* name :
+         {"parts", "cameras", "lights", "texcoords", "texcoordsets", "colours", "warnings"})
         parts.remove(name);
     expected.parts.clear();
     expected.cameras.clear();
     expected.lights.clear();
     expected.texcoords.clear();
+    expected.furtherTexcoords.clear();
+    for (rtcore::Texture& t : expected.textures) t.texcoordSet = 0;
     expected.colours.clear();
     const rtcore::BspContent content = test::readFrom(parts.file());
     expectModel(content, expected);
@@ -250,6 +254,7 @@ TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
     for (rtcore::Texture& t : expected.textures) {
         t.wrapV = rtcore::TextureWrap::Repeat;
         t.filter = rtcore::TextureFilter::Linear;
+        t.texcoordSet = 0;
     }
     for (rtcore::Camera& c : expected.cameras) {
         c.kind = rtcore::CameraKind::Perspective;

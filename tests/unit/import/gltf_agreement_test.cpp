@@ -54,6 +54,7 @@ constexpr std::array kKnown{
     Known{"wrongTypes/badObject.gltf", "refused", "the same"},
     Known{"wrongTypes/badString.gltf", "refused", "the same"},
     Known{"wrongTypes/badUint.gltf", "refused", "the same"},
+    Known{"BoxTexcoords-glTF/boxTexcoords.gltf", "materials", "its images lie by two sets of coordinates"},
     Known{"ClearCoat-glTF/ClearCoatTest.gltf", "materials", "it has coats of varnish"},
     Known{"simple_skin/simple_skin.gltf", "vertices", "posed by its joints"},
     Known{"textureTransform/TextureTransformTest.gltf", "texcoords", "two textures are turned"},

@@ -117,14 +117,13 @@ TEST(ImportWarnings, ManyMissingTexturesAreOneLine) {
 }
 
 TEST(ImportWarnings, TexturesThatLieInDifferentWaysAreNamed) {
-    GltfScene scene;
-    scene.material = R"({"name":"sign","pbrMetallicRoughness":{"baseColorTexture":{"index":0}},
-"emissiveTexture":{"index":0,"texCoord":1}})";
-    scene.more = R"(,"textures":[{"source":0}],"images":[{"uri":"no.png"}])";
-    expectWarning(importText("t.gltf", scene.text()).report,
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl sign\nf 1 2 3\n");
+    test::writeText(folder / "m.mtl", "newmtl sign\nmap_Kd no.png\nmap_Ke -s 2 2 1 no.png\n");
+    expectWarning(importFile(folder / "m.obj").report,
                   "the textures of material 'sign' lie on it in different");
-    scene.material.replace(scene.material.find(R"(,"texCoord":1)"), 13, "");
-    EXPECT_EQ(importText("t.gltf", scene.text()).report.warnings.size(), 1U) << "only the missing image";
+    test::writeText(folder / "m.mtl", "newmtl sign\nmap_Kd no.png\nmap_Ke no.png\n");
+    EXPECT_EQ(importFile(folder / "m.obj").report.warnings.size(), 1U) << "only the missing image";
 }
 
 TEST(ImportWarnings, ExtensionsThatMatterAreNamed) {

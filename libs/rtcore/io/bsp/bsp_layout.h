@@ -17,24 +17,25 @@
 namespace rtcore {
 
 enum class BspSection : std::uint32_t {
-    Nodes,      ///< KdNode; none in a file without a tree
-    References, ///< std::uint32_t
-    Vertices,   ///< Vertex
-    Triangles,  ///< Triangle
-    Shading,    ///< ShadingTriangle, one per triangle
-    Normals,    ///< Vec3
-    Texcoords,  ///< Vec2, none or one per normal
-    Colours,    ///< Colour, none or one per normal
-    Alphas,     ///< float, none or one per normal
-    Materials,  ///< Material, at least one
-    Textures,   ///< Texture
-    Texels,     ///< Rgba8
-    Lights,     ///< Light
-    Cameras,    ///< Camera
-    Parts,      ///< ModelPart
-    Strings,    ///< char; the first and the last are zero
-    Warnings,   ///< char: lines about what the import left out
-    Origin,     ///< char: lines of writeOrigin()
+    Nodes,        ///< KdNode; none in a file without a tree
+    References,   ///< std::uint32_t
+    Vertices,     ///< Vertex
+    Triangles,    ///< Triangle
+    Shading,      ///< ShadingTriangle, one per triangle
+    Normals,      ///< Vec3
+    Texcoords,    ///< Vec2, none or one per normal
+    Colours,      ///< Colour, none or one per normal
+    Alphas,       ///< float, none or one per normal
+    TexcoordSets, ///< Vec2 of further sets, none or as many for each normal, at most kMaxFurtherSets
+    Materials,    ///< Material, at least one
+    Textures,     ///< Texture
+    Texels,       ///< Rgba8
+    Lights,       ///< Light
+    Cameras,      ///< Camera
+    Parts,        ///< ModelPart
+    Strings,      ///< char; the first and the last are zero
+    Warnings,     ///< char: lines about what the import left out
+    Origin,       ///< char: lines of writeOrigin()
 };
 
 /// A record grows at its end only, by whole fields of 4 bytes or more.
@@ -55,6 +56,7 @@ inline constexpr std::array kBspSectionKinds{
     BspSectionKind{"texcoords", sizeof(Vec2), 8},
     BspSectionKind{"colours", sizeof(Colour), 12},
     BspSectionKind{"alphas", sizeof(float), 4},
+    BspSectionKind{"texcoordsets", sizeof(Vec2), 8},
     BspSectionKind{"materials", sizeof(Material), 112},
     BspSectionKind{"textures", sizeof(Texture), 16},
     BspSectionKind{"texels", sizeof(Rgba8), 4},

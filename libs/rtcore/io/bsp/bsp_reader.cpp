@@ -85,7 +85,8 @@ class Reader {
                       view<Vec3>(BspSection::Normals),
                       view<Vec2>(BspSection::Texcoords),
                       view<Colour>(BspSection::Colours),
-                      view<float>(BspSection::Alphas)};
+                      view<float>(BspSection::Alphas),
+                      view<Vec2>(BspSection::TexcoordSets)};
         model.materials = view<Material>(BspSection::Materials);
         model.textures = view<Texture>(BspSection::Textures);
         model.texels = view<Rgba8>(BspSection::Texels);

@@ -24,13 +24,25 @@ std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree
     const Mesh& mesh = model.mesh;
     const auto nodes = tree != nullptr ? tree->nodes : std::span<const KdNode>();
     const auto references = tree != nullptr ? tree->references : std::span<const std::uint32_t>();
-    return {
-        std::as_bytes(nodes),           std::as_bytes(references),          std::as_bytes(mesh.vertices),
-        std::as_bytes(mesh.triangles),  std::as_bytes(mesh.shading),        std::as_bytes(mesh.normals),
-        std::as_bytes(mesh.texcoords),  std::as_bytes(mesh.colours),        std::as_bytes(mesh.alphas),
-        std::as_bytes(model.materials), std::as_bytes(model.textures),      std::as_bytes(model.texels),
-        std::as_bytes(model.lights),    std::as_bytes(model.cameras),       std::as_bytes(model.parts),
-        std::as_bytes(model.strings),   std::as_bytes(std::span(warnings)), std::as_bytes(std::span(origin))};
+    return {std::as_bytes(nodes),
+            std::as_bytes(references),
+            std::as_bytes(mesh.vertices),
+            std::as_bytes(mesh.triangles),
+            std::as_bytes(mesh.shading),
+            std::as_bytes(mesh.normals),
+            std::as_bytes(mesh.texcoords),
+            std::as_bytes(mesh.colours),
+            std::as_bytes(mesh.alphas),
+            std::as_bytes(mesh.furtherTexcoords),
+            std::as_bytes(model.materials),
+            std::as_bytes(model.textures),
+            std::as_bytes(model.texels),
+            std::as_bytes(model.lights),
+            std::as_bytes(model.cameras),
+            std::as_bytes(model.parts),
+            std::as_bytes(model.strings),
+            std::as_bytes(std::span(warnings)),
+            std::as_bytes(std::span(origin))};
 }
 
 /// One line each, whatever they hold.

@@ -78,6 +78,8 @@ Finding problemOf(const Texture& t, const Model& model) {
     if (t.wrapU > TextureWrap::MirroredRepeat || t.wrapV > TextureWrap::MirroredRepeat)
         return form("it wraps in no known way");
     if (t.filter > TextureFilter::Nearest) return form("it is filtered in no known way");
+    if (t.texcoordSet > model.mesh.furtherSets())
+        return form("it lies by texture coordinates that do not exist");
     const std::uint64_t available = model.texels.size();
     if (t.firstTexel > available || texels > available - t.firstTexel)
         return form("it ends outside of the texels");

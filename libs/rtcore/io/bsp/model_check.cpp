@@ -92,6 +92,12 @@ Finding checkSizes(const Model& model) {
     if (!mesh.alphas.empty() && mesh.alphas.size() != mesh.normals.size()) {
         return form("alphas: there must be none or one per normal");
     }
+    const std::size_t further = mesh.furtherTexcoords.size();
+    if (further > 0 &&
+        (mesh.texcoords.empty() || mesh.furtherSets() == 0 || mesh.furtherSets() > kMaxFurtherSets ||
+         further != mesh.furtherSets() * mesh.normals.size())) {
+        return form("texcoordsets: there must be none or as many for each normal");
+    }
     if (model.materials.empty()) return form("materials: there must be at least one");
     return {};
 }
@@ -123,6 +129,7 @@ Finding checkMesh(const Model& model) {
     constexpr float max = kLargestNumber;
     if (Finding f = checkNumbers("vertices", floatsOf(mesh.vertices), 4, -max, max)) return f;
     if (Finding f = checkNumbers("texcoords", floatsOf(mesh.texcoords), 2, -max, max)) return f;
+    if (Finding f = checkNumbers("texcoordsets", floatsOf(mesh.furtherTexcoords), 2, -max, max)) return f;
     if (Finding f = checkNumbers("colours", floatsOf(mesh.colours), 3, 0, max)) return f;
     if (Finding f = checkNumbers("alphas", floatsOf(mesh.alphas), 1, 0, 1)) return f;
     return checkNormals(mesh.normals);

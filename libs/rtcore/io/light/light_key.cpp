@@ -38,6 +38,7 @@ void addShading(const Mesh& mesh, ContentHash& to) {
     to.add(mesh.texcoords);
     to.add(mesh.colours);
     to.add(mesh.alphas);
+    if (!mesh.furtherTexcoords.empty()) to.add(mesh.furtherTexcoords);
 }
 
 void addMaterials(const Scene& scene, ContentHash& to) {

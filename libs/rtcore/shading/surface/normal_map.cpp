@@ -11,11 +11,11 @@ struct Tangents {
     Vec3 right, up;
 };
 
-Tangents tangentsOf(const Mesh& mesh, std::uint32_t triangle) {
+Tangents tangentsOf(const Mesh& mesh, std::uint32_t triangle, std::uint32_t set) {
     const ShadingTriangle& shading = mesh.shading[triangle];
-    const Vec2 t0 = mesh.texcoords[shading.v[0]];
-    const Vec2 t1 = mesh.texcoords[shading.v[1]];
-    const Vec2 t2 = mesh.texcoords[shading.v[2]];
+    const Vec2 t0 = mesh.texcoord(shading.v[0], set);
+    const Vec2 t1 = mesh.texcoord(shading.v[1], set);
+    const Vec2 t2 = mesh.texcoord(shading.v[2], set);
     const Vec2 d1{t1.x - t0.x, t1.y - t0.y};
     const Vec2 d2{t2.x - t0.x, t2.y - t0.y};
     const Vec3 p = mesh.position(triangle, 0);
@@ -32,7 +32,7 @@ Tangents tangentsOf(const Mesh& mesh, std::uint32_t triangle) {
 Vec3 mapNormal(const Scene& scene, const Texture& texture, std::uint32_t triangle, Vec2 uv, Vec3 normal,
                float scale) {
     if (scene.mesh().texcoords.empty()) return normal;
-    const Tangents tangents = tangentsOf(scene.mesh(), triangle);
+    const Tangents tangents = tangentsOf(scene.mesh(), triangle, texture.texcoordSet);
     const Vec3 right = normalize(tangents.right - normal * dot(tangents.right, normal));
     if (right == Vec3{}) return normal;
     Vec3 up = cross(normal, right);

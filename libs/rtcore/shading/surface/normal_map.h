@@ -8,8 +8,8 @@
 namespace rtcore {
 
 /// `normal` (unit, of the front side, interpolated) bent as the texture says at `uv`. The tangents follow
-/// from the triangle's own texture coordinates; `scale` multiplies how far it leans. Unchanged where these
-/// span no area. Safe from many threads.
+/// from the triangle's own texture coordinates in the texture's set; `scale` multiplies how far it leans.
+/// Unchanged where these span no area. Safe from many threads.
 Vec3 mapNormal(const Scene& scene, const Texture& texture, std::uint32_t triangle, Vec2 uv, Vec3 normal,
                float scale = 1);
 

@@ -22,12 +22,14 @@ Value interpolate(std::span<const Value> values, const ShadingTriangle& triangle
     return a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
 }
 
-Vec2 texcoordAt(const Scene& scene, const ShadingTriangle& triangle, const Hit& hit) {
+/// As the texture of this number lies there.
+Vec2 texcoordAt(const Scene& scene, std::uint32_t texture, const ShadingTriangle& triangle, const Hit& hit) {
     const Mesh& mesh = scene.mesh();
     if (mesh.texcoords.empty()) return {};
-    const Vec2& a = mesh.texcoords[triangle.v[0]];
-    const Vec2& b = mesh.texcoords[triangle.v[1]];
-    const Vec2& c = mesh.texcoords[triangle.v[2]];
+    const std::uint32_t set = scene.model.textures[texture].texcoordSet;
+    const Vec2 a = mesh.texcoord(triangle.v[0], set);
+    const Vec2 b = mesh.texcoord(triangle.v[1], set);
+    const Vec2 c = mesh.texcoord(triangle.v[2], set);
     const float w = 1 - hit.u - hit.v;
     const Vec2 uv{a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
     return scene.material(triangle.material).flipTextures != 0 ? Vec2{uv.x, 1 - uv.y} : uv;
@@ -44,7 +46,8 @@ float coverageOf(const Scene& scene, bool textures, const Hit& hit) {
     const bool textured = textures && material.alphaTexture != kNoTexture;
     const bool byVertex = material.vertexAlpha != 0 && !scene.mesh().alphas.empty();
     if (!textured && !byVertex) return 1;
-    float alpha = textured ? textureAlpha(scene, material, texcoordAt(scene, shading, hit)) : 1;
+    float alpha =
+        textured ? textureAlpha(scene, material, texcoordAt(scene, material.alphaTexture, shading, hit)) : 1;
     if (byVertex) alpha *= interpolate(scene.mesh().alphas, shading, hit);
     if (material.alphaCutoff > 0) return alpha < material.alphaCutoff ? 0.0F : 1.0F;
     return alpha;
@@ -128,16 +131,18 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
     const bool passes = material.transmissionTexture != kNoTexture;
     const bool tints = material.specularTexture != kNoTexture;
     if (!bumps && !emits && !passes && !tints) return;
-    const Vec2 uv = texcoordAt(scene, scene.mesh().shading[hit.triangle], hit);
+    const auto uv = [&](std::uint32_t texture) {
+        return texcoordAt(scene, texture, scene.mesh().shading[hit.triangle], hit);
+    };
     if (bumps) {
         const Vec3 normal = turned ? -s.shadingNormal : s.shadingNormal;
-        const Vec3 bent = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle, uv,
-                                    normal, material.normalScale);
+        const Vec3 bent = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle,
+                                    uv(material.normalTexture), normal, material.normalScale);
         s.shadingNormal = turned ? -bent : bent;
     }
-    if (emits) s.emission *= textureColour(scene, material.emissionTexture, uv);
-    if (passes) s.opacity = opacityOf(scene, material, uv);
-    if (tints) s.specularTint = textureColour(scene, material.specularTexture, uv);
+    if (emits) s.emission *= textureColour(scene, material.emissionTexture, uv(material.emissionTexture));
+    if (passes) s.opacity = opacityOf(scene, material, uv(material.transmissionTexture));
+    if (tints) s.specularTint = textureColour(scene, material.specularTexture, uv(material.specularTexture));
 }
 
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
@@ -145,7 +150,7 @@ Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
     const std::uint32_t texture = scene.material(shading.material).diffuseTexture;
     const Colour diffuse = untexturedAt(scene, hit);
     if (!textures || texture == kNoTexture) return diffuse;
-    return diffuse * textureColour(scene, texture, texcoordAt(scene, shading, hit));
+    return diffuse * textureColour(scene, texture, texcoordAt(scene, texture, shading, hit));
 }
 
 Colour untexturedAt(const Scene& scene, const Hit& hit) {
@@ -158,7 +163,7 @@ Colour untexturedAt(const Scene& scene, const Hit& hit) {
 RoughnessFactors roughnessAt(const Scene& scene, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const std::uint32_t texture = scene.material(shading.material).metallicRoughnessTexture;
-    const Vec2 uv = texcoordAt(scene, shading, hit);
+    const Vec2 uv = texcoordAt(scene, texture, shading, hit);
     const Vec3 stored = sampleTexture(scene.model, scene.model.textures[texture], uv).stored;
     return {stored.y, stored.z};
 }
@@ -170,7 +175,8 @@ Colour emissionAt(const Scene& scene, bool textures, const Hit& hit) {
     if (material.tintsEmission != 0) emission *= emissionTint(scene, material, hit);
     if (hasHoles(material)) emission = emission * coverageOf(scene, textures, hit);
     if (!textures || material.emissionTexture == kNoTexture) return emission;
-    return emission * textureColour(scene, material.emissionTexture, texcoordAt(scene, shading, hit));
+    return emission * textureColour(scene, material.emissionTexture,
+                                    texcoordAt(scene, material.emissionTexture, shading, hit));
 }
 
 float coverageAt(const Scene& scene, bool textures, const Hit& hit, bool fromInside) {
@@ -183,7 +189,7 @@ float opacityAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const Material& material = scene.material(shading.material);
     if (!textures || material.transmissionTexture == kNoTexture) return material.opacity;
-    return opacityOf(scene, material, texcoordAt(scene, shading, hit));
+    return opacityOf(scene, material, texcoordAt(scene, material.transmissionTexture, shading, hit));
 }
 
 } // namespace rtcore

@@ -116,7 +116,7 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
         block.u[i] = hits.u[hit];
         block.v[i] = hits.v[hit];
         for (std::size_t corner = 0; corner < 3 && !mesh.texcoords.empty(); ++corner) {
-            const Vec2 uv = mesh.texcoords[shading.v[corner]];
+            const Vec2 uv = mesh.texcoord(shading.v[corner], texture.texcoordSet);
             block.corner[corner][0][i] = uv.x;
             block.corner[corner][1][i] = uv.y;
         }

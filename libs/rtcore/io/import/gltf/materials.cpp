@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace rtcore::gltf {
 
@@ -97,7 +98,30 @@ void readEmission(const Json& material, const Images& images, SourceMaterial& m)
     m.emissionMap = images.mapOf(member(material, "emissiveTexture"));
 }
 
-} // namespace
+/// The number of the set by which an image lies as `use` says.
+std::uint32_t setOf(const Json& use, std::vector<TexcoordUse>& sets) {
+    const TexcoordUse own = texcoordUseOf(use);
+    auto at = std::ranges::find(sets, own);
+    if (at == sets.end() && sets.size() <= kMaxFurtherSets) at = sets.insert(sets.end(), own);
+    return at == sets.end() ? 0 : static_cast<std::uint32_t>(at - sets.begin());
+}
+
+/// Of the images that are looked up point by point. What is unlit shows the first alone.
+std::vector<TexcoordUse> layImages(const Json& material, SourceMaterial& m) {
+    const Json &pbr = member(material, "pbrMetallicRoughness"), &glossy = extension(material, kGlossiness);
+    const Json& base =
+        member(glossy.is_null() ? pbr : glossy, glossy.is_null() ? "baseColorTexture" : "diffuseTexture");
+    const std::array images{
+        std::pair{&m.diffuseMap, &base}, std::pair{&m.normalMap, &member(material, "normalTexture")},
+        std::pair{&m.emissionMap, &member(material, "emissiveTexture")},
+        std::pair{&m.metallicRoughnessMap, &member(pbr, "metallicRoughnessTexture")},
+        std::pair{&m.transmissionMap, &member(extension(material, kTransmission), "transmissionTexture")}};
+    std::vector<TexcoordUse> sets;
+    for (const auto& [map, use] : images)
+        if (!map->empty() && (sets.empty() || !m.unlit)) map->texcoordSet = setOf(*use, sets);
+    if (sets.empty()) sets.emplace_back();
+    return sets;
+}
 
 SourceMaterial sourceMaterialOf(const Json& material, const Images& images) {
     SourceMaterial m;
@@ -120,32 +144,20 @@ SourceMaterial sourceMaterialOf(const Json& material, const Images& images) {
     return m;
 }
 
+} // namespace
+
+StatedMaterial materialOf(const Json& material, const Images& images) {
+    StatedMaterial stated{sourceMaterialOf(material, images), {}};
+    stated.texcoords = layImages(material, stated.source);
+    return stated;
+}
+
 bool hasUnevenCoat(const Json& material, const Images& images) {
     const Json& coat = extension(material, kClearcoat);
     return number(coat, "clearcoatFactor", 0) > 0 &&
            std::ranges::any_of(
                std::array{"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"},
                [&](const char* map) { return !images.mapOf(member(coat, map)).empty(); });
-}
-
-Layout layoutOf(const Json& material, const Images& images) {
-    const Json &pbr = member(material, "pbrMetallicRoughness"), &glossy = extension(material, kGlossiness);
-    const bool unlit = !extension(material, kUnlit).is_null();
-    const std::array uses{
-        &member(glossy.is_null() ? pbr : glossy, glossy.is_null() ? "baseColorTexture" : "diffuseTexture"),
-        &member(material, "normalTexture"), &member(material, "emissiveTexture"),
-        &member(pbr, "metallicRoughnessTexture"),
-        &member(extension(material, kTransmission), "transmissionTexture")};
-    std::optional<TexcoordUse> first;
-    bool alike = true;
-    for (const Json* const use : uses) {
-        if (images.mapOf(*use).empty()) continue;
-        if (first && unlit) break; // shows its base colour alone
-        const TexcoordUse own = texcoordUseOf(*use);
-        if (!first) first = own;
-        alike = alike && own == *first;
-    }
-    return {first.value_or(TexcoordUse{}), alike};
 }
 
 } // namespace rtcore::gltf

@@ -2,6 +2,8 @@
 
 #include "rtcore/io/import/import_forms.h"
 
+#include <utility>
+
 namespace rtcore::gltf {
 
 ModelMaterials::ModelMaterials(const Json& root, const NodeWalk& walk, std::span<const Placement> placements,
@@ -41,11 +43,10 @@ void ModelMaterials::addTo(FileImport& import, TextureStore& textures) {
     for (const std::size_t i : order_) {
         Entry& entry = entries_[i];
         const Json& stated = element(stated_, i);
-        SourceMaterial source = sourceMaterialOf(stated, images_);
+        StatedMaterial material = materialOf(stated, images_);
+        SourceMaterial& source = material.source;
         source.vertexAlpha = entry.alphas;
-        const Layout layout = layoutOf(stated, images_);
-        entry.texcoords = layout.use;
-        if (!layout.alike) addWarning(import.report, say(import_forms::kLaidAlike, "'" + source.name + "'"));
+        entry.texcoords = std::move(material.texcoords);
         if (hasUnevenCoat(stated, images_))
             addWarning(import.report, say(import_forms::kEvenCoat, "'" + source.name + "'"));
         Material mapped = mapMaterial(source, textures);

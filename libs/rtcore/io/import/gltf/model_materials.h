@@ -34,7 +34,7 @@ class ModelMaterials {
     struct Entry {
         bool shown = false, alphas = false;
         std::uint32_t number = ~std::uint32_t{0};
-        TexcoordUse texcoords;
+        std::vector<TexcoordUse> texcoords;
     };
     std::size_t entryOf(const Json& primitive) const;
     void use(const Json& mesh, PrimitiveReader& primitives);

@@ -43,6 +43,7 @@ SourceMesh MeshPlacer::place(const Primitive& primitive, const Affine& toWorld,
     const bool posed = !joints.empty() && !primitive.influences.empty();
     SourceMesh mesh{primitive.positions, primitive.normals, primitive.texcoords,
                     primitive.colours,   primitive.alphas,  primitive.list.triangles};
+    mesh.furtherTexcoords = primitive.furtherTexcoords;
     if (primitive.list.triangles.empty()) return mesh;
     if (posed || !toWorld.identity()) {
         if (posed) {

@@ -198,12 +198,24 @@ void PrimitiveReader::readColours(const Attributes& from, bool alphas, Primitive
 }
 
 /// A set that is not there is the first one.
-void PrimitiveReader::readTexcoords(const Attributes& from, const TexcoordUse& use, Primitive& out) {
+std::vector<Vec2> PrimitiveReader::texcoords(const Attributes& from, const TexcoordUse& use, Primitive& out) {
+    std::vector<Vec2> list;
     std::string name = "TEXCOORD_" + std::to_string(use.set);
     if (member(from.stated, name.c_str()).is_null()) name = "TEXCOORD_0";
-    readOptional(from, name.c_str(), 2, out.texcoords, out);
+    readOptional(from, name.c_str(), 2, list, out);
     const TexcoordTransform transform(use);
-    for (Vec2& t : out.texcoords) t = transform(t);
+    for (Vec2& t : list) t = transform(t);
+    return list;
+}
+
+void PrimitiveReader::readTexcoords(const Attributes& from, std::span<const TexcoordUse> uses,
+                                    Primitive& out) {
+    out.texcoords = texcoords(from, uses[0], out);
+    for (const TexcoordUse& use : uses.subspan(1)) {
+        out.furtherTexcoords.push_back(texcoords(from, use, out));
+        out.furtherTexcoords.back().resize(out.positions.size());
+    }
+    if (!out.furtherTexcoords.empty()) out.texcoords.resize(out.positions.size());
 }
 
 void PrimitiveReader::readInfluences(const Attributes& from, Primitive& out) {

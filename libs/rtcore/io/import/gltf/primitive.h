@@ -27,8 +27,9 @@ struct Influences {
 /// The lists of attributes are empty or as long as `positions`.
 struct Primitive {
     TriangleList list;
-    std::vector<Vec3> positions, normals; ///< where the file has them, moved by morph targets
-    std::vector<Vec2> texcoords;          ///< as the material lays its images; (0, 0) = lower left
+    std::vector<Vec3> positions, normals;            ///< where the file has them, moved by morph targets
+    std::vector<Vec2> texcoords;                     ///< as the material lays its images; (0, 0) = lower left
+    std::vector<std::vector<Vec2>> furtherTexcoords; ///< where it lays some otherwise; by set
     std::vector<Colour> colours;
     std::vector<float> alphas;
     std::vector<std::vector<Influences>> influences; ///< one list for each set of four
@@ -38,10 +39,10 @@ struct Primitive {
 
 /// The parts of it that a use asks for.
 struct PrimitiveUse {
-    TexcoordUse texcoords;
-    bool alphas = false;            ///< those of its colours count
-    bool skinned = false;           ///< with influences
-    std::span<const float> weights; ///< of its morph targets
+    std::vector<TexcoordUse> texcoords{1}; ///< one for each set; at least one
+    bool alphas = false;                   ///< those of its colours count
+    bool skinned = false;                  ///< with influences
+    std::span<const float> weights;        ///< of its morph targets
 };
 
 class PrimitiveReader {
@@ -71,7 +72,8 @@ class PrimitiveReader {
                       std::vector<T>& list, Primitive& out);
     void useFewVertices(Attributes& from, Primitive& out);
     void readColours(const Attributes& from, bool alphas, Primitive& out);
-    void readTexcoords(const Attributes& from, const TexcoordUse& use, Primitive& out);
+    std::vector<Vec2> texcoords(const Attributes& from, const TexcoordUse& use, Primitive& out);
+    void readTexcoords(const Attributes& from, std::span<const TexcoordUse> uses, Primitive& out);
     void readInfluences(const Attributes& from, Primitive& out);
     void morph(const Json& primitive, const Attributes& from, std::span<const float> weights, Primitive& out);
     const std::vector<float>* kept(const std::string& name, std::size_t number, const Accessor& accessor,

@@ -110,6 +110,7 @@ std::uint32_t TextureStore::used(Picture& picture, const SourceMap& map) {
     texture.wrapU = map.wrapU;
     texture.wrapV = map.wrapV;
     texture.filter = map.filter;
+    texture.texcoordSet = map.texcoordSet;
     for (const std::uint32_t number : picture.textures) {
         if (model_.textures[number] == texture) return number;
     }

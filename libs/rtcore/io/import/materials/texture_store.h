@@ -20,6 +20,7 @@ struct SourceMap {
     std::string name; ///< as it stands in the file; "" = none
     TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
     TextureFilter filter = TextureFilter::Linear;
+    std::uint32_t texcoordSet = 0; ///< of the mesh's, by which it lies
 
     bool empty() const { return name.empty(); }
 };
@@ -56,7 +57,7 @@ class TextureStore {
     TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
                  const EmbeddedPictures& embedded, std::function<void()> alive);
 
-    /// The number of the texture, or kNoTexture when there is no such image. One image that wraps or is
+    /// The number of the texture, or kNoTexture when there is no such image. One image that wraps, lies or is
     /// filtered in several ways is several textures, whose texels are stored once.
     std::uint32_t texture(const SourceMap& map);
     /// The normals of the relief (relief.h) of an image of heights, which are multiplied by `scale`. An image

@@ -33,7 +33,9 @@ bool sameNumbers(const Triangle& a, const ShadingTriangle& b) {
 class Smoother {
   public:
     Smoother(ModelBuffers& model, float creaseAngle)
-        : model_(model), flat_(creaseAngle <= 0), cosCrease_(cosine(creaseAngle) - kSlack),
+        : model_(model),
+          furtherSets_(model.normals.empty() ? 0 : model.furtherTexcoords.size() / model.normals.size()),
+          flat_(creaseAngle <= 0), cosCrease_(cosine(creaseAngle) - kSlack),
           cosHalf_(cosine(creaseAngle / 2) + kSlack) {}
 
     void run() {
@@ -243,6 +245,8 @@ class Smoother {
         if (!model_.texcoords.empty()) model_.texcoords.push_back(Vec2(model_.texcoords[entry]));
         if (!model_.colours.empty()) model_.colours.push_back(Colour(model_.colours[entry]));
         if (!model_.alphas.empty()) model_.alphas.push_back(float{model_.alphas[entry]});
+        for (std::size_t set = 0; set < furtherSets_; ++set)
+            model_.furtherTexcoords.push_back(Vec2(model_.furtherTexcoords[entry * furtherSets_ + set]));
         entry = added_.back().entry;
     }
 
@@ -251,7 +255,8 @@ class Smoother {
     };
 
     ModelBuffers& model_;
-    bool flat_; ///< nothing is smoothed, not even what rounding leaves of one plane
+    std::size_t furtherSets_; ///< of texture coordinates
+    bool flat_;               ///< nothing is smoothed, not even what rounding leaves of one plane
     float cosCrease_, cosHalf_;
     bool allLack_ = false;            ///< no corner has a normal
     bool entriesAreVertices_ = false; ///< and all have the numbers of their vertices

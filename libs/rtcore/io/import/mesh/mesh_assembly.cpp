@@ -107,6 +107,7 @@ std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, const Attributes&
     if (hasTexcoords_) out_.texcoords.push_back(of.texcoord);
     if (hasColours_) out_.colours.push_back(of.colour);
     if (hasAlphas_) out_.alphas.push_back(of.alpha);
+    for (std::size_t set = 0; set < further_.size(); ++set) further_[set].push_back(cornerFurther_[set]);
     return static_cast<std::uint32_t>(out_.normals.size() - 1);
 }
 
@@ -114,8 +115,9 @@ std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, const Attributes&
 std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
     if (plainEntry_.size() <= vertex) plainEntry_.resize(out_.vertices.capacity(), IndexTable::kNone);
     std::uint32_t& entry = plainEntry_[vertex];
-    if (entry == IndexTable::kNone) entry = appendEntry(vertex, {});
-    return entry;
+    if (entry != IndexTable::kNone) return entry;
+    std::ranges::fill(cornerFurther_, Vec2{});
+    return entry = appendEntry(vertex, {});
 }
 
 std::uint64_t MeshAssembler::hashOf(std::uint32_t vertex, const Attributes& of) const {
@@ -124,6 +126,7 @@ std::uint64_t MeshAssembler::hashOf(std::uint32_t vertex, const Attributes& of) 
         mixedHash(mixedHash(vertex, bitsOfPair(normal.x, normal.y)), bitsOfPair(normal.z, texcoord.x));
     hash = mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b));
     if (hasAlphas_) hash = mixedHash(hash, bitsOfPair(alpha, 0));
+    for (const Vec2 t : cornerFurther_) hash = mixedHash(hash, bitsOfPair(t.x, t.y));
     return finishedHash(hash);
 }
 
@@ -140,8 +143,10 @@ void MeshAssembler::tabulate(std::uint64_t hash, std::uint32_t entry) {
 /// Those that the last mesh had alone are not looked for before the next one comes.
 void MeshAssembler::tabulateEntries() {
     for (const Range& range : untabulated_) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            takeFurtherOf(i);
             tabulate(hashOf(vertexOfEntry_[i], attributesOf(i)), i);
+        }
     }
     untabulated_.clear();
 }
@@ -152,7 +157,8 @@ std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, const Attributes& of
         const std::uint32_t i = hashedEntries_[number];
         return vertexOfEntry_[i] == vertex && out_.normals[i] == of.normal &&
                (!hasTexcoords_ || out_.texcoords[i] == of.texcoord) &&
-               (!hasColours_ || out_.colours[i] == of.colour) && (!hasAlphas_ || out_.alphas[i] == of.alpha);
+               (!hasColours_ || out_.colours[i] == of.colour) &&
+               (!hasAlphas_ || out_.alphas[i] == of.alpha) && hasFurther(i);
     });
     if (known != IndexTable::kNone) return hashedEntries_[known];
     const std::uint32_t entry = appendEntry(vertex, of);
@@ -353,8 +359,26 @@ std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t
     if (entry != IndexTable::kNone) return entry;
     if (isPlain(mesh)) return entry = plainEntryFor(vertex);
     const Attributes attributes = attributesAt(mesh, corner);
+    takeFurther(mesh, corner);
     const bool only = alone_[corner] != 0 && vertex >= firstNewVertex_;
     return entry = only ? onlyEntryFor(vertex, attributes) : entryFor(vertex, attributes);
+}
+
+/// Sets cornerFurther_.
+void MeshAssembler::takeFurther(const SourceMesh& mesh, std::uint32_t corner) {
+    for (std::size_t set = 0; set < cornerFurther_.size(); ++set)
+        cornerFurther_[set] =
+            set < mesh.furtherTexcoords.size() ? finiteOrZero(mesh.furtherTexcoords[set][corner]) : Vec2{};
+}
+
+void MeshAssembler::takeFurtherOf(std::uint32_t entry) {
+    for (std::size_t set = 0; set < further_.size(); ++set) cornerFurther_[set] = further_[set][entry];
+}
+
+bool MeshAssembler::hasFurther(std::uint32_t entry) const {
+    for (std::size_t set = 0; set < further_.size(); ++set)
+        if (further_[set][entry] != cornerFurther_[set]) return false;
+    return true;
 }
 
 /// Those of vertices, so that others can follow.
@@ -381,6 +405,9 @@ void MeshAssembler::widen(const SourceMesh& mesh) {
         hasAlphas_ = true;
         out_.alphas.resize(out_.normals.size(), 1);
     }
+    if (mesh.furtherTexcoords.size() <= further_.size()) return;
+    further_.resize(mesh.furtherTexcoords.size(), std::vector<Vec2>(out_.normals.size()));
+    cornerFurther_.resize(further_.size());
 }
 
 void MeshAssembler::addFurther(const SourceMesh& mesh, const std::vector<Use>& uses) {
@@ -408,7 +435,7 @@ void MeshAssembler::add(const SourceMesh& mesh) {
     tabulateVertices();
     firstOfEqual_ = firstOfEqualPositions(mesh.positions);
     const std::vector<Use> uses = measure(mesh);
-    if (out_.triangles.empty() && (entriesAreVertices_ || !isPlain(mesh))) {
+    if (out_.triangles.empty() && further_.empty() && (entriesAreVertices_ || !isPlain(mesh))) {
         addFirst(mesh, uses);
     } else {
         addFurther(mesh, uses);
@@ -425,6 +452,12 @@ void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
     model.texcoords = std::move(out_.texcoords);
     model.colours = std::move(out_.colours);
     model.alphas = std::move(out_.alphas);
+    const std::size_t sets = further_.size();
+    resizeLarge(model.furtherTexcoords, sets * model.normals.size());
+    for (std::size_t set = 0; set < sets; ++set)
+        for (std::size_t i = 0; i < further_[set].size(); ++i)
+            model.furtherTexcoords[i * sets + set] = further_[set][i];
+    further_ = {};
     vertexOfEntry_ = hashedEntries_ = plainEntry_ = {};
     firstOfEqual_ = localVertex_ = localEntry_ = {};
     alone_ = {};

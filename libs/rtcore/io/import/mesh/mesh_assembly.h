@@ -20,6 +20,8 @@ struct SourceMesh {
     std::span<const float> alphas = {};
     std::span<const Triangle> triangles = {}; ///< indices below positions.size(); the caller has checked
     std::uint32_t material = 0;
+    /// Of further sets; at most kMaxFurtherSets, where there are `texcoords`.
+    std::span<const std::vector<Vec2>> furtherTexcoords = {};
     std::vector<Triangle>* spare = nullptr; ///< the list of all of them, where the caller needs it no more
 };
 
@@ -55,9 +57,9 @@ class IndexTable {
 
 /// Welds vertices whose positions are equal (what is nearer to 0 than 1e-30 is 0), so that neighbours share
 /// them; keeps the order of triangles; drops and counts triangles without area and those with a coordinate
-/// that is no number or beyond 1e12. Entries of normals, texture coordinates, colours and alphas are shared
-/// where all of them are equal. By the threads of OpenMP for large meshes; the result does not depend on
-/// them.
+/// that is no number or beyond 1e12. Entries of normals, texture coordinates of all sets, colours and alphas
+/// are shared where all of them are equal. By the threads of OpenMP for large meshes; the result does not
+/// depend on them.
 class MeshAssembler {
   public:
     void reserve(std::size_t vertices, std::size_t triangles);
@@ -109,6 +111,9 @@ class MeshAssembler {
     Attributes attributesOf(std::uint32_t entry) const;
     std::uint32_t entryOfCorner(const SourceMesh& mesh, std::uint32_t corner, std::uint32_t vertex);
     void widen(const SourceMesh& mesh);
+    void takeFurther(const SourceMesh& mesh, std::uint32_t corner);
+    void takeFurtherOf(std::uint32_t entry);
+    bool hasFurther(std::uint32_t entry) const;
     void makeEntries();
 
     ModelBuffers out_;
@@ -127,6 +132,9 @@ class MeshAssembler {
     std::vector<std::uint32_t> firstOfEqual_, localVertex_, localEntry_;
     std::vector<std::uint8_t> alone_;  ///< no other vertex of the mesh has this position
     std::uint32_t firstNewVertex_ = 0; ///< in the model: of those that the mesh being added brought
+    /// In each further set, of the corner that an entry is looked for or made for.
+    std::vector<Vec2> cornerFurther_;
+    std::vector<std::vector<Vec2>> further_; ///< by set
     bool hasTexcoords_ = false, hasColours_ = false, hasAlphas_ = false;
     Box3 bounds_;
     std::uint64_t degenerate_ = 0, nonFinite_ = 0;
