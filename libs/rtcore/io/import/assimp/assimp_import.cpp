@@ -16,6 +16,7 @@
 #include "rtcore/io/import/inspection/foreign_formats.h"
 #include "rtcore/io/import/inspection/import_warnings.h"
 #include "rtcore/io/import/materials/colour_decoder.h"
+#include "rtcore/io/import/materials/exporter_colours.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/mesh/near_zero.h"
 #include "rtcore/io/import/mesh/polygon.h"
@@ -416,11 +417,14 @@ FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOpti
     options.alive();
     result.source = importer;
     FormatQuirks quirks = quirksOf(formatOf(*importer));
+    if (quirks.fbxNotes && fbx.empty()) fbx = readFbxElements(path);
     if (quirks.md5 && animated) quirks.statedTicks = md5FrameRate(path);
     result.report.origin = originOf(path, formatOf(*importer), quirks, scene);
+    const std::string application = fbxApplication(fbx);
+    quirks.displayColours =
+        hasDisplayColours(application.empty() ? result.report.origin.exporter : application);
     ScenePose pose(scene, quirks);
     pose.choose(options.pose, result.report);
-    if (quirks.fbxNotes && fbx.empty()) fbx = readFbxElements(path);
     const FbxNotes notes = fbxNotesOf(fbx);
     HiddenNodes hidden(scene, notes);
     const NodeWalk walk = walkNodes(scene, pose, options.origin, hidden);

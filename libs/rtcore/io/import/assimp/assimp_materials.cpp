@@ -2,6 +2,7 @@
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/materials/exporter_colours.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 
@@ -186,6 +187,7 @@ SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& 
     readPictures(p, m);
     leaveOutInvented(p, quirks.gouraudIsMatte, text.specular, m);
     if (text.specular == SpecularOrigin::Texture) m.specularMap = p.picture({aiTextureType_SPECULAR});
+    if (quirks.displayColours) decodeColours(m);
     return m;
 }
 

@@ -28,7 +28,11 @@ bool isOneOf(std::string_view name, const std::array<std::string_view, N>& names
 /// By the names of the elements around it and its own.
 bool isWanted(std::span<const std::string> around, std::string_view name) {
     using Names = std::string_view;
-    if (around.empty()) return isOneOf(name, std::array<Names, 2>{"Objects", "Connections"});
+    if (around.empty())
+        return isOneOf(name, std::array<Names, 3>{"FBXHeaderExtension", "Objects", "Connections"});
+    if (around[0] == "FBXHeaderExtension")
+        return (around.size() == 1 && name == "SceneInfo") ||
+               (around.size() == 2 && name == "Properties70") || (around.size() == 3 && name == "P");
     if (around[0] == "Connections") return around.size() == 1 && name == "C";
     if (around.size() == 1)
         return isOneOf(name, std::array<Names, 4>{"Model", "Deformer", "NodeAttribute", "Geometry"});
@@ -41,8 +45,8 @@ bool isWanted(std::span<const std::string> around, std::string_view name) {
 
 bool isKept(const FbxElement& element) {
     using Names = std::string_view;
-    constexpr std::array<Names, 4> kProperties{"Visibility", "Visibility Inheritance", "Show",
-                                               "DeformPercent"};
+    constexpr std::array<Names, 5> kProperties{"Visibility", "Visibility Inheritance", "Show",
+                                               "DeformPercent", kFbxApplication};
     return element.name != "P" || isOneOf(element.text(0), kProperties);
 }
 

@@ -29,9 +29,12 @@ struct FbxElement {
 /// Whether a file is FBX by its name or its beginning.
 bool isFbx(const std::filesystem::path& path);
 
-/// `Objects` and `Connections`, and of those the models, deformers, attributes and geometries with some of
-/// their properties; geometries without their lists. Of a damaged file what stands before the damage. Throws
-/// as openFileBytes() does.
+/// The property that names the program from which a scene comes.
+inline constexpr std::string_view kFbxApplication = "Original|ApplicationName";
+
+/// `FBXHeaderExtension` as far as it names that, `Objects` and `Connections`, and of those the models,
+/// deformers, attributes and geometries with some of their properties; geometries without their lists. Of a
+/// damaged file what stands before the damage. Throws as openFileBytes() does.
 std::vector<FbxElement> readFbxElements(const std::filesystem::path& path);
 
 } // namespace rtcore

@@ -185,6 +185,17 @@ std::vector<double> FbxMorphChannel::weightsAt(double at) const {
     return weights;
 }
 
+std::string fbxApplication(const std::vector<FbxElement>& elements) {
+    for (const FbxElement& part : elements) {
+        const FbxElement* const info = part.name == "FBXHeaderExtension" ? part.child("SceneInfo") : nullptr;
+        const FbxElement* const list = info != nullptr ? info->child("Properties70") : nullptr;
+        if (list == nullptr) continue;
+        for (const FbxElement& property : list->children)
+            if (property.text(0) == kFbxApplication) return property.text(4);
+    }
+    return {};
+}
+
 FbxNotes fbxNotesOf(const std::vector<FbxElement>& elements) {
     const FbxObjects objects(elements);
     FbxNotes notes;

@@ -38,6 +38,10 @@ struct FbxNotes {
     std::map<std::string, std::vector<std::uint8_t>> hidden;
 };
 
+/// The program from which the scene comes, which need not be the library that wrote the file; "" where none
+/// is named.
+std::string fbxApplication(const std::vector<FbxElement>& elements);
+
 FbxNotes fbxNotesOf(const std::vector<FbxElement>& elements);
 
 } // namespace rtcore

@@ -27,6 +27,7 @@ struct FormatQuirks {
     bool fbxNotes = false;             ///< much of it is left to fbx_notes.h
     double ticksPerSecond = 25;        ///< of animations that do not say it
     std::optional<double> statedTicks; ///< of all animations, in place of what Assimp says
+    bool displayColours = false;       ///< of materials: codes as displays show them, not linear
     bool mapScalesEmission = false;    ///< a diffuse image multiplies the emission, too
 };
 

@@ -49,17 +49,6 @@ void append(std::string& notes, std::string_view text) {
     if (!notes.empty() && notes.back() != ' ') notes += ' ';
 }
 
-/// Comments until the first line of vertices.
-std::string objComments(std::string_view text) {
-    std::string notes;
-    while (!text.empty()) {
-        const std::string_view line = nextLine(text);
-        if (line.starts_with("v ") || line.starts_with("newmtl")) break;
-        if (line.starts_with("#")) append(notes, line);
-    }
-    return notes;
-}
-
 std::string plyComments(std::string_view text) {
     std::string notes;
     while (!text.empty()) {
@@ -80,8 +69,8 @@ std::string stlHead(std::string_view text) {
 }
 
 std::string objNotes(const std::filesystem::path& path) {
-    std::string notes = objComments(headOf(path));
-    if (notes.empty()) notes = objComments(headOf(std::filesystem::path(path).replace_extension(".mtl")));
+    std::string notes = openingComments(headOf(path));
+    if (notes.empty()) notes = openingComments(headOf(std::filesystem::path(path).replace_extension(".mtl")));
     return notes;
 }
 
@@ -105,6 +94,17 @@ std::optional<double> unitBeginning(std::string_view word) {
 }
 
 } // namespace
+
+// Until the first line of vertices or materials.
+std::string openingComments(std::string_view text) {
+    std::string notes;
+    while (!text.empty()) {
+        const std::string_view line = nextLine(text);
+        if (line.starts_with("v ") || line.starts_with("newmtl")) break;
+        if (line.starts_with("#")) append(notes, line);
+    }
+    return notes;
+}
 
 std::string exporterNotes(const std::filesystem::path& path) {
     const std::string ending = inLowerCase(path.extension().string());

@@ -6,12 +6,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace rtcore {
 
 /// The comments at the beginning of an OBJ file, or of its material library where it has none; those of a PLY
 /// file; the name of an ASCII STL file and the head of a binary one; "" of other formats. One line.
 std::string exporterNotes(const std::filesystem::path& path);
+
+/// The comments at the beginning of the text of an OBJ file or a material library, as one line.
+std::string openingComments(std::string_view text);
 
 /// A unit that such notes state: "File units = inches", "units: mm". Nothing when they do not.
 std::optional<double> statedUnit(const std::string& notes);

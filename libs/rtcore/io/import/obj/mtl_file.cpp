@@ -1,5 +1,7 @@
 #include "rtcore/io/import/obj/mtl_file.h"
 
+#include "rtcore/io/import/inspection/exporter_notes.h"
+#include "rtcore/io/import/materials/exporter_colours.h"
 #include "rtcore/io/import/obj/map_statement.h"
 #include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/io/import/text/statement_warning.h"
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -81,6 +84,10 @@ class MtlReader {
             }
         }
     }
+    /// Of the materials that it describes.
+    void decode() {
+        for (const std::uint32_t number : described_) decodeColours(materials_.all()[number].source);
+    }
 
   private:
     /// `keyword` in small letters. False for a statement that is not understood.
@@ -88,6 +95,7 @@ class MtlReader {
         if (keyword == "newmtl") {
             const std::string name = text_.rest();
             material_ = materials_.numberOf(name.empty() ? "DefaultMaterial" : name);
+            described_.insert(*material_);
             return true;
         }
         if (isOneOf(kSilent, keyword)) return true;
@@ -168,6 +176,7 @@ class MtlReader {
     MtlMaterials& materials_;
     std::vector<std::string>& unsupported_;
     std::optional<std::uint32_t> material_; ///< that is described
+    std::set<std::uint32_t> described_;
 };
 
 } // namespace
@@ -208,14 +217,18 @@ std::uint32_t MtlMaterials::numberOf(const std::string& name) {
 }
 
 void readMtl(const std::filesystem::path& path, const std::string& folder, MtlMaterials& materials,
-             std::vector<std::string>& unsupported, ImportReport& report) {
+             std::vector<std::string>& unsupported, std::string_view exporter, ImportReport& report) {
     const FileBytes file = openFileBytes(path);
     std::string text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     text += '\n';
     OddStatements odd;
-    MtlReader(text, folder, materials, unsupported).read(odd);
+    MtlReader reader(text, folder, materials, unsupported);
+    reader.read(odd);
     odd.warn(path, report);
+    const std::string own = openingComments(text);
+    const bool known = exporterColours(own) != nullptr;
+    if (hasDisplayColours(known ? std::string_view(own) : exporter)) reader.decode();
 }
 
 } // namespace rtcore

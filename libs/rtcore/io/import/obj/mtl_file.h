@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -50,10 +51,11 @@ class MtlMaterials {
 };
 
 /// Adds what a library describes. A statement that is not understood costs itself alone, with a warning.
-/// `unsupported` gets the statements that are known and have no counterpart here, each once. Names of images
-/// are those of the library, whose folder is `folder` as seen from the model's ("" for the same). Throws as
-/// openFileBytes() does.
+/// Colours are decoded where the program that wrote it, else that of the model (`exporter`), has them as
+/// displays show them. `unsupported` gets the statements that are known and have no counterpart here, each
+/// once. Names of images are those of the library, whose folder is `folder` as seen from the model's ("" for
+/// the same). Throws as openFileBytes() does.
 void readMtl(const std::filesystem::path& path, const std::string& folder, MtlMaterials& materials,
-             std::vector<std::string>& unsupported, ImportReport& report);
+             std::vector<std::string>& unsupported, std::string_view exporter, ImportReport& report);
 
 } // namespace rtcore

@@ -249,7 +249,7 @@ class ObjStatements {
         for (const MaterialLibrary& library : libraries_.find(names)) {
             if (!librariesRead_.insert(library.path).second) continue;
             addFile(report_, plainPath(library.path).string());
-            readMtl(library.path, library.folder, materials_, unsupported_, report_);
+            readMtl(library.path, library.folder, materials_, unsupported_, report_.origin.exporter, report_);
         }
     }
 
