@@ -22,7 +22,7 @@ constexpr auto kServerPatience =
 // Such a model is another one.
 bool importsByOptions(const ServerRequest& request) {
     for (const QString& option : request.options) {
-        for (const char* const name : {"--crease", "--flip", "--pose"})
+        for (const char* const name : {"--crease", "--deflection", "--flip", "--pose"})
             if (option.startsWith(QLatin1String(name))) return true;
     }
     return false;
