@@ -12,7 +12,7 @@ thread each, prints how much they differ, and leaves the images: ours, theirs an
 SCENE.png. Images that are there and still right are not rendered again, so that a run that was stopped goes on.
 
 Scenes: plane-point plane-directional plane-sphere plane-rectangle plane-emission plane-background (a floor lit by one
-light, directly: strengths), cube sky sun mirrors glass metals whites (generated), cornell sibenik sponza (of the folder of
+light, directly: strengths), cube sky sun mirrors glass tinted frosted metals whites (generated), cornell sibenik sponza (of the folder of
 models); not among those taken without a name: furnished, lamborghini, and nave of scripts/make_data.sh (or the file
 $RT_NAVE).
 
@@ -64,12 +64,12 @@ whole_number --samples "$samples"
 printf %s "$limit" | grep -Eq '^[0-9]+([.][0-9]+)?$' || fail 2 "--limit is a number, not '$limit'"
 if [ -z "$scenes" ]; then
     scenes="plane-point plane-directional plane-sphere plane-rectangle plane-emission plane-background
-        cube sky sun mirrors glass metals whites cornell sibenik sponza"
+        cube sky sun mirrors glass tinted frosted metals whites cornell sibenik sponza"
 fi
 for scene in $scenes; do
     case $scene in
         plane-point | plane-directional | plane-sphere | plane-rectangle | plane-emission | plane-background) ;;
-        cube | sky | sun | mirrors | glass | metals | whites | furnished | cornell | sibenik | sponza | lamborghini | nave) ;;
+        cube | sky | sun | mirrors | glass | tinted | frosted | metals | whites | furnished | cornell | sibenik | sponza | lamborghini | nave) ;;
         *) fail 2 "$scene: there is no such scene; compare-cycles.sh --help lists them" ;;
     esac
 done

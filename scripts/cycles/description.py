@@ -6,15 +6,16 @@ from geometry import Soup
 
 @dataclass
 class Material:
-    """A Lambert surface under a mirror, smooth glass, a pane that only tints, or a rough metal."""
+    """A Lambert surface under a mirror, glass, a pane that only tints, or a rough metal."""
     diffuse: tuple = (0.0, 0.0, 0.0)
     texture: str = ""            # a PNG of three channels; times `diffuse`
     emission: tuple = (0.0, 0.0, 0.0)
     mirror: float = 0.0          # weight of the mirrored ray; the rest is scattered
     glass: float = 0.0           # index of refraction of a closed solid, or 0
     pane: tuple = ()             # what goes straight through, unbent and unmirrored
+    absorbs: tuple = ()          # extinction inside of that solid, per unit
     metal: tuple = ()            # colour of a GGX metal of `roughness`
-    roughness: float = 0.0
+    roughness: float = 0.0       # of metal, and of glass
 
 
 @dataclass

@@ -79,8 +79,9 @@ def add_material(number, told, folder):
     nodes = Nodes(material)
     white = (1, 1, 1, 1)
     if told["glass"]:
-        surface = nodes.add("ShaderNodeBsdfGlass", {"Color": white, "Roughness": 0.0, "IOR": told["glass"]},
-                            distribution="SHARP")
+        rough = told["roughness"]
+        surface = nodes.add("ShaderNodeBsdfGlass", {"Color": white, "Roughness": rough, "IOR": told["glass"]},
+                            distribution="MULTI_GGX" if rough else "SHARP")
     elif told["pane"]:
         surface = nodes.add("ShaderNodeBsdfTransparent", {"Color": (*told["pane"], 1)})
     elif told["metal"]:
@@ -103,7 +104,12 @@ def add_material(number, told, folder):
     if any(told["emission"]):
         shone = nodes.add("ShaderNodeEmission", {"Color": (*told["emission"], 1), "Strength": 1.0})
         surface = nodes.sum("ShaderNodeAddShader", surface, shone)
-    nodes.add("ShaderNodeOutputMaterial", {"Surface": surface})
+    inputs = {"Surface": surface}
+    if told["absorbs"]:
+        density = max(told["absorbs"])
+        inputs["Volume"] = nodes.add("ShaderNodeVolumeAbsorption", {
+            "Color": (*(1 - e / density for e in told["absorbs"]), 1), "Density": density})
+    nodes.add("ShaderNodeOutputMaterial", inputs)
     return material
 
 

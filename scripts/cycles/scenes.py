@@ -186,6 +186,24 @@ def glass():
     return scene
 
 
+def under_sky(*materials):
+    """A ball and a block on chequers under a sky, of glass."""
+    scene = Scene((0.4, 1.5, 3.2), (0.0, 0.5, 0.0), 50.0, bounces=32, caustics=True, sky=evening_sky())
+    chequers(scene, scene.material((0.8, 0.78, 0.72)), scene.material((0.3, 0.3, 0.36)), -3.0, 3.0, 8)
+    one, other = (scene.material(**told) for told in materials)
+    ball(scene, one, (-0.65, 0.62, 0.2), 0.6)
+    block(scene, other, (0.7, 0.02, 0.1), (0.45, 0.55, 0.3), 25.0)
+    return scene
+
+
+def tinted():
+    return under_sky({"glass": 1.5, "absorbs": (0.2, 0.9, 1.6)}, {"glass": 1.33, "absorbs": (1.2, 0.3, 0.15)})
+
+
+def frosted():
+    return under_sky({"glass": 1.5, "roughness": 0.35}, {"glass": 1.33, "roughness": 0.2, "absorbs": (0.5, 0.2, 0.1)})
+
+
 def metals():
     """Balls of rough metal in the same room."""
     scene = Scene((0.4, 1.5, 2.8), (0.0, 0.6, -0.6), 65.0, bounces=24, caustics=True)
@@ -219,7 +237,7 @@ SCENES = {
     "plane-emission": plane_emission,
     "plane-background": lambda: plane(background=(0.7, 0.5, 0.3)),
     "cube": cube, "court": court, "sky": sky, "sun": sun, "mirrors": mirrors, "glass": glass, "metals": metals,
-    "whites": whites, "furnished": furnished,
+    "whites": whites, "tinted": tinted, "frosted": frosted, "furnished": furnished,
 }
 
 

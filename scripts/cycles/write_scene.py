@@ -1,6 +1,7 @@
 """Writes a Scene for the Renderer (.obj, .mtl, .scn) and for render_cycles.py (.npz, .json)."""
 import hashlib
 import json
+import math
 import os
 import shutil
 import sys
@@ -114,9 +115,14 @@ def material_lines(material):
     lines = ["diffuse = " + array(m.metal or m.diffuse), "emission = " + array(m.emission)]
     if m.metal:
         return lines + ["metallic = 1.0", "roughness = %.9g" % m.roughness]
-    lines += ["specular = [0.0, 0.0, 0.0]", "reflectivity = %.9g" % m.mirror]
+    if m.glass and m.roughness:
+        lines += ["metallic = 0.0", "roughness = %.9g" % m.roughness]
+    else:
+        lines += ["specular = [0.0, 0.0, 0.0]", "reflectivity = %.9g" % m.mirror]
     if m.glass:
-        lines += ["opacity = 0.0", "indexOfRefraction = %.9g" % m.glass, "transmission = [1.0, 1.0, 1.0]"]
+        lines += ["opacity = 0.0", "indexOfRefraction = %.9g" % m.glass,
+                  "transmission = " + array([math.exp(-e) for e in m.absorbs or (0.0, 0.0, 0.0)])]
+        lines += ["attenuationDistance = 1.0"] if m.absorbs else []
     if m.pane:
         lines += ["opacity = 0.0", "indexOfRefraction = 1.0", "transmission = " + array(m.pane)]
     return lines

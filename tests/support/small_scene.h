@@ -145,6 +145,7 @@ class SceneBuilder {
         scene.materials = buffers.materials;
         scene.model = rtcore::makeModel(std::move(buffers));
         scene.closed = rtcore::findClosedSurfaces(scene.mesh(), scene.materials);
+        scene.solids = rtcore::findGlassSolids(scene.mesh(), scene.materials, scene.closed);
         return std::move(scene);
     }
 

@@ -45,6 +45,7 @@ inline void varyMaterials(rtcore::Scene& scene) {
     scene.model.mesh.shading = shading->triangles;
     scene.model.storage = shading;
     scene.closed = rtcore::findClosedSurfaces(scene.mesh(), scene.materials);
+    scene.solids = rtcore::findGlassSolids(scene.mesh(), scene.materials, scene.closed);
 }
 
 /// In place of the scene's own.

@@ -87,6 +87,7 @@ std::optional<MaterialState> readMaterialState(const QString& answer) {
         state.reflectivity = m.reflectivity ? maxComponent(*m.reflectivity) : 0;
         state.opacity = m.opacity.value_or(state.opacity);
         state.indexOfRefraction = m.indexOfRefraction.value_or(state.indexOfRefraction);
+        state.priority = m.priority.value_or(state.priority);
         state.coat = m.coat.value_or(state.coat);
         state.coatRoughness = m.coatRoughness.value_or(state.coatRoughness);
         state.textures = m.textures;

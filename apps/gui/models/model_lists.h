@@ -30,7 +30,7 @@ struct MaterialRow {
 struct MaterialState {
     std::array<float, 3> diffuse{}, transmission{}; ///< linear
     float roughness = 1, metallic = 0, reflectivity = 0, opacity = 1, indexOfRefraction = 1.5F;
-    float coat = 0, coatRoughness = 0;
+    float priority = 0, coat = 0, coatRoughness = 0;
     std::optional<bool> textures; ///< nothing: it has none
     bool flipTextures = false;
     friend bool operator==(const MaterialState&, const MaterialState&) = default;

@@ -4,6 +4,7 @@
 #include "gui/panels/value_box.h"
 
 #include "rtcore/math/colour.h"
+#include "rtcore/scene/material.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -56,6 +57,9 @@ MaterialFields::MaterialFields(QWidget* parent)
     addNumber(QStringLiteral("opacity"), tr("Opacity"), &MaterialState::opacity, 0, 1);
     tint_ = addColour(QStringLiteral("transmission"), tr("Glass colour"), &MaterialState::transmission);
     addNumber(QStringLiteral("indexOfRefraction"), tr("Refraction"), &MaterialState::indexOfRefraction, 1, 5);
+    addNumber(QStringLiteral("priority"), tr("Priority"), &MaterialState::priority, 0,
+              static_cast<double>(rtcore::kMaxPriority));
+    number(QStringLiteral("priority"))->setWhole();
     form->addRow(textures_);
     form->addRow(flip_);
     form->addRow(reset_);

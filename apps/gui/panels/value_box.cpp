@@ -42,8 +42,9 @@ bool ValueBox::saysMinimum(const QString& text) const {
 double ValueBox::valueFromText(const QString& text) const {
     if (saysMinimum(text)) return minimum();
     bool good = false;
-    const double value = QLocale().toDouble(bare(text), &good);
-    return good ? value : QLocale::c().toDouble(bare(text));
+    double value = QLocale().toDouble(bare(text), &good);
+    if (!good) value = QLocale::c().toDouble(bare(text));
+    return whole_ ? std::round(value) : value;
 }
 
 // "1e" may become a number; letters of other kinds may not.
@@ -65,7 +66,8 @@ QValidator::State ValueBox::validate(QString& text, int&) const {
 
 void ValueBox::stepBy(int steps) {
     const double size = std::abs(value() - zero_);
-    const double step = size > 0 ? std::pow(10.0, std::floor(std::log10(size)) - 1) : kFirstStep;
+    double step = size > 0 ? std::pow(10.0, std::floor(std::log10(size)) - 1) : kFirstStep;
+    if (whole_) step = 1;
     // To a multiple of the step: no spurious digits.
     const double wanted = (std::round((value() - zero_) / step) + steps) * step;
     setValue(zero_ + QLocale::c().toDouble(QLocale::c().toString(wanted, 'g', 6)));

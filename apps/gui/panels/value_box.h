@@ -23,6 +23,8 @@ class ValueBox : public QDoubleSpinBox {
     void showRounded(double value);
     /// From where its digits and its steps count: 0 at first. Of coordinates on a national grid, the scene's.
     void setZero(double zero) { zero_ = zero; }
+    /// It takes whole numbers alone; steps are of 1.
+    void setWhole() { whole_ = true; }
 
   private:
     QString bare(const QString& text) const; ///< without the unit
@@ -30,6 +32,7 @@ class ValueBox : public QDoubleSpinBox {
     bool saysMinimum(const QString& text) const;
 
     double zero_ = 0;
+    bool whole_ = false;
 };
 
 } // namespace gui

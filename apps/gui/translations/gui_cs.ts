@@ -2383,6 +2383,10 @@ Alt+%2</translation>
         <source>Its roughness</source>
         <translation>Drsnost laku</translation>
     </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorita</translation>
+    </message>
 </context>
 <context>
     <name>gui::MessageOperations</name>

@@ -39,6 +39,7 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
     if (!loading.out.sceneFile) loading.out.guesses = guessMaterials(scene);
     numberLights(scene);
     scene.closed = findClosedSurfaces(scene.model, scene.materials, loading.out.openGlass);
+    scene.solids = findGlassSolids(scene.model.mesh, scene.materials, scene.closed);
     loading.begin(LoadPhase::Done);
     return std::move(loading.out);
 }

@@ -30,6 +30,10 @@ struct Box3 {
     bool contains(Vec3 p) const {
         return p.x >= lo.x && p.y >= lo.y && p.z >= lo.z && p.x <= hi.x && p.y <= hi.y && p.z <= hi.z;
     }
+    bool meets(const Box3& b) const {
+        return lo.x <= b.hi.x && lo.y <= b.hi.y && lo.z <= b.hi.z && b.lo.x <= hi.x && b.lo.y <= hi.y &&
+               b.lo.z <= hi.z;
+    }
     Vec3 size() const { return hi - lo; }
     Vec3 centre() const { return lo * 0.5F + hi * 0.5F; }
     float diagonal() const { return empty() ? 0.0F : length(size()); }

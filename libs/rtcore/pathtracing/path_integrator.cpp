@@ -91,10 +91,19 @@ void PathIntegrator::traceCamera(const RayWave& rays) {
         const std::size_t count = std::min(part, rays.size() - first);
         cameraRays_.clear();
         cameraRays_.append(rays, first, count);
-        wave_.paths = WavePaths(static_cast<std::uint32_t>(first));
+        startInMedia(static_cast<std::uint32_t>(first));
         shade(first, count);
     }
     addKept();
+}
+
+void PathIntegrator::startInMedia(std::uint32_t first) {
+    startMedia_.find(*frame_.scene, *frame_.tracer, cameraRays_, first);
+    wave_.paths = WavePaths(first, startMedia_.any() ? &startBatch_.queue : nullptr);
+    if (!startMedia_.any()) return;
+    startBatch_.start(cameraRays_.size());
+    for (std::size_t i = 0; i < cameraRays_.size(); ++i)
+        startBatch_.pushStraight(cameraRays_.ray(i), startMedia_.pathOf(i), nullptr, 0);
 }
 
 void PathIntegrator::tracePaths() {
@@ -147,7 +156,8 @@ void PathIntegrator::shade(std::size_t first, std::size_t count) {
     const ScatterTask task{*frame_.materials, *lights_,
                            limits_,           static_cast<std::uint32_t>(frame_.settings->maxDepth),
                            names(),           rows_.candidates() > 0 ? &events_.samples() : nullptr};
-    scatterPaths(task, wave_, paths_, *onward_);
+    PathBatch* const past = paths_ == nullptr && wave_.paths.past() != nullptr ? &startBatch_ : paths_;
+    scatterPaths(task, wave_, past, *onward_);
     clock_.lap(Stage::Secondary);
 }
 
@@ -156,6 +166,7 @@ void PathIntegrator::setWeights() {
     SurfaceWave& surfaces = wave_.surfaces;
     if (paths_ == nullptr) {
         sums_.startPart({}, wave_);
+        absorbFromStart(wave_);
         return;
     }
     const PathQueue& queue = paths_->queue;

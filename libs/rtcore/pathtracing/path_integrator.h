@@ -20,6 +20,7 @@
 #include "rtcore/shading/light/shadows.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/start_media.h"
 #include "rtcore/shading/surface/light_division.h"
 #include "rtcore/shading/wave.h"
 #include "rtcore/shading/wave_lighting.h"
@@ -71,6 +72,7 @@ class PathIntegrator {
   private:
     void nameSamples(std::span<const SampleId> samples);
     void traceCamera(const RayWave& rays);
+    void startInMedia(std::uint32_t first);
     void tracePaths();
     void traceOnward();
     bool leavesLightsOut(std::size_t ray) const;
@@ -109,6 +111,8 @@ class PathIntegrator {
     HitWave hits_;
     Wave wave_; ///< a batch of them
     RayWave cameraRays_;
+    StartMedia startMedia_; ///< of cameraRays_
+    PathBatch startBatch_;  ///< those rays, where some begin in solids
     PathBatches current_, next_;
     PathBatch* paths_ = nullptr;  ///< of the wave's rays; null for those of the camera
     PathBatch* onward_ = nullptr; ///< of next_: takes the rays that follow

@@ -66,16 +66,20 @@ Colour PathPoints::completeGeneral(const Task& task, Wave& wave, std::size_t i, 
     const Vec3 direction = wave.direction(i);
     Surface s = surfaceOfPoint(task.frame, wave, i);
     const float t = wave.hits.t[i];
+    const Scene& scene = *task.frame.scene;
+    const bool visible = !settings.refractions || setMedia(scene, wave.hits.triangle[i], path.media, s);
+    if (!visible) s.coverage = 0;
     if (s.coverage < 1 && !(numberFor(task, wave, i, SampleDimension::Hole) < s.coverage)) {
         path.length = HWY_NAMESPACE::lengthAfter(path.length, t, true);
         surfaces.traits[i] = 0;
         if (fromCamera) sums.setHit(path.sample, false);
+        passUnbent(scene, s, visible, path);
         if (const auto ray = rayThroughHole(s, direction, path)) next.pushStraight(*ray, path, task.paths, i);
         return {};
     }
     if (path.depth == 0) sums.setHit(path.sample, true);
     if (settings.refractions && isFrosted(*s.material))
-        takeFacet(facetAlpha(*task.frame.scene, settings.textures, wave.hits.hit(i)),
+        takeFacet(facetAlpha(scene, settings.textures, wave.hits.hit(i)),
                   numbersFor(task, wave, i, SampleDimension::Facet), s);
     const SurfaceSplit split = splitLight(s, settings);
     const Colour emitted = path.weight * s.emission;

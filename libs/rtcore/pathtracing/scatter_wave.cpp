@@ -18,6 +18,7 @@ struct BatchArrays {
     std::uint32_t *sample, *bounces, *state, *cell;
     float *length, *total, *density;
     ArraysOf3 point, normal;
+    std::uint32_t* media[2]; ///< null: none
 };
 
 struct ScatterRows {
@@ -131,6 +132,9 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
             some.store(load(rows.samples->cell + i), next.cell + count);
         }
         some.store(selectOrZero(kept, light.density), next.density + count);
+        for (int k = 0; k < 2 && next.media[k] != nullptr; ++k)
+            some.store(paths != nullptr && paths->media[k] != nullptr ? load(paths->media[k] + i) : Uint(0U),
+                       next.media[k] + count);
         count += some.count();
     }
     return count;
@@ -162,7 +166,8 @@ BatchArrays arraysOf(PathBatch& batch, std::size_t first) {
             state.total + first,
             state.density + first,
             state.point.from(first),
-            state.normal.from(first)};
+            state.normal.from(first),
+            {queue.mediaFrom(0, first), queue.mediaFrom(1, first)}};
 }
 
 } // namespace
@@ -170,6 +175,7 @@ BatchArrays arraysOf(PathBatch& batch, std::size_t first) {
 void scatterPaths(const ScatterTask& task, const Wave& wave, PathBatch* paths, PathBatch& next) {
     PathQueue& queue = next.queue;
     const std::size_t before = queue.grow(wave.size() + kWaveBlock);
+    if (paths != nullptr && paths->queue.hasMedia()) queue.keepMedia();
     const ScatterRows rows{task.materials.rows(), task.names,    task.samples,          wave.hits.t.data(),
                            task.limits,           task.maxDepth, task.lights.anyToHit()};
     BatchArrays old{};

@@ -1,13 +1,11 @@
 #include "rtcore/scene/closed_surfaces.h"
 
+#include "rtcore/scene/half_edges.h"
 #include "rtcore/scene/weld.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <numeric>
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -15,66 +13,7 @@ namespace rtcore {
 
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-
-/// One side of one triangle: its end points ascending, and whether the triangle runs along them or against.
-struct HalfEdge {
-    std::uint32_t low, high;
-    std::uint32_t triangle; ///< index into the list of transparent triangles
-    bool forward;
-
-    bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
-};
-
-bool isDegenerate(const std::uint32_t* corners) {
-    return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
-}
-
-/// Visits the sides of triangles, which have three corners each, or of those alone whose corners all differ.
-template <class Visit>
-void visitSides(std::span<const std::uint32_t> corners, bool degenerateOnes, const Visit& visit) {
-    for (std::uint32_t i = 0; i < corners.size() / 3; ++i) {
-        const std::uint32_t* const v = &corners[3 * std::size_t{i}];
-        if (!degenerateOnes && isDegenerate(v)) continue;
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t a = v[corner], b = v[(corner + 1) % 3];
-            visit(HalfEdge{std::min(a, b), std::max(a, b), i, a < b});
-        }
-    }
-}
-
-/// Those of one edge follow each other, triangles ascending.
-std::vector<HalfEdge> halfEdges(std::span<const std::uint32_t> corners, bool degenerateOnes) {
-    // Counted by their lower end, few are left to be compared.
-    const std::size_t mask = std::bit_ceil(corners.size() / 6 + 1) - 1;
-    std::vector<std::size_t> end(mask + 2);
-    visitSides(corners, degenerateOnes, [&](const HalfEdge& e) { ++end[(e.low & mask) + 1]; });
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    std::vector<HalfEdge> edges(end.back());
-    visitSides(corners, degenerateOnes, [&](const HalfEdge& e) { edges[end[e.low & mask]++] = e; });
-    auto first = edges.begin();
-    for (std::size_t bucket = 0; bucket <= mask; ++bucket) {
-        const auto last = edges.begin() + static_cast<std::ptrdiff_t>(end[bucket]);
-        std::sort(first, last, [](const HalfEdge& a, const HalfEdge& b) {
-            return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-        });
-        first = last;
-    }
-    return edges;
-}
-
-/// Calls `visit(sides, paired)` for each edge with its half edges, and whether they are two that run
-/// against each other.
-template <class Visit>
-void visitEdges(std::span<const HalfEdge> edges, const Visit& visit) {
-    while (!edges.empty()) {
-        std::size_t count = 1;
-        while (count < edges.size() && edges[count].sameEdge(edges[0])) ++count;
-        visit(edges.first(count), count == 2 && edges[0].forward != edges[1].forward);
-        edges = edges.subspan(count);
-    }
-}
 
 /// The connected parts of triangles, and the open edges.
 struct Closing {
@@ -94,9 +33,10 @@ struct Closing {
     }
 };
 
-Closing closingOf(std::size_t triangles, std::span<const HalfEdge> edges) {
+/// `materials` of the triangles: solids of different ones may touch.
+Closing closingOf(std::size_t triangles, std::vector<HalfEdge> edges, const Indices& materials) {
     Closing closing(triangles);
-    visitEdges(edges, [&](std::span<const HalfEdge> sides, bool paired) {
+    visitPairs(edges, materials, [&](std::span<const HalfEdge> sides, bool paired) {
         for (const HalfEdge& side : sides) closing.parts.join(side.triangle, sides[0].triangle);
         if (!paired) ++closing.openEdges[sides[0].triangle];
     });
@@ -121,8 +61,9 @@ struct Piece {
     /// Ends of open edges that differ by rounding alone become one.
     void weld() {
         std::vector<std::uint8_t> isEnd(points.size());
-        visitEdges(halfEdges(corners, true), [&](std::span<const HalfEdge> sides, bool paired) {
-            if (!paired) isEnd[sides[0].low] = isEnd[sides[0].high] = 1;
+        std::vector<HalfEdge> edges = halfEdges(corners, true);
+        visitEdges(edges, [&](std::span<const HalfEdge> sides) {
+            if (!isPair(sides)) isEnd[sides[0].low] = isEnd[sides[0].high] = 1;
         });
         Indices ends;
         for (std::uint32_t i = 0; i < isEnd.size(); ++i) {
@@ -188,7 +129,8 @@ void joinDegenerateOnes(const Piece& piece, DisjointSets& parts) {
 OpenPiece openWhenWelded(const Mesh& mesh, Indices triangles) {
     Piece piece(mesh, std::move(triangles));
     piece.weld();
-    Closing closing = closingOf(piece.triangles.size(), halfEdges(piece.corners, false));
+    Closing closing = closingOf(piece.triangles.size(), halfEdges(piece.corners, false),
+                                materialsOf(mesh, piece.triangles));
     joinDegenerateOnes(piece, closing.parts);
     std::vector<std::uint8_t> open = closing.open();
     const std::vector<std::uint8_t> empty = emptyParts(piece, closing.parts);
@@ -206,11 +148,9 @@ struct AsTheyAre {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
             if (isTransparent(materials[mesh.shading[i].material])) transparent.push_back(i);
         }
-        Indices corners;
-        corners.reserve(3 * transparent.size());
-        for (const std::uint32_t t : transparent)
-            corners.insert(corners.end(), mesh.triangles[t].v, mesh.triangles[t].v + 3);
-        open = closingOf(transparent.size(), halfEdges(corners, true)).open();
+        open = closingOf(transparent.size(), halfEdges(cornersOf(mesh, transparent), true),
+                         materialsOf(mesh, transparent))
+                   .open();
     }
     /// Those of them that are glass.
     Indices openGlass(const Mesh& mesh, std::span<const Material> materials) const {

@@ -23,6 +23,7 @@ namespace rtcore {
 
 inline constexpr std::uint32_t kNoTexture = 0xFFFFFFFFU;
 inline constexpr float kNoRoughness = -1;
+inline constexpr float kMaxPriority = 100;
 
 struct Material {
     Colour diffuse{0.8F, 0.8F, 0.8F}; ///< albedo k_d, multiplied with texture and vertex colour; 0..1
@@ -58,10 +59,11 @@ struct Material {
     std::uint32_t frontOnly = 0; ///< 1: back faces of closed surfaces are holes where it isVeil()
     float coat = 0;              ///< 0..1: how much of it a coat of varnish covers; with `roughness` alone
     float coatRoughness = 0;     ///< 0..1, of that coat
+    float priority = 0;          ///< whole, 0..kMaxPriority: which of solids that overlap is there
 
     friend bool operator==(const Material&, const Material&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 164);
+static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 168);
 
 /// It is one of the metallic-roughness model.
 inline bool hasRoughness(const Material& m) { return m.roughness != kNoRoughness; }

@@ -69,7 +69,9 @@ void closeSurfaces(Scene& scene, std::span<const Material> before) {
                    [](const Material& a, const Material& b) {
                        return isTransparent(a) == isTransparent(b) && (a.opacity < 1) == (b.opacity < 1);
                    });
-    if (!same) scene.closed = findClosedSurfaces(scene.model.mesh, scene.materials);
+    if (same) return;
+    scene.closed = findClosedSurfaces(scene.model.mesh, scene.materials);
+    scene.solids = findGlassSolids(scene.model.mesh, scene.materials, scene.closed);
 }
 
 } // namespace rtcore

@@ -18,7 +18,8 @@ TextureMeans roughnessMeans(const Model& model, const Material& material);
 Material changedMaterial(const Model& model, Material material, const MaterialOverride& change);
 
 /// Adds `change` (without a texture's path) to what edits made of a material; `loaded` are the materials as
-/// the files have them. `index` counts from 0. Scene::closed is to be made again by closeSurfaces().
+/// the files have them. `index` counts from 0. Scene::closed and `solids` are to be made again by
+/// closeSurfaces().
 void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
                   const MaterialOverride& change);
 /// The material as the files have it.

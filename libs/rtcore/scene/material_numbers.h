@@ -11,8 +11,8 @@ namespace rtcore {
 
 /// Changes of these numbers by a scene file or an edit; absent ones stay.
 struct MaterialNumberChanges {
-    std::optional<float> opacity = {}, attenuationDistance = {}, indexOfRefraction = {}, coat = {},
-                         coatRoughness = {};
+    std::optional<float> opacity = {}, attenuationDistance = {}, indexOfRefraction = {}, priority = {},
+                         coat = {}, coatRoughness = {};
 
     friend bool operator==(const MaterialNumberChanges&, const MaterialNumberChanges&) = default;
 };
@@ -23,6 +23,7 @@ struct MaterialNumber {
     float Material::*field;
     float minimum, maximum;
     int version; ///< of .scn files, in which the key came
+    bool whole = false;
 };
 
 inline constexpr float kUnlimitedNumber = std::numeric_limits<float>::max();
@@ -33,6 +34,7 @@ inline constexpr MaterialNumber kMaterialNumbers[] = {
     {"attenuationDistance", &MaterialNumberChanges::attenuationDistance, &Material::attenuationDistance, 0,
      kUnlimitedNumber, 1},
     {"indexOfRefraction", &MaterialNumberChanges::indexOfRefraction, &Material::indexOfRefraction, 1, 5, 1},
+    {"priority", &MaterialNumberChanges::priority, &Material::priority, 0, kMaxPriority, 2, true},
     {"coat", &MaterialNumberChanges::coat, &Material::coat, 0, 1, 2},
     {"coatRoughness", &MaterialNumberChanges::coatRoughness, &Material::coatRoughness, 0, 1, 2},
 };

@@ -7,6 +7,7 @@
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/environment.h"
 #include "rtcore/scene/environment_source.h"
+#include "rtcore/scene/glass_solids.h"
 #include "rtcore/scene/local_origin.h"
 #include "rtcore/scene/material_override.h"
 #include "rtcore/scene/model.h"
@@ -75,6 +76,7 @@ struct Scene : SceneLook {
     std::shared_ptr<const SkyGround> ground;       ///< below the model, once a sky was to show one
     HiddenParts hiddenParts;                       ///< of the model; visibleTree() is of what is left
     ClosedSurfaces closed;                         ///< findClosedSurfaces() of the mesh with these materials
+    std::shared_ptr<const GlassSolids> solids;     ///< findGlassSolids() of the same
 
     /// The mesh of all that may be seen: the model's, and behind its triangles those of the ground.
     const Mesh& mesh() const { return ground ? ground->mesh : model.mesh; }

@@ -19,6 +19,7 @@ struct PathArrays {
     std::uint32_t *sample, *bounces;
     ArraysOf3 weight, extinction;
     float* length;
+    std::uint32_t* media[2]; ///< null: none
 };
 struct RayArrays {
     ArraysOf3 origin, direction;
@@ -91,6 +92,9 @@ std::size_t mirrorAll(const SurfaceWave& s, const float* distances, const PathAr
         some.store(next, queue.bounces + count);
         storeAt(extinction, some, queue.extinction, count);
         some.store(lengthAfter(length, distance, flat), queue.length + count);
+        for (int k = 0; k < 2 && queue.media[k] != nullptr; ++k)
+            some.store(paths != nullptr && paths->media[k] != nullptr ? load(paths->media[k] + i) : Uint(0U),
+                       queue.media[k] + count);
         count += some.count();
     }
     return count;
@@ -108,8 +112,9 @@ HWY_EXPORT(mirrorAll);
 namespace {
 
 PathArrays pathsFrom(PathQueue& queue, std::size_t first) {
-    return {queue.sample.data() + first, queue.bounces.data() + first, queue.weights().from(first),
-            queue.extinctions().from(first), queue.length.data() + first};
+    return {queue.sample.data() + first, queue.bounces.data() + first,
+            queue.weights().from(first), queue.extinctions().from(first),
+            queue.length.data() + first, {queue.mediaFrom(0, first), queue.mediaFrom(1, first)}};
 }
 
 } // namespace
@@ -117,8 +122,9 @@ PathArrays pathsFrom(PathQueue& queue, std::size_t first) {
 void addMirroredRays(const FrameContext& frame, const Wave& wave, PathQueue& queue) {
     const RenderSettings& settings = *frame.settings;
     const SurfaceWave& surfaces = wave.surfaces;
-    PathQueue* const paths = wave.paths.queue();
+    PathQueue* const paths = wave.paths.past();
     const std::size_t before = queue.grow(surfaces.size() + kWaveBlock);
+    if (paths != nullptr && paths->hasMedia()) queue.keepMedia();
     const RayArrays to{queue.rays.origins().from(before), queue.rays.directions().from(before)};
     const PathArrays newPaths = pathsFrom(queue, before);
     const MirrorLimits limits{static_cast<std::uint32_t>(settings.maxDepth), settings.minContribution,

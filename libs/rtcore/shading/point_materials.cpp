@@ -16,7 +16,7 @@ Surface surfaceOfPoint(const FrameContext& frame, const Wave& wave, std::size_t 
     s.toViewer = surfaces.toViewer.at(i);
     s.fromInside = (surfaces.traits[i] & traits::kFromInside) != 0;
     s.material = &scene.material(surfaces.material[i]);
-    s.closed = scene.isClosed(hit.triangle) && !isVeil(*s.material);
+    setOwnMedium(scene, hit.triangle, s);
     const bool turned = (surfaces.traits[i] & traits::kTurned) != 0;
     addMaterial(scene, frame.settings->textures, hit, turned, s);
     return s;

@@ -2,7 +2,9 @@
 
 #include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/scattering/fresnel.h"
+#include "rtcore/scene/media_crossing.h"
 #include "rtcore/shading/mirror_wave.h"
+#include "rtcore/shading/path_medium.h"
 #include "rtcore/shading/surface/medium.h"
 
 #include <algorithm>
@@ -44,24 +46,29 @@ std::optional<Ray> rayThroughHole(const Surface& surface, Vec3 direction, Path& 
     return rayFrom(surface, -surface.geometricNormal, direction);
 }
 
+void passUnbent(const Scene& scene, const Surface& s, bool visible, Path& path) {
+    if (!visible) {
+        path.media = s.media;
+    } else if (s.fromInside && !(s.media == path.media)) {
+        enterMedium(mediumOf(scene, s.media), s.media, path);
+    }
+}
+
 std::optional<Ray> rayBehind(const Surface& s, int maxDepth, Path& path) {
-    const Material& m = *s.material;
     Vec3 direction = -s.toViewer;
     if (!s.closed) {
         direction = throughWall(s);
-        path.weight *= m.transmission;
+        path.weight *= s.material->transmission;
         if (++path.passes > kMaxPasses) return std::nullopt;
     } else {
         if (path.depth >= maxDepth) return std::nullopt;
         ++path.depth;
-        const float eta = s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
-        if (!refract(direction, s.shadingNormal, eta, direction)) return std::nullopt;
+        if (!refract(direction, s.shadingNormal, s.index, direction)) return std::nullopt;
         const float above = dot(direction, s.geometricNormal);
         if (above >= 0 && !s.facet) return std::nullopt; // a smooth normal bent it back out
         if (above >= 0) direction = normalize(direction - s.geometricNormal * (above + 1e-3F));
-        if (!s.fromInside) path.weight *= tintOnEntering(m);
-        path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
-        path.inside = !s.fromInside;
+        if (s.behind != nullptr) path.weight *= tintOnEntering(*s.behind);
+        enterMedium(s.behind, s.media, path);
     }
     return rayFrom(s, -s.geometricNormal, direction);
 }

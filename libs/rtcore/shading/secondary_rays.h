@@ -14,6 +14,9 @@ namespace rtcore {
 /// The ray that goes on as if a hole were all of the surface: an alpha texture lets it pass. Nothing where it
 /// has passed too many; `path` is the ray's.
 std::optional<Ray> rayThroughHole(const Surface& surface, Vec3 direction, Path& path);
+/// Updates the media of a path that passes the surface where there is a hole, or nothing to be seen of it
+/// (setMedia()).
+void passUnbent(const Scene& scene, const Surface& surface, bool visible, Path& path);
 /// The ray that goes on behind a surface that lets light through, straight on or refracted, and `path` as it
 /// is there. Nothing where it is reflected as a whole, or has been bent `maxDepth` times or has passed too
 /// many surfaces.

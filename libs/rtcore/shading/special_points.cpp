@@ -41,10 +41,14 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     const Vec3 direction = task.wave.direction(i);
     Surface s = surfaceOfPoint(task.frame, task.wave, i);
     const float t = task.wave.hits.t[i];
+    const Scene& scene = *task.frame.scene;
+    const bool visible = !settings.refractions || setMedia(scene, task.wave.hits.triangle[i], path.media, s);
+    if (!visible) s.coverage = 0;
     if (s.coverage < 1) {
         Path through = path;
         through.weight = path.weight * (1 - s.coverage);
         through.length = HWY_NAMESPACE::lengthAfter(path.length, t, true);
+        passUnbent(scene, s, visible, through);
         task.secondary.addHole(task.frame, s, direction, through);
         if (s.coverage == 0) {
             surfaces.traits[i] = 0;

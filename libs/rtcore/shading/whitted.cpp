@@ -57,7 +57,11 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     if (collectsNormals_) normals_.start(primary.size());
     wave_.kind = RayKind::Primary;
     wave_.rays = &primary;
-    wave_.paths = WavePaths();
+    startMedia_.find(*frame_.scene, *frame_.tracer, primary, 0);
+    startPaths_.clear();
+    for (std::size_t i = 0; startMedia_.any() && i < primary.size(); ++i)
+        startPaths_.push(primary.ray(i), startMedia_.pathOf(i));
+    wave_.paths = WavePaths(0, startMedia_.any() ? &startPaths_ : nullptr);
     wave_.samples = samples;
     traceWave();
     while (!secondary_.empty()) {
@@ -129,6 +133,7 @@ void WhittedIntegrator::setWeights() {
     if (wave_.paths.primary()) {
         const bool plain = frame_.scene->environment() == nullptr && !fog_.on();
         sums_.start(plain ? frame_.scene->background : Colour{}, wave_);
+        absorbFromStart(wave_);
         return;
     }
     const PathQueue& queue = *wave_.paths.queue();

@@ -15,6 +15,7 @@
 #include "rtcore/shading/secondary_rays.h"
 #include "rtcore/shading/special_points.h"
 #include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/start_media.h"
 #include "rtcore/shading/surface/light_division.h"
 #include "rtcore/shading/wave.h"
 #include "rtcore/shading/wave_lighting.h"
@@ -114,6 +115,8 @@ class WhittedIntegrator {
     LightDivision division_;
     WaveLighting lighting_;
     SecondaryRays secondary_;
+    StartMedia startMedia_;
+    PathQueue startPaths_; ///< of primary rays, where some begin in solids
     PrimaryHitParts hitParts_ = PrimaryHitParts::None;
     PrimaryHits primaryHits_;
     IndirectTaps taps_;

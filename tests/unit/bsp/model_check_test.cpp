@@ -63,6 +63,8 @@ const std::vector<Fault>& faults() {
         {"materials", [](ModelBuffers& b) { b.materials[1].attenuationDistance = -1; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].emission.r = kInf; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].indexOfRefraction = 0.5F; }},
+        {"materials", [](ModelBuffers& b) { b.materials[1].priority = 1.5F; }},
+        {"materials", [](ModelBuffers& b) { b.materials[1].priority = 101; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].fresnel = 2; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].alphaFromAlpha = 2; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].alphaCutoff = 2; }},

@@ -117,6 +117,18 @@ TEST(BspVersions, AFileOfVersion2GivesTheSameModel) {
     EXPECT_TRUE(content.warnings.empty());
 }
 
+// Made by the BSPBuilder that wrote materials of 164 bytes, from a glTF of a pane of varnished water.
+TEST(BspVersions, AFileFromBeforePrioritiesHasTheDefault) {
+    const rtcore::BspContent content = rtcore::readBsp(std::filesystem::path(RT_BEFORE_PRIORITY_FILE));
+    ASSERT_EQ(content.model.materials.size(), 1U);
+    const rtcore::Material& water = content.model.materials[0];
+    EXPECT_EQ(content.model.name(water.nameOffset), "water");
+    EXPECT_EQ(water.indexOfRefraction, 1.33F);
+    EXPECT_EQ(water.coat, 0.5F);
+    EXPECT_EQ(water.coatRoughness, 0.25F);
+    EXPECT_EQ(water.priority, 0);
+}
+
 TEST(BspVersions, ACopyOfItOutlivesTheReader) {
     std::optional<rtcore::BspContent> content = rtcore::readBsp(std::filesystem::path(RT_VERSION_2_FILE));
     const rtcore::Model model = content->model;

@@ -150,7 +150,7 @@ TEST(FormatsDocument, DescribesTheBspThatIsWritten) {
 
 TEST(FormatsDocument, NamesTheRangesOfMaterials) {
     const auto taken = [](const std::string& key, const std::string& value) {
-        const std::string text = "version = 1\nmodel = 'a'\n[[material]]\nname = 'b'\n" + key + " = " + value;
+        const std::string text = "version = 2\nmodel = 'a'\n[[material]]\nname = 'b'\n" + key + " = " + value;
         return test::badData([&] { rtcore::parseSceneFile(text, "f"); }) == "no error";
     };
     struct Range {
@@ -162,7 +162,8 @@ TEST(FormatsDocument, NamesTheRangesOfMaterials) {
           Range{"reflectivity", "0.0", "1.0", "-0.01", "1.01",
                 "`reflectivity`, `coat`, `coatRoughness` 0 to 1"},
           Range{"shininess", "0.0", "100000.0", "-0.01", "100001.0", "`shininess` 0 to 100000"},
-          Range{"indexOfRefraction", "1.0", "5.0", "0.99", "5.01", "`indexOfRefraction` 1 to 5"}}) {
+          Range{"indexOfRefraction", "1.0", "5.0", "0.99", "5.01", "`indexOfRefraction` 1 to 5"},
+          Range{"priority", "0.0", "100.0", "-1.0", "101.0", "`priority` whole and 0 to 100"}}) {
         EXPECT_TRUE(taken(range.key, range.lowest) && taken(range.key, range.highest)) << range.key;
         EXPECT_FALSE(taken(range.key, range.below) || taken(range.key, range.above)) << range.key;
         EXPECT_NE(document().find(range.words), std::string::npos) << range.words;

@@ -33,6 +33,17 @@ TEST(MaterialNumbers, AreReadWrittenAndApplied) {
     }
 }
 
+TEST(MaterialNumbers, WholeOnesTakeNoOthers) {
+    int whole = 0;
+    for (const MaterialNumber& number : kMaterialNumbers) {
+        if (!number.whole) continue;
+        ++whole;
+        EXPECT_ANY_THROW(parsed(number, "1.5")) << number.key;
+        EXPECT_EQ(parsed(number, "2").*number.change, 2.0F) << number.key;
+    }
+    EXPECT_EQ(whole, 1) << "priority";
+}
+
 TEST(MaterialNumbers, AreRefusedBeyondTheirRange) {
     for (const MaterialNumber& number : kMaterialNumbers) {
         EXPECT_ANY_THROW(parsed(number, std::to_string(number.minimum - 0.5F))) << number.key;

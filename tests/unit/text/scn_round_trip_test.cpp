@@ -82,6 +82,7 @@ rtcore::MaterialOverride randomMaterial(Random& random) {
     if (random.flag()) m.opacity = random.fraction();
     if (random.flag()) m.attenuationDistance = random.positive();
     if (random.flag()) m.indexOfRefraction = 1 + 4 * random.fraction();
+    if (random.flag()) m.priority = std::floor(100 * random.fraction());
     if (random.flag()) m.roughness = random.fraction();
     if (random.flag()) m.metallic = random.fraction();
     if (random.flag()) m.textures = random.flag();

@@ -16,6 +16,7 @@ const fieldsOf = () => [
     ["opacity", of("MaterialFields", "Opacity"), [0, 1]],
     ["transmission", of("MaterialFields", "Glass colour"), "colour"],
     ["indexOfRefraction", of("MaterialFields", "Refraction"), [1, 3]],
+    ["priority", of("MaterialFields", "Priority"), [0, 100]],
     ["textures", of("MaterialFields", "Textures"), "switch"],
     ["flipTextures", of("MaterialFields", "Upside down"), "switch"],
 ];

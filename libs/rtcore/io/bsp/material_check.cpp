@@ -143,7 +143,9 @@ std::optional<Sentence> checkMaterials(const Model& model) {
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         for (const MaterialNumber& number : kMaterialNumbers) {
             const float maximum = std::min(number.maximum, kLargestNumber);
-            if (within(model.materials[i].*number.field, number.minimum, maximum)) continue;
+            const float value = model.materials[i].*number.field;
+            const bool whole = !number.whole || value == std::floor(value);
+            if (within(value, number.minimum, maximum) && whole) continue;
             return inElement("materials", i, outOf(number));
         }
     }

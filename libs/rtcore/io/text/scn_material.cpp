@@ -2,8 +2,10 @@
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/material_numbers.h"
+#include "rtcore/settings/number_text.h"
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -25,6 +27,7 @@ struct MaterialKey {
     Limits limits = kUnitRange; ///< of numbers and of each part of a colour
     bool alsoNumber = false;    ///< a colour that may be one number, which is grey
     int version = 1;            ///< of files that have it
+    bool whole = false;         ///< a number without a fraction
 };
 
 std::vector<MaterialKey> makeKeys() {
@@ -37,8 +40,12 @@ std::vector<MaterialKey> makeKeys() {
                                   {"fresnel", &Override::fresnel},
                                   {"transmission", &Override::transmission}};
     for (const MaterialNumber& each : kMaterialNumbers)
-        keys.push_back(
-            {each.key, each.change, {.minimum = each.minimum, .maximum = each.maximum}, false, each.version});
+        keys.push_back({each.key,
+                        each.change,
+                        {.minimum = each.minimum, .maximum = each.maximum},
+                        false,
+                        each.version,
+                        each.whole});
     keys.insert(keys.end(), {{"emission", &Override::emission, kNotNegative},
                              {"textures", &Override::textures, kUnitRange, false, 2},
                              {"flipTextures", &Override::flipTextures, kUnitRange, false, 2}});
@@ -61,7 +68,11 @@ struct Reader {
             key.alsoNumber ? table.colourOrNumber(key.name, key.limits) : table.colour(key.name, key.limits);
     }
     void operator()(std::optional<float> Override::*member) const {
-        material.*member = table.number(key.name, key.limits);
+        const std::optional<float> value = material.*member = table.number(key.name, key.limits);
+        if (!key.whole || !value || *value == std::floor(*value)) return;
+        const Sentence range = say("a whole number from {0} to {1}", static_cast<int>(key.limits.minimum),
+                                   static_cast<int>(key.limits.maximum));
+        table.fail(key.name, say("{0} is {1}, but takes {2}", key.name, shortestText(*value), range));
     }
     void operator()(std::optional<bool> Override::*member) const {
         material.*member = table.boolean(key.name);

@@ -1,6 +1,7 @@
 #include "rtcore/shading/light/shadows.h"
 
 #include "rtcore/scattering/fresnel.h"
+#include "rtcore/scene/media_crossing.h"
 #include "rtcore/shading/surface/medium.h"
 #include "rtcore/shading/surface/surface.h"
 
@@ -98,6 +99,7 @@ void ShadowTracer::goOn(std::size_t ray, const Surface& surface, const Hit& hit)
 const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
     ends_.assign(rays.size(), {});
     travelled_.assign(rays.size(), 0);
+    media_.assign(rays.size(), {});
     startLayers(rays);
     for (int layer = 0; layer < kMaxSurfaces && !current_.empty(); ++layer) {
         tracer_->intersect(kind_, current_, hits_);
@@ -110,7 +112,10 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
             travelled_[index] += hit.t;
             if (layer == 0) ends_[index].clear = hit.t;
             const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit, hits_.clearanceOf(i));
-            const Colour left = ends_[index].tint * throughSurface(surface, hit).all;
+            const Passing passing = mayNest(surface, hit)
+                                        ? passMedium(*scene_, meetingAt(surface, hit, hit.t), media_[index])
+                                        : throughSurface(surface, hit);
+            const Colour left = ends_[index].tint * passing.all;
             if (isBlack(left)) {
                 ends_[index].distance = travelled_[index];
                 continue;
@@ -125,8 +130,34 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
     return ends_;
 }
 
-/// The rays that remain, surface after surface.
+/// The rays that remain. Where solids may overlap, a part of them at a time, which bounds the memory of what
+/// they meet.
 void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics) {
+    sinceSolid_.clear();
+    if (scene_->solids == nullptr || !scene_->solids->overlap || !refractions_)
+        return traceLayers(fogLight, statistics);
+    constexpr std::size_t kPart = 1024;
+    std::swap(waiting_, current_);
+    std::swap(waitingIndex_, currentIndex_);
+    for (std::size_t first = 0; first < waiting_.size(); first += kPart) {
+        const std::size_t count = std::min(kPart, waiting_.size() - first);
+        current_.clear();
+        current_.append(waiting_, first, count);
+        const auto begin = waitingIndex_.begin() + static_cast<std::ptrdiff_t>(first);
+        currentIndex_.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+        meetings_.start(transmittance_.size());
+        sinceSolid_.assign(transmittance_.size(), 0);
+        traceLayers(fogLight, statistics);
+        for (std::size_t i = first; i < first + count; ++i) {
+            const Passing passing = meetings_.passing(*scene_, waitingIndex_[i]);
+            transmittance_[waitingIndex_[i]] *= passing.all;
+            unbent_[waitingIndex_[i]] *= passing.unbent;
+        }
+    }
+}
+
+/// Surface after surface.
+void ShadowTracer::traceLayers(const Light* fogLight, RayStatistics& statistics) {
     for (int layer = 0; layer < kMaxSurfaces && !current_.empty(); ++layer) {
         if (layer > 0) statistics.count(kind_, current_.size());
         tracer_->intersect(kind_, current_, hits_);
@@ -145,11 +176,21 @@ void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics)
             }
             const Hit hit = hits_.hit(i);
             const Surface surface = shapeAt(*scene_, ray.direction, hit, hits_.clearanceOf(i));
-            const Passing passing = throughSurface(surface, hit);
+            const std::uint32_t index = currentIndex_[i];
+            const bool nested = mayNest(surface, hit);
+            const Passing passing = nested ? Passing{} : throughSurface(surface, hit);
             arriving *= passing.all;
             unbent *= passing.unbent;
-            if (fogLight != nullptr) {
-                const float left = throughFog(surface, ray, *fogLight, hit);
+            if (nested) {
+                MediaMeeting at = meetingAt(surface, hit, sinceSolid_[index] + hit.t);
+                if (fogLight != nullptr) at.fog = throughFog(ray, *fogLight, hit);
+                meetings_.add(index, at);
+                sinceSolid_[index] = 0;
+            } else if (!sinceSolid_.empty()) {
+                sinceSolid_[index] += hit.t;
+            }
+            if (fogLight != nullptr && !nested && !(surface.closed && surface.fromInside)) {
+                const float left = throughFog(ray, *fogLight, hit);
                 arriving = arriving * left;
                 unbent = unbent * left;
             }
@@ -163,13 +204,27 @@ void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics)
 }
 
 /// Transmittance of the fog between two surfaces.
-float ShadowTracer::throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const {
-    if (end.closed && end.fromInside) return 1;
+float ShadowTracer::throughFog(const Ray& ray, const Light& light, const Hit& hit) const {
     if (!traitsOf(light).position && !fog_->exponential) return 1;
     return fogTransmittance(*fog_, ray.origin, ray.direction, hit.t);
 }
 
-ShadowTracer::Passing ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
+bool ShadowTracer::mayNest(const Surface& surface, const Hit& hit) const {
+    return refractions_ && boundsMedium(*scene_, hit.triangle, *surface.material);
+}
+
+/// Such a surface, `distance` from the solid before it.
+MediaMeeting ShadowTracer::meetingAt(const Surface& surface, const Hit& hit, float distance) const {
+    return {hit.triangle,
+            surface.fromInside,
+            distance,
+            dot(surface.toViewer, surface.shadingNormal),
+            opacityAt(*scene_, textures_, hit),
+            coverageAt(*scene_, textures_, hit, surface.fromInside),
+            1};
+}
+
+Passing ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
     const Material& material = *surface.material;
     const float coverage = coverageAt(*scene_, textures_, hit, surface.fromInside);
     const float opacity = refractions_ ? opacityAt(*scene_, textures_, hit) : 1.0F;

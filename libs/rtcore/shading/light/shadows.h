@@ -7,6 +7,7 @@
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/fog/fog.h"
+#include "rtcore/shading/light/shadow_media.h"
 #include "rtcore/shading/surface/surface.h"
 
 #include <cstddef>
@@ -60,13 +61,12 @@ class ShadowTracer {
     void settle(const RayWave& rays, const Light* fogLight, RayStatistics& statistics);
     void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
     void traceTinted(const Light* fogLight, RayStatistics& statistics);
-    /// Transmittance of one surface, and its part through a hole or a thin pane.
-    struct Passing {
-        Colour all, unbent;
-    };
+    void traceLayers(const Light* fogLight, RayStatistics& statistics);
+    bool mayNest(const Surface& surface, const Hit& hit) const;
+    MediaMeeting meetingAt(const Surface& surface, const Hit& hit, float distance) const;
     /// The ray came from the surface before it, hit.t away.
     Passing throughSurface(const Surface& surface, const Hit& hit) const;
-    float throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const;
+    float throughFog(const Ray& ray, const Light& light, const Hit& hit) const;
 
     const Scene* scene_ = nullptr;
     const RayTracer* tracer_ = nullptr;
@@ -83,6 +83,11 @@ class ShadowTracer {
     HitWave hits_;
     RayWave current_, next_;
     std::vector<std::uint32_t> currentIndex_, nextIndex_;
+    RayWave waiting_; ///< where solids may overlap
+    std::vector<std::uint32_t> waitingIndex_;
+    MediaMeetings meetings_;
+    std::vector<float> sinceSolid_; ///< by ray: how far it has come since the last solid's surface
+    std::vector<MediaList> media_;  ///< of ends_
 };
 
 } // namespace rtcore

@@ -14,6 +14,11 @@ void PathQueue::reserve(std::size_t count) {
     for (auto& values : weight) values.resize(count + kWaveBlock);
     for (auto& values : extinction) values.resize(count + kWaveBlock);
     length.resize(count + kWaveBlock);
+    if (hasMedia()) keepMedia();
+}
+
+void PathQueue::keepMedia() {
+    for (auto& values : media) values.resize(sample.size());
 }
 
 void PathQueue::push(const Ray& ray, const Path& path) {
@@ -30,6 +35,10 @@ void PathQueue::push(const Ray& ray, const Path& path) {
         extinction[c][i] = extinctions[c];
     }
     length[i] = path.length;
+    if (!hasMedia() && path.media.empty()) return;
+    if (!hasMedia()) keepMedia();
+    media[0][i] = path.media.low();
+    media[1][i] = path.media.high();
 }
 
 Path PathQueue::path(std::size_t i) const {
@@ -42,6 +51,7 @@ Path PathQueue::path(std::size_t i) const {
     path.inside = isInside(bounces[i]);
     path.lobeSeesDiscs = (bounces[i] & kLobeBit) != 0;
     path.length = length[i];
+    if (hasMedia()) path.media = MediaList(media[0][i], media[1][i]);
     return path;
 }
 

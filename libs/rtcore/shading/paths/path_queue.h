@@ -5,6 +5,7 @@
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/wave_memory.h"
 #include "rtcore/math/colour.h"
+#include "rtcore/scene/media_list.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,7 @@ struct Path {
     bool inside = false;        ///< of a transparent solid
     bool lobeSeesDiscs = false; ///< discs of lights count for the highlight of the surface that it was
                                 ///< mirrored at last: it does not see them
+    MediaList media;            ///< solids that it is inside of, where some may overlap
     /// How far from the primary ray's origin this one seems to begin, as seen along that: mirrors and
     /// panes that are flat only fold the way. Once a curved one has bent it, minus the way up to that.
     float length = 0;
@@ -37,6 +39,7 @@ struct PathQueue {
     std::vector<std::uint32_t> bounces; ///< depth in the lower 16 bits, passes in 14, lobeSeesDiscs, inside
     std::vector<float> weight[3], extinction[3];
     std::vector<float> length;
+    std::vector<std::uint32_t> media[2]; ///< lower and higher bits; empty as long as all are
 
     std::size_t size() const { return rays.size(); }
     bool empty() const { return rays.empty(); }
@@ -45,6 +48,14 @@ struct PathQueue {
     Path path(std::size_t i) const;
     ArraysOf3 weights() { return {weight[0].data(), weight[1].data(), weight[2].data()}; }
     ArraysOf3 extinctions() { return {extinction[0].data(), extinction[1].data(), extinction[2].data()}; }
+
+    bool hasMedia() const { return !media[0].empty(); }
+    /// From now on it has.
+    void keepMedia();
+    /// Null where it has none.
+    std::uint32_t* mediaFrom(int half, std::size_t first) {
+        return hasMedia() ? media[half].data() + first : nullptr;
+    }
 
     /// Appends `count` rays with undefined origins, directions and paths, from 0 to infinity, and returns how
     /// many there were before.

@@ -1,6 +1,7 @@
 #include "rtcore/shading/surface/surface.h"
 
 #include "rtcore/math/triangle-inl.h"
+#include "rtcore/scene/media_crossing.h"
 #include "rtcore/shading/surface/normal_map.h"
 #include "rtcore/shading/surface/texture_lookup.h"
 
@@ -98,11 +99,33 @@ Surface shapeOf(const Scene& scene, Vec3 direction, const Hit& hit, bool& turned
     if (none) s.shadingNormal = s.geometricNormal;
     turned = !none && behind != s.fromInside;
     if (turned) s.shadingNormal = -s.shadingNormal;
-    s.closed = scene.isClosed(hit.triangle) && !isVeil(*s.material);
+    setOwnMedium(scene, hit.triangle, s);
     return s;
 }
 
 } // namespace
+
+void setOwnMedium(const Scene& scene, std::uint32_t triangle, Surface& s) {
+    s.closed = scene.isClosed(triangle) && !isVeil(*s.material);
+    s.index = s.material->indexOfRefraction;
+    if (s.closed && s.fromInside) s.index = 1 / s.index;
+    if (s.closed && !s.fromInside) s.behind = s.material;
+}
+
+bool setMedia(const Scene& scene, std::uint32_t triangle, MediaList media, Surface& s) {
+    s.media = media;
+    if (!boundsMedium(scene, triangle, *s.material)) return true;
+    const MediaCrossing crossing = crossMedia(scene, triangle, s.fromInside, media);
+    const auto indexOf = [](const Material* medium) {
+        return medium != nullptr ? medium->indexOfRefraction : 1.0F;
+    };
+    s.media = crossing.list;
+    if (crossing.before == nullptr && crossing.after == nullptr) return true;
+    s.behind = crossing.after;
+    s.index = indexOf(crossing.after) / indexOf(crossing.before);
+    s.closed = true;
+    return crossing.visible;
+}
 
 Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit) {
     bool turned = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
+#include "rtcore/scene/media_list.h"
 #include "rtcore/scene/scene.h"
 
 namespace rtcore {
@@ -22,6 +23,9 @@ struct Surface {
     bool closed = false;          ///< the surface bounds a solid, in which light is bent or tinted
     bool facet = false;           ///< the shading normal is that of one facet (frosted_glass.h)
     const Material* material = nullptr;
+    float index = 1.5F;               ///< of refraction, of what lies behind it over that of what lies before
+    const Material* behind = nullptr; ///< the solid that a ray comes into which passes it; null: air
+    MediaList media;                  ///< that such a ray is in, where solids may overlap
 };
 
 /// `direction` is the ray's, of unit length. Safe from many threads, as are all of these.
@@ -32,6 +36,13 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
 Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit, float clearance = 0);
 /// Adds the rest to such a surface. `turned`: its shading normal is minus the interpolated one.
 void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned, Surface& surface);
+
+/// Completes a surface with its medium, as if it lay in air.
+void setOwnMedium(const Scene& scene, std::uint32_t triangle, Surface& surface);
+/// Completes a surface with what lies on both sides of it, and `closed`; a ray came from `media` to it. False
+/// where there is nothing to be seen of it: a solid of a higher priority lies around, or the same medium on
+/// both sides.
+bool setMedia(const Scene& scene, std::uint32_t triangle, MediaList media, Surface& surface);
 
 /// The albedo alone, with vertex colour, but without texture.
 Colour untexturedAt(const Scene& scene, const Hit& hit);

@@ -28,8 +28,7 @@ SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings) {
     SurfaceSplit split;
     if (settings.reflections) {
         if (opacity < 1) {
-            const float eta = s.closed && s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
-            const float r = fresnelDielectric(cosine, eta);
+            const float r = fresnelDielectric(cosine, s.index);
             split.mirrored = kWhite * (s.closed ? r : thinWallReflectance(r));
         } else {
             split.mirrored = mirroredOf(m, cosine) * s.specularTint;
