@@ -11,7 +11,7 @@ namespace rtcore {
 
 enum class ColourEncoding { Linear, Display };
 
-/// A habit, and the sign of who has it.
+/// A habit of programs, and the sign of them.
 struct ExporterColours {
     enum class Sign { Begins, Contains };
     std::string_view words; ///< of what the file says of the program that wrote it, in small letters
