@@ -12,9 +12,9 @@ thread each, prints how much they differ, and leaves the images: ours, theirs an
 SCENE.png. Images that are there and still right are not rendered again, so that a run that was stopped goes on.
 
 Scenes: plane-point plane-directional plane-sphere plane-rectangle plane-emission plane-background (a floor lit by one
-light, directly: strengths), cube sky sun mirrors glass tinted frosted metals whites (generated), cornell sibenik sponza (of the folder of
-models); not among those taken without a name: furnished, lamborghini, and nave of scripts/make_data.sh (or the file
-$RT_NAVE).
+light, directly: strengths), cube sky sun mirrors glass tinted frosted metals whites (generated), cornell sibenik
+sponza (of the folder of models); not among those taken without a name: furnished, lamborghini, and nave of
+scripts/make_data.sh (or the file $RT_NAVE).
 
   -o, --output=FOLDER       where scenes and images go [output/cycles]
   -s, --size=WxH            pixels [320x240]

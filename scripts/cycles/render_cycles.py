@@ -81,7 +81,7 @@ def add_material(number, told, folder):
     if told["glass"]:
         rough = told["roughness"]
         surface = nodes.add("ShaderNodeBsdfGlass", {"Color": white, "Roughness": rough, "IOR": told["glass"]},
-                            distribution="MULTI_GGX" if rough else "SHARP")
+                            distribution="GGX" if rough else "SHARP")
     elif told["pane"]:
         surface = nodes.add("ShaderNodeBsdfTransparent", {"Color": (*told["pane"], 1)})
     elif told["metal"]:

@@ -201,7 +201,7 @@ def tinted():
 
 
 def frosted():
-    return under_sky({"glass": 1.5, "roughness": 0.35}, {"glass": 1.33, "roughness": 0.2, "absorbs": (0.5, 0.2, 0.1)})
+    return under_sky({"glass": 1.5, "roughness": 0.13}, {"glass": 1.33, "roughness": 0.1, "absorbs": (0.5, 0.2, 0.1)})
 
 
 def metals():

@@ -1,5 +1,5 @@
-/// What a ray is in where it meets the surfaces of solids of glass that overlap or touch each other. (Schmidt
-/// and Budge 2002, "Simple Nested Dielectrics in Ray Traced Images")
+/// The media on both sides of where a ray meets the surfaces of solids of glass that overlap or touch each
+/// other. (Schmidt and Budge 2002, "Simple Nested Dielectrics in Ray Traced Images")
 #pragma once
 
 #include "rtcore/scene/media_list.h"
@@ -46,7 +46,7 @@ class MediaAtStart {
     MediaList start_, now_;
 };
 
-/// What is there of the list; null: air.
+/// The medium that is there of the list; null: air.
 const Material* mediumOf(const Scene& scene, MediaList list);
 
 } // namespace rtcore

@@ -1,4 +1,4 @@
-/// What a path is in.
+/// The medium that a path is in.
 #pragma once
 
 #include "rtcore/shading/paths/path_queue.h"

@@ -7,6 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
 namespace rtcore {
 namespace {
 
@@ -72,6 +78,57 @@ TEST(PathFurnace, FrostedPanesSpreadLightAsTheirFacetsDo) {
         }
         const auto seen = scene.see({0, 0, 2}, {0, 0, -1}, 200000, test::bouncesAlone(4));
         EXPECT_NEAR(seen.mean[0], expected, 4 * seen.error[0] + 0.002 * expected) << roughness;
+    }
+}
+
+/// A square that shines inside of a block of frosted glass that absorbs half of the light along 1, 1 below
+/// its face: what facets send there of a ray straight on, by their density (GGX), Snell's and Fresnel's laws.
+double throughFacets(double roughness, double half) {
+    const double a2 = std::pow(roughness, 4);
+    const int steps = 1500, turns = 180;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double theta = (i + 0.5) / steps * test::kPi / 2, c = std::cos(theta), s = std::sin(theta);
+        const double density = a2 / (test::kPi * std::pow((a2 - 1) * c * c + 1, 2)) * c * s;
+        const double ct = std::sqrt(1 - s * s / 2.25);
+        const double rs = (c - 1.5 * ct) / (c + 1.5 * ct), rp = (1.5 * c - ct) / (1.5 * c + ct);
+        const double bent = theta - std::asin(s / 1.5);
+        const double passes = (1 - (rs * rs + rp * rp) / 2) * std::pow(0.5, 1 / std::cos(bent));
+        for (int k = 0; k < turns; ++k) {
+            const double phi = 2 * test::kPi * (k + 0.5) / turns;
+            const double edge = half / std::max(std::abs(std::cos(phi)), std::abs(std::sin(phi)));
+            if (std::tan(bent) <= edge) sum += density * passes;
+        }
+    }
+    return sum * (test::kPi / 2 / steps) * (2 * test::kPi / turns);
+}
+
+TEST(PathFurnace, FrostedSolidsBendLightAsTheirFacetsDo) {
+    for (const float roughness : {0.3F, 0.6F}) {
+        Material m = frosted(roughness);
+        m.transmission = kWhite * 0.5F;
+        m.attenuationDistance = 1;
+        test::SceneBuilder b;
+        b.box({-20, -20, -3}, {20, 20, 0}, b.material(m));
+        b.square({0, 0, -1}, {0, 0, 1}, 0.1F, b.material(test::emitter({1, 1, 1})));
+        const test::PathScene scene(b.finish(), test::exactSettings(1));
+        const double expected = throughFacets(roughness, 0.1);
+        const auto seen = scene.see({0, 0, 2}, {0, 0, -1}, 200000, test::bouncesAlone(2));
+        EXPECT_LT(seen.error[0], 0.005 * expected);
+        EXPECT_NEAR(seen.mean[0], expected, 3 * seen.error[0] + 0.002 * expected) << roughness;
+
+        RayWave rays;
+        std::vector<SampleId> ids;
+        for (std::uint32_t i = 0; i < 16384; ++i) {
+            rays.push({{0, 0, 2}, 0, {0, 0, -1}, std::numeric_limits<float>::max()});
+            ids.push_back({static_cast<std::uint16_t>(i % 128), static_cast<std::uint16_t>(i / 128), 0});
+        }
+        WhittedIntegrator whitted(scene.traced.scene, scene.traced.tracer, scene.settings);
+        whitted.trace(rays, ids);
+        double sum = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) sum += whitted.radiance().colourAt(i).r;
+        const double deviation = std::sqrt(expected * (1 - expected) / 16384);
+        EXPECT_NEAR(sum / 16384, expected, 4 * deviation) << roughness;
     }
 }
 

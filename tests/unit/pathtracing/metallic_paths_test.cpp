@@ -112,6 +112,51 @@ TEST(MetallicPaths, VarnishedWhiteSurfacesGiveOffAllLight) {
 }
 
 /// By paths and by Whitted's rays: Schlick's curve of 0.04.
+/// GGX of a dielectric, times the cosine of the light, in double. Both in the plane y = 0, or the light
+/// turned about the normal z by `phi`.
+double coatLobe(double roughness, double viewer, double light, double phi) {
+    const double a2 = std::pow(roughness, 4), cv = std::cos(viewer), cl = std::cos(light);
+    const double x = std::sin(viewer) + std::sin(light) * std::cos(phi), y = std::sin(light) * std::sin(phi);
+    const double size = std::sqrt(x * x + y * y + (cv + cl) * (cv + cl)), ch = (cv + cl) / size;
+    const double half = std::sqrt((1 + cv * cl + std::sin(viewer) * std::sin(light) * std::cos(phi)) /
+                                  2); // between light and facet
+    const auto lambda = [&](double c) { return (std::sqrt(1 + a2 * (1 / (c * c) - 1)) - 1) / 2; };
+    const double d = a2 / (test::kPi * std::pow((a2 - 1) * ch * ch + 1, 2));
+    return (0.04 + 0.96 * std::pow(1 - half, 5)) * d / (1 + lambda(cv) + lambda(cl)) / (4 * cv);
+}
+
+TEST(MetallicPaths, VarnishAddsItsLobeToWhatItLeaves) {
+    const double roughness = 0.4, weight = 0.8, towards = 0.5;
+    const auto seen = [&](double coat, double viewer) {
+        test::SceneBuilder b;
+        b.square({0, 0, 0}, {0, 0, 1}, 9,
+                 b.material(varnished({0.05F, 0.05F, 0.05F}, 0, 1, static_cast<float>(coat), 0.4F)));
+        b.scene.lights.emplace_back(test::pointLight(
+            {-4 * static_cast<float>(std::sin(towards)), 0, 4 * static_cast<float>(std::cos(towards))}, 16));
+        const test::PathScene scene(b.finish());
+        const Vec3 eye{static_cast<float>(std::sin(viewer)), 0, static_cast<float>(std::cos(viewer))};
+        const auto paths = scene.see(eye, -eye, 100, test::bouncesAlone(0));
+        const double whitted = scene.traced.see(eye, {0, 0, 0});
+        EXPECT_NEAR(paths.mean[0] / whitted, 1, 1e-4);
+        return whitted;
+    };
+    for (const double viewer : {0.1, 0.5, 0.9}) {
+        double albedo = 0;
+        const int steps = 400;
+        for (int i = 0; i < steps; ++i) {
+            for (int k = 0; k < steps; ++k) {
+                const double light = (i + 0.5) / steps * test::kPi / 2,
+                             phi = 2 * test::kPi * (k + 0.5) / steps;
+                albedo += coatLobe(roughness, viewer, light, phi) * std::sin(light);
+            }
+        }
+        albedo *= test::kPi / 2 / steps * 2 * test::kPi / steps;
+        const double below = seen(0, viewer) * (1 - weight * albedo);
+        const double expected = weight * coatLobe(roughness, viewer, towards, test::kPi) + below;
+        EXPECT_NEAR(seen(weight, viewer) / expected, 1, 0.005) << viewer;
+    }
+}
+
 TEST(MetallicPaths, SmoothVarnishMirrors) {
     test::SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(varnished({0, 0, 0}, 1, 1, 0.8F, 0)));
