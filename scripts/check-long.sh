@@ -25,6 +25,14 @@ for check in "$@"; do
         scripts/strangers.sh build/strangers
         # So many random glTF files beside plain ones that show the same.
         RT_GLTF_CENSUS=${RT_GLTF_CENSUS:-2000} $release/test_gltf_census
+        # All models of assimp-testmodels beside the list that is kept, and beside what Blender reads of them.
+        if command -v blender >/dev/null && [ -d /usr/share/assimp/models ]; then
+            RT_CENSUS_PLAIN=$PWD/build/census_plain
+            blender --background --factory-startup --python tests/strangers/blender_plain.py -- \
+                /usr/share/assimp/models "$RT_CENSUS_PLAIN" >build/census_plain.log 2>&1
+            export RT_CENSUS_PLAIN
+        fi
+        RT_MODEL_CENSUS=1 $release/test_model_census
         ;;
     models)
         # Up axis and unit of 45 real models; what is not there is made by the programs that are installed.

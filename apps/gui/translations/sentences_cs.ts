@@ -280,6 +280,10 @@
         <translation>několik vrcholů leží víc než 100000krát dál než všechny ostatní, které vedle nich nejsou vidět; odstraňte je, nebo umístěte kameru sami</translation>
     </message>
     <message>
+        <source>a file of Irrlicht, which is not read</source>
+        <translation>soubor Irrlichtu, který se nečte</translation>
+    </message>
+    <message>
         <source>a file of Rhino, which is not read</source>
         <translation>soubor programu Rhino, který nelze načíst</translation>
     </message>
@@ -1586,6 +1590,10 @@
     <message>
         <source>its sides are out of range</source>
         <translation>jeho strany jsou mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its text is in UTF-16, which is not read; save it as UTF-8 in a text editor</source>
+        <translation>jeho text je v UTF-16, které se nečte; uložte jej v textovém editoru jako UTF-8</translation>
     </message>
     <message>
         <source>its tilt is in a file of its own, {0}, which does not count</source>
@@ -3070,6 +3078,10 @@
     <message>
         <source>weights of {0} bytes; at most {1} are read</source>
         <translation>váhy o {0} bajtech; čte se nejvýše {1}</translation>
+    </message>
+    <message>
+        <source>what modifiers make of its meshes, and some objects of its hierarchy, may be missing; export it from Blender as glTF to be sure</source>
+        <translation>může chybět, co z jeho sítí dělají modifikátory, a některé objekty jeho hierarchie; pro jistotu jej z Blenderu exportujte jako glTF</translation>
     </message>
     <message>
         <source>what stands in braces reads { key = value, key = value }, all on one line</source>

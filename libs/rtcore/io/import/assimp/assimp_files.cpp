@@ -1,17 +1,36 @@
 #include "rtcore/io/import/assimp/assimp_files.h"
 
+#include "rtcore/io/import/mesh/utf16_text.h"
 #include "rtcore/platform/paths.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/IOStream.hpp>
 #include <assimp/MemoryIOWrapper.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
 namespace rtcore {
 
 namespace {
+
+/// All of a file of text in UTF-16, as UTF-8; null for others, which are as they were before.
+Assimp::IOStream* asUtf8(Assimp::IOStream& file) {
+    std::array<std::byte, 2> mark{};
+    const bool isUtf16 = file.Read(mark.data(), 1, mark.size()) == mark.size() && beginsAsUtf16(mark);
+    file.Seek(0, aiOrigin_SET);
+    if (!isUtf16) return nullptr;
+    std::vector<std::byte> bytes(file.FileSize());
+    bytes.resize(file.Read(bytes.data(), 1, bytes.size()));
+    file.Seek(0, aiOrigin_SET);
+    const auto text = utf8OfUtf16(bytes);
+    if (!text) return nullptr;
+    auto* const own = new std::uint8_t[text->size()]; // which the stream deletes
+    std::ranges::copy(*text, own);
+    return new Assimp::MemoryIOStream(own, text->size(), true);
+}
 
 class FilesForAssimp : public Assimp::DefaultIOSystem {
   public:
@@ -25,6 +44,7 @@ class FilesForAssimp : public Assimp::DefaultIOSystem {
         if (replaced_ && files_->back() == replaced_->path)
             return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(replaced_->text.data()),
                                               replaced_->text.size());
+        if (Assimp::IOStream* const text = asUtf8(*stream)) return text;
         return stream.release();
     }
 

@@ -376,7 +376,10 @@ void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLi
     makeRoomFor(count, memoryLimit, assembler);
 }
 
-void warnOfFiles(const std::filesystem::path& path, ImportReport& report) {
+void warnOfFiles(const std::filesystem::path& path, const std::string& format, ImportReport& report) {
+    if (format.starts_with("Blender"))
+        addWarning(report, say("what modifiers make of its meshes, and some objects of its hierarchy, may "
+                               "be missing; export it from Blender as glTF to be sure"));
     for (const char* const form : unreadInCollada(path)) addWarning(report, form);
 }
 
@@ -458,7 +461,7 @@ FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOpti
 
     if (cut) addWarning(result.report, *cut);
     warnOfLostTriangles(result.model, result.report);
-    warnOfFiles(path, result.report);
+    warnOfFiles(path, formatOf(*importer), result.report);
     poser.warn(result.report);
     warnOfMissingTextures(textures.missing(), result.report);
     warnWhenInvisible(result.model, result.report);

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/inspection/foreign_formats.h"
 
+#include "rtcore/io/import/mesh/utf16_text.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
@@ -184,7 +185,17 @@ std::optional<Sentence> brep(View head, const std::string&) {
     return unreadCad(form("a BREP file"));
 }
 
-constexpr std::array kByContent{step, zip, oldFbx, blend, compound, iges, brep};
+/// Assimp 5.2 has readers of these, which find nothing in any of them.
+std::optional<Sentence> irrlicht(View head, const std::string&) {
+    constexpr std::size_t kBeginning = 2048;
+    const View beginning = head.substr(0, kBeginning);
+    const std::string text =
+        utf8OfUtf16(std::as_bytes(std::span(beginning))).value_or(std::string(beginning));
+    if (!has(text, "<irr_scene") && !has(text, "irrlicht.sourceforge.net/IRRMESH")) return std::nullopt;
+    return itIs(form("a file of Irrlicht, which is not read"), kAsGltfOrObj);
+}
+
+constexpr std::array kByContent{step, zip, oldFbx, blend, compound, iges, brep, irrlicht};
 
 // Formats that are never read.
 

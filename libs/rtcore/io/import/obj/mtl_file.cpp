@@ -2,6 +2,7 @@
 
 #include "rtcore/io/import/inspection/exporter_notes.h"
 #include "rtcore/io/import/materials/exporter_colours.h"
+#include "rtcore/io/import/mesh/utf16_text.h"
 #include "rtcore/io/import/obj/map_statement.h"
 #include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/io/import/text/statement_warning.h"
@@ -219,7 +220,9 @@ std::uint32_t MtlMaterials::numberOf(const std::string& name) {
 void readMtl(const std::filesystem::path& path, const std::string& folder, MtlMaterials& materials,
              std::vector<std::string>& unsupported, std::string_view exporter, ImportReport& report) {
     const FileBytes file = openFileBytes(path);
-    std::string text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+    std::string text =
+        utf8OfUtf16(file.bytes)
+            .value_or(std::string(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()));
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     text += '\n';
     OddStatements odd;

@@ -1,6 +1,7 @@
 #include "rtcore/io/import/obj/obj_reader.h"
 
 #include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/mesh/utf16_text.h"
 #include "rtcore/io/import/obj/material_libraries.h"
 #include "rtcore/io/import/obj/obj_structure.h"
 #include "rtcore/io/import/text/statement_pieces.h"
@@ -271,12 +272,21 @@ class ObjStatements {
     std::array<std::size_t, 7> known_{}; ///< lengths of lists after the last piece
 };
 
+/// It is read by pieces, as UTF-8 and what is like it.
+void refuseUtf16(const InputFile& input) {
+    std::array<std::byte, 2> mark{};
+    if (beginsAsUtf16(std::span(mark).first(input.readAt(0, mark))))
+        throw FileError(FailureKind::BadData, "",
+                        say("its text is in UTF-16, which is not read; save it as UTF-8 in a text editor"));
+}
+
 } // namespace
 
 ObjFile readObj(const std::filesystem::path& path, const LocalOrigin& origin, ImportReport& report,
                 const std::function<void()>& alive) {
     ObjFile file;
     const InputFile input(path);
+    refuseUtf16(input);
     ObjStatements statements(path, origin, file, report);
     forEachStatements(input, alive, [&](View text, std::uint64_t next) {
         statements.read(text);
