@@ -37,6 +37,17 @@ std::string refusalOf(const std::string& name, const std::string& text) {
     return "accepted";
 }
 
+/// Assimp quotes all of a text from a number on that it cannot read.
+TEST(ImportWarnings, OfALongReasonTheBeginningIsSaid) {
+    std::string text = "AC3Db\nMATERIAL \"m\" rgb 1 1 1  amb 1 1 1  emis 0 0 0  spec 0 0 0  shi 0  trans 0\n"
+                       "OBJECT world\nkids 1\nOBJECT poly\nnumvert 9000\n0 y.0 0\n";
+    for (int i = 1; i < 9000; ++i) text += "0 0 1\n";
+    const std::string refusal = refusalOf("m.ac", text);
+    EXPECT_NE(refusal.find("Cannot parse string"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find(" ...; open it in"), std::string::npos) << refusal;
+    EXPECT_LT(refusal.size(), 600U);
+}
+
 TEST(ImportWarnings, ASoundModelHasNone) {
     EXPECT_EQ(all(importText("cube.obj", test::kCubeObj).report), "");
     EXPECT_EQ(all(importText("t.gltf", GltfScene{}.text()).report), "");

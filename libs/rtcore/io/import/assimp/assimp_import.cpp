@@ -297,6 +297,15 @@ void refuseMisnamedFor(const std::filesystem::path& path, const Assimp::Importer
     refuseMisnamed(path);
 }
 
+/// Assimp may quote all that follows in the file. Cut between characters of UTF-8.
+std::string beginningOf(const std::string& reason) {
+    constexpr std::size_t kMax = 300;
+    if (reason.size() <= kMax) return reason;
+    std::size_t end = kMax;
+    while (end > 0 && (static_cast<unsigned char>(reason[end]) & 0xC0U) == 0x80U) --end;
+    return reason.substr(0, end) + " ...";
+}
+
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path, bool animations,
                          ImportReport& report) {
@@ -323,7 +332,7 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     refuse(say(
         "Assimp cannot read it: {0}; open it in the program that wrote it and export it again, as glTF or "
         "OBJ for example",
-        reason));
+        beginningOf(reason)));
 }
 
 std::string formatOf(const Assimp::Importer& importer) {
