@@ -19,7 +19,7 @@ SERVERS = ("apps/rtserver/commands", "apps/rtserver/document", "apps/rtserver/fr
            "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/settings/settings_merge.cpp", "apps/common/settings/guess_text.cpp", "apps/bridge/control", "apps/bridge/room")
 LIBRARIES = ("libs/rtcore", "libs/ipc")
 # Programs whose messages the window shows in the logs of its jobs.
-JOBS = ("apps/renderer", "apps/bspbuilder", "apps/common/cli/run_program.cpp")
+JOBS = ("apps/renderer", "apps/bspbuilder", "apps/common/cli/import_options.cpp", "apps/common/cli/run_program.cpp")
 SAYS = r"(?:say|form|Refusal|BadValue|Refused|UsageError|FileError|badImage|cannotEncode|wrongShape|refuse|refuseMesh|refuseToExport|Error)"
 CALL = re.compile(r"(?<!class )(?<!explicit )\b%s\(" % SAYS)
 # What a command line lacks is said in the words of command lines.

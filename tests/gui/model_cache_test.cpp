@@ -75,6 +75,16 @@ TEST_F(ModelCacheTest, AnotherPoseMakesAnotherModel) {
     EXPECT_NE(models.find(file("first.scn")), models.find(file("rest.scn")));
 }
 
+TEST_F(ModelCacheTest, AnotherDeflectionMakesAnotherModel) {
+    writeText(folder() / "usual.scn", "version = 2\nmodel = \"room.obj\"\ndeflection = 0.0005\n");
+    writeText(folder() / "fine.scn", "version = 2\nmodel = \"room.obj\"\ndeflection = 0.00001\n");
+    ASSERT_NO_FATAL_FAILURE(keep(file("room.obj")));
+    EXPECT_FALSE(models.find(file("usual.scn")).isEmpty());
+    EXPECT_TRUE(models.find(file("fine.scn")).isEmpty());
+    ASSERT_NO_FATAL_FAILURE(keep(file("fine.scn")));
+    EXPECT_FALSE(models.find(file("fine.scn")).isEmpty());
+}
+
 TEST_F(ModelCacheTest, ABrokenFileIsNoHarm) {
     writeText(folder() / "broken.bsp", "rubbish");
     EXPECT_TRUE(shown(file("room.obj"), {"--built-model=broken.bsp"}) == shown(file("room.obj"), {}));

@@ -37,7 +37,7 @@ OptionGroup importOptionGroup() {
           .value = ValueKind::Text,
           .argument = "POSE",
           .help = "rest, first or NAME@SECONDS of a model with animations [rest]",
-          .more = "See [import.md](import.md#poses)"},
+          .more = "Of a server, for its first scene. See [import.md](import.md#poses)"},
          {.name = "memory-limit",
           .value = ValueKind::Integer,
           .argument = "MB",

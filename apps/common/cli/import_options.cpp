@@ -13,8 +13,9 @@ constexpr double kMinUnit = 1e-9, kLargestUnit = 1e9; ///< as of a .scn
 
 rtcore::PoseChoice poseIn(const std::string& text) {
     if (const auto pose = rtcore::readPose(text)) return *pose;
-    throw UsageError("a pose is rest, first or the name or number of an animation, @ and seconds, not '" +
-                     text + "'");
+    throw UsageError(
+        rtcore::say("a pose is rest, first or the name or number of an animation, @ and seconds, not {0}",
+                    "'" + text + "'"));
 }
 } // namespace
 
@@ -25,7 +26,8 @@ std::optional<double> readUnits(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), metres);
     const bool number = error == std::errc() && end == text.data() + text.size();
     if (number && metres >= kMinUnit && metres <= kLargestUnit) return metres;
-    throw UsageError("a unit is auto, mm, cm, m, in, ft or a number of metres, not '" + text + "'");
+    throw UsageError(
+        rtcore::say("a unit is auto, mm, cm, m, in, ft or a number of metres, not {0}", "'" + text + "'"));
 }
 
 rtcore::ImportOptions readImportOptions(const Arguments& arguments) {

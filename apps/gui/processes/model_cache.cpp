@@ -30,6 +30,7 @@ struct Source {
     float creaseAngle = rtcore::kCreaseAngle;
     bool flipTextures = false;
     rtcore::PoseChoice pose = {};
+    float deflection = rtcore::kDeflection;
 };
 
 // Nothing for a file that is no model or cannot be read: the loader reports it.
@@ -39,7 +40,7 @@ std::optional<Source> sourceOf(const QString& scene) {
         try {
             const rtcore::SceneFile file = rtcore::readSceneFile(source.path.toStdString());
             source = {QString::fromStdString(file.model.string()), file.creaseAngle, file.flipTextures,
-                      file.pose};
+                      file.pose, file.deflection};
         } catch (const rtcore::FileError&) {
             return std::nullopt;
         }
@@ -86,6 +87,8 @@ QString fileFor(const Source& source) {
     hash.addData(QByteArray::number(static_cast<double>(source.creaseAngle), 'g', 9));
     hash.addData(source.flipTextures ? "flipped" : "upright");
     if (source.pose != rtcore::PoseChoice{}) hash.addData(QByteArray::fromStdString(poseText(source.pose)));
+    if (source.deflection != rtcore::kDeflection)
+        hash.addData(QByteArray::number(static_cast<double>(source.deflection), 'g', 9));
     return cacheFolder().filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".bsp"));
 }
 
@@ -138,6 +141,9 @@ void ModelCache::keep(const QString& scene) {
     if (source->flipTextures) words.append(QStringLiteral("--flip-textures"));
     if (source->pose != rtcore::PoseChoice{})
         words.append(QStringLiteral("--pose=") + QString::fromStdString(poseText(source->pose)));
+    if (source->deflection != rtcore::kDeflection)
+        words.append(
+            QStringLiteral("--deflection=%1").arg(static_cast<double>(source->deflection), 0, 'g', 9));
     builder_->start(program, words);
 }
 

@@ -448,6 +448,10 @@
         <translation>odkaz Git LFS, ne sám model</translation>
     </message>
     <message>
+        <source>a pose is rest, first or the name or number of an animation, @ and seconds, not {0}</source>
+        <translation>póza je rest, first nebo název či číslo animace, @ a sekundy, ne {0}</translation>
+    </message>
+    <message>
         <source>a position lies beyond the end of the file</source>
         <translation>pozice leží za koncem souboru</translation>
     </message>
@@ -538,6 +542,10 @@
     <message>
         <source>a tilt</source>
         <translation>sklon</translation>
+    </message>
+    <message>
+        <source>a unit is auto, mm, cm, m, in, ft or a number of metres, not {0}</source>
+        <translation>jednotka je auto, mm, cm, m, in, ft nebo počet metrů, ne {0}</translation>
     </message>
     <message>
         <source>a value is a boolean, a number or a text</source>
@@ -1136,12 +1144,12 @@
         <translation>patří ke stejným povrchům v jiném osvětlení; vytvořte jej znovu pomocí --make-light</translation>
     </message>
     <message>
-        <source>it ends after {0} of the {1} elements '{2}' that its head promises</source>
-        <translation>končí po {0} z {1} prvků '{2}', které slibuje hlavička</translation>
+        <source>it ends after {0} of the {1} elements {2} that its head promises</source>
+        <translation>končí po {0} z {1} prvků {2}, které slibuje hlavička</translation>
     </message>
     <message>
-        <source>it ends before the last of the {0} elements '{1}' that its head promises</source>
-        <translation>končí dřív než poslední z {0} prvků '{1}', které slibuje hlavička</translation>
+        <source>it ends before the last of the {0} elements {1} that its head promises</source>
+        <translation>končí dřív než poslední z {0} prvků {1}, které slibuje hlavička</translation>
     </message>
     <message>
         <source>it ends before the last of the {0} triangles that its head promises; it is damaged: copy or export it again</source>
@@ -1512,8 +1520,8 @@
         <translation>jeho hlavička nedává smysl</translation>
     </message>
     <message>
-        <source>its head promises {0} elements '{1}', for which it has no room</source>
-        <translation>jeho hlavička slibuje {0} prvků '{1}', které se do něj nevejdou</translation>
+        <source>its head promises {0} elements {1}, for which it has no room</source>
+        <translation>jeho hlavička slibuje {0} prvků {1}, které se do něj nevejdou</translation>
     </message>
     <message>
         <source>its horizontal angles end at {0} degrees; they span 0, 90, 180 or 360</source>
@@ -3270,6 +3278,10 @@
     <message>
         <source>{0} materials are guessed by name ({1})</source>
         <translation>materiály odhadnuté podle jména: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0} meshes of nodes that show the geometry of another have its materials: their own are not read, as no node uses them first</source>
+        <translation>sítě uzlů, které zobrazují geometrii jiného uzlu ({0}), mají jeho materiály: jejich vlastní se nečtou, protože je žádný uzel nepoužívá jako první</translation>
     </message>
     <message>
         <source>{0} of its components are left out: they name objects that do not exist</source>

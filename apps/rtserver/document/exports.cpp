@@ -25,6 +25,7 @@ rtcore::SceneFile descriptionOf(const World& world) {
     file.creaseAngle = world.import.creaseAngle.value_or(rtcore::kCreaseAngle);
     file.flipTextures = world.import.flipTextures.value_or(false);
     file.pose = world.import.pose.value_or(rtcore::PoseChoice{});
+    file.deflection = world.import.deflection.value_or(rtcore::kDeflection);
     return file;
 }
 
@@ -71,6 +72,7 @@ rtcore::SceneFile describe(const Document& document) {
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     if (world.import.pose) file.pose = *world.import.pose;
+    if (world.import.deflection) file.deflection = *world.import.deflection;
     file.settings.reset();
     file.modelLights = file.defaultLight = false;
     file.lights.clear();

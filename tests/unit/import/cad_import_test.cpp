@@ -5,6 +5,7 @@
 #include "import_support.h"
 #include "support/damaged_text.h"
 
+#include "rtcore/io/scene_loader.h"
 #include "rtcore/platform/error.h"
 
 #include <gtest/gtest.h>
@@ -220,6 +221,20 @@ TEST(CadImport, TheProgramIsToldTheDeflection) {
     coarse.deflection = 0.05F;
     const std::size_t usual = test::importFile(folder / "a.step").model.mesh.triangles.size();
     EXPECT_LT(test::importFile(folder / "a.step", coarse).model.mesh.triangles.size(), usual);
+}
+
+TEST(CadImport, AScenesDeflectionIsThatOfItsModelAndOptionsWin) {
+    const TemporaryFolder folder;
+    writeStep(folder / "a.step");
+    test::writeText(folder / "a.scn", "version = 2\nmodel = \"a.step\"\ndeflection = 0.05\n");
+    const auto triangles = [&](const char* name, const LoadOptions& options = {}) {
+        ::setenv("RT_IMPORTER", RT_TEST_IMPORTER, 1);
+        return loadScene(folder / name, options).scene.model.mesh.triangles.size();
+    };
+    LoadOptions usual;
+    usual.import.deflection = kDeflection;
+    EXPECT_LT(triangles("a.scn"), triangles("a.step"));
+    EXPECT_EQ(triangles("a.scn", usual), triangles("a.step"));
 }
 
 /// By the program: rtimport hands over to rtimport_cad.

@@ -194,4 +194,54 @@ TEST(ColladaMaterial, PhongWithReflection) {
     EXPECT_TRUE(near(m.mirror, {0.25F, 0.25F, 0.25F}));
 }
 
+/// Two models of one geometry, whose first triangle has the material 0 and the second the material 1.
+std::string twoInstances(const std::string& more) {
+    std::string text =
+        "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\nFBXHeaderVersion: 1003\nFBXVersion: "
+        "7400\n}\nObjects:  {\n"
+        "Geometry: 1, \"Geometry::g\", \"Mesh\" {\nVertices: *12 {\na: 0,0,0,1,0,0,0,1,0,1,1,0\n}\n"
+        "PolygonVertexIndex: *6 {\na: 0,1,-3,1,3,-3\n}\nGeometryVersion: 124\nLayerElementMaterial: 0 {\n"
+        "Version: 101\nMappingInformationType: \"ByPolygon\"\nReferenceInformationType: \"IndexToDirect\"\n"
+        "Materials: *2 {\na: 0,1\n}\n}\nLayer: 0 {\nVersion: 100\nLayerElement:  {\n"
+        "Type: \"LayerElementMaterial\"\nTypedIndex: 0\n}\n}\n}\n";
+    for (const auto& [id, name] : {std::pair{2, "left"}, std::pair{3, "right"}})
+        text += "Model: " + std::to_string(id) + ", \"Model::" + name +
+                "\", \"Mesh\" {\nVersion: 232\nProperties70:  {\nP: \"Lcl Translation\", \"Lcl "
+                "Translation\", \"\", "
+                "\"A\"," +
+                std::to_string(id) + ",0,0\n}\n}\n";
+    for (const auto& [id, colour] :
+         {std::pair{10, "1,0,0"}, std::pair{11, "0,1,0"}, std::pair{12, "0,0,1"}, std::pair{13, "1,1,0"}})
+        text += "Material: " + std::to_string(id) + ", \"Material::m" + std::to_string(id) +
+                "\", \"\" {\nVersion: 102\nShadingModel: \"lambert\"\nProperties70:  {\nP: \"DiffuseColor\", "
+                "\"Color\", \"\", \"A\"," +
+                colour + "\n}\n}\n";
+    return text +
+           "}\nConnections:  {\nC: \"OO\",2,0\nC: \"OO\",1,2\nC: \"OO\",10,2\nC: \"OO\",11,2\n"
+           "C: \"OO\",3,0\nC: \"OO\",1,3\n" +
+           more + "}\n";
+}
+
+std::vector<Colour> coloursOfFbx(const std::string& fbx) {
+    const Model m = test::importText("m.fbx", fbx).model;
+    std::vector<Colour> colours;
+    for (const ShadingTriangle& t : m.mesh.shading) colours.push_back(m.materials[t.material].diffuse);
+    return colours;
+}
+
+TEST(FbxInstances, HaveTheirOwnMaterials) {
+    constexpr Colour kRed{1, 0, 0}, kGreen{0, 1, 0};
+    EXPECT_EQ(coloursOfFbx(twoInstances("C: \"OO\",11,3\nC: \"OO\",10,3\n")),
+              (std::vector<Colour>{kRed, kGreen, kGreen, kRed}));
+    EXPECT_EQ(coloursOfFbx(twoInstances("C: \"OO\",10,3\nC: \"OO\",11,3\n")),
+              (std::vector<Colour>{kRed, kGreen, kRed, kGreen}));
+}
+
+TEST(FbxInstances, MaterialsThatAreNotReadAreCounted) {
+    const ImportedModel m = test::importText("m.fbx", twoInstances("C: \"OO\",12,3\nC: \"OO\",13,3\n"));
+    ASSERT_EQ(m.report.warnings.size(), 1U);
+    EXPECT_NE(m.report.warnings[0].english().find("2 meshes of nodes that show the geometry of another"),
+              std::string::npos);
+}
+
 } // namespace

@@ -446,6 +446,9 @@ TEST(ScanImport, PointsAloneInObjAreCalledThat) {
 TEST(ScanImport, FilesThatLieAreErrors) {
     const std::string text = smallPly().text();
     expectComplaint(text.substr(0, text.size() - 1), "ends after 3 of the 4 elements 'face'");
+    const std::string controls("f\0\x1B[m", 5);
+    expectComplaint(changed(text.substr(0, text.size() - 1), "element face", "element " + controls),
+                    "ends after 3 of the 4 elements 'f\\x00\\x1b[m' that its head promises; it is damaged");
     expectComplaint(text.substr(0, text.find("end_header") + 40),
                     "4 elements 'vertex', for which it has no room");
     expectComplaint(changed(text, "vertex 4", "vertex 4000000000"), "4000000000 elements 'vertex'");

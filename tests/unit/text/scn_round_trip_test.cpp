@@ -155,6 +155,7 @@ SceneFile randomScene(Random& random) {
     s.defaultLight = random.flag();
     s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.fraction();
+    if (random.flag()) s.deflection = 1e-6F + 0.09F * random.fraction();
     if (random.flag())
         s.pose = {rtcore::PoseChoice::Kind::Moment, awkwardName(random), double{random.number()}};
     if (random.flag()) {
@@ -201,6 +202,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.bookmarks, b.bookmarks);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.pose, b.pose);
+    EXPECT_EQ(a.deflection, b.deflection);
     EXPECT_EQ(a.activeEnvironment, b.activeEnvironment);
     EXPECT_EQ(a.creaseAngle, b.creaseAngle);
     EXPECT_EQ(a.camera, b.camera);

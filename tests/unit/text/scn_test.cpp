@@ -53,6 +53,18 @@ TEST(Scn, KeysOfTheRootAreRead) {
     EXPECT_FALSE(scene.modelLights);
 }
 
+TEST(Scn, DeflectionIsAKeyOfVersionTwo) {
+    const auto withVersion = [](const std::string& version, const std::string& value) {
+        return parseSceneFile("version = " + version + "\nmodel = \"a\"\ndeflection = " + value + "\n",
+                              "x.scn");
+    };
+    EXPECT_EQ(withVersion("2", "0.01").deflection, 0.01F);
+    for (const auto& [version, value] : {std::pair{"1", "0.01"}, {"2", "0"}, {"2", "0.2"}}) {
+        const std::string message = test::badData([&] { withVersion(version, value); });
+        EXPECT_NE(message.find("deflection"), std::string::npos) << message;
+    }
+}
+
 TEST(Scn, PathsStartAtTheFolderOfTheScene) {
     const SceneFile scene =
         parse("settings = \"../a.set\"\noutput = \"/tmp/b.png\"\n[camera]\nfile = \"c/d.cam\"\n"

@@ -44,6 +44,9 @@ inline constexpr const char *
    *kNoAnimation = "it has no animation, so it stands as its nodes say",
    *kBrokenChannels = "channels of its animation that are damaged and passed over: {0}",
    *kLostJoints = "joints of its skins that are missing: {0}; what they would move goes with the others",
+   *kLostInstanceMaterials =
+       "{0} meshes of nodes that show the geometry of another have its materials: their own are "
+       "not read, as no node uses them first",
    *kBrokenTargets = "morph targets that do not fit their meshes and are left out: {0}",
    *kDamaged = "{0} of {1} triangles were damaged and left out: {2}",
    *kOneDamaged = "{0} of {1} triangles was damaged and left out: {2}",
@@ -111,6 +114,7 @@ inline constexpr std::array kAll{kMissingTexture,
                                  kNoAnimation,
                                  kBrokenChannels,
                                  kLostJoints,
+                                 kLostInstanceMaterials,
                                  kBrokenTargets,
                                  kDamaged,
                                  kOneDamaged,

@@ -41,6 +41,7 @@ class SceneReading {
         if (!import.creaseAngle) import.creaseAngle = file.creaseAngle;
         if (!import.flipTextures) import.flipTextures = file.flipTextures;
         if (!import.pose) import.pose = file.pose;
+        if (!import.deflection) import.deflection = file.deflection;
         readModel(loading_, file.model, std::move(model), kind, import);
         const LocalOrigin& zero = out_.origin.zero;
         if (zero != file.origin) seeFrom(zero, path, file);

@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 3> kFogKinds{"none", "homogeneous", "expo
 
 constexpr Limits kMetresPerUnit{.minimum = 1e-9, .maximum = 1e9};
 constexpr Limits kCreaseAngle{.minimum = 0, .maximum = 180};
+constexpr Limits kDeflectionLimits{.minimum = 1e-6F, .maximum = 0.1F};
 
 Fog readFog(StrictTable& table, Vec3 up) {
     const auto kind = table.choice("kind", kFogKinds);
@@ -83,6 +84,7 @@ class SceneReader {
         scene_.creaseAngle = root_.number("creaseAngle", kCreaseAngle).value_or(scene_.creaseAngle);
         scene_.flipTextures = root_.boolean("flipTextures").value_or(false);
         readScenePose();
+        readDeflection();
     }
 
     void readLists() {
@@ -119,6 +121,13 @@ class SceneReader {
                                    "animation with @ and seconds behind it",
                                    inQuotes(*text)));
         scene_.pose = *pose;
+    }
+
+    void readDeflection() {
+        const auto deflection = root_.number("deflection", kDeflectionLimits);
+        if (!deflection) return;
+        root_.needVersion(2, "deflection");
+        scene_.deflection = *deflection;
     }
 
     void readDefaultLight() {
@@ -218,6 +227,7 @@ class SceneWriter {
         writer_.add("creaseAngle", scene_.creaseAngle);
         writer_.add("flipTextures", scene_.flipTextures);
         if (scene_.pose != PoseChoice{}) writer_.add("pose", poseText(scene_.pose));
+        if (scene_.deflection != SceneFile{}.deflection) writer_.add("deflection", scene_.deflection);
     }
 
     void writeCameraTable() {

@@ -76,12 +76,14 @@ SceneBookmarks::const_iterator findBookmark(const SceneBookmarks& bookmarks, std
 struct SceneFile : SceneLook {
     std::filesystem::path model; ///< a .bsp or a model
     std::optional<std::filesystem::path> settings, output;
-    bool defaultLight = true;     ///< what has no light at all gets one; false: it stays dark
-    bool modelLights = true;      ///< use the model's own lights beside `lights`
-    float creaseAngle = 40;       ///< degrees, for models without normals
-    bool flipTextures = false;    ///< of a model that is imported: turn its textures upside down
-    PoseChoice pose;              ///< of a model that is imported and animated
-    std::optional<Camera> camera; ///< at most one of these two; nameOffset is 0
+    bool defaultLight = true; ///< what has no light at all gets one; false: it stays dark
+    bool modelLights = true;  ///< use the model's own lights beside `lights`
+    float creaseAngle = 40;   ///< degrees, for models without normals
+    float deflection =
+        0.0005F;               ///< of a CAD file that is imported: how far triangles lie off, by the diagonal
+    bool flipTextures = false; ///< of a model that is imported: turn its textures upside down
+    PoseChoice pose;           ///< of a model that is imported and animated
+    std::optional<Camera> camera;                    ///< at most one of these two; nameOffset is 0
     std::optional<std::filesystem::path> cameraFile; ///< a .cam
     std::vector<LightDescription> lights;
     SunDescription sun;                      ///< with a sky

@@ -79,6 +79,21 @@ struct Reader {
     }
 };
 
+struct Writer {
+    TomlWriter& writer;
+    const MaterialKey& key;
+    const MaterialOverride& material;
+
+    void operator()(std::optional<float> Override::*member) const {
+        const std::optional<float>& value = material.*member;
+        if (key.whole && value)
+            writer.add(key.name, static_cast<int>(*value));
+        else
+            writer.add(key.name, value);
+    }
+    void operator()(auto member) const { writer.add(key.name, material.*member); }
+};
+
 void readChanges(StrictTable& table, const std::filesystem::path& folder, MaterialOverride& material) {
     for (const MaterialKey& key : keys()) std::visit(Reader{table, key, material}, key.member);
     material.diffuseTexture = table.path("diffuseTexture", folder);
@@ -169,8 +184,7 @@ void writeMaterial(TomlWriter& writer, const MaterialOverride& material,
                    const std::filesystem::path& folder) {
     writer.section("[[material]]");
     material.number ? writer.add("number", *material.number) : writer.add("name", material.pattern);
-    for (const MaterialKey& key : keys())
-        std::visit([&](const auto member) { writer.add(key.name, material.*member); }, key.member);
+    for (const MaterialKey& key : keys()) std::visit(Writer{writer, key, material}, key.member);
     if (material.diffuseTexture)
         writer.add("diffuseTexture", pathToUtf8(pathSeenFrom(folder, *material.diffuseTexture)));
 }

@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <new>
 #include <optional>
 #include <span>
@@ -52,6 +53,7 @@ struct Instance {
     unsigned mesh;
     Affine toWorld;
     const aiNode* node;
+    unsigned material; ///< its number in Assimp's list, or beyond that
 };
 
 /// All that the node graph says.
@@ -98,7 +100,9 @@ NodeWalk walkNodes(const aiScene& scene, const ScenePose& pose, const LocalOrigi
         if (transforms) walk.transforms.try_emplace(node->mName.C_Str(), toWorld);
         const bool shown = !hidden.takeNext(*node);
         for (unsigned i = 0; shown && i < node->mNumMeshes; ++i) {
-            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], toWorld, node});
+            if (hasMesh(scene, node->mMeshes[i]))
+                walk.instances.push_back(
+                    {node->mMeshes[i], toWorld, node, scene.mMeshes[node->mMeshes[i]]->mMaterialIndex});
         }
         for (unsigned i = node->mNumChildren; i-- > 0;) {
             if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], toWorld);
@@ -256,8 +260,7 @@ class Materials {
         : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials), model_(&to.model) {
         std::vector<char> used(scene.mNumMaterials, 0);
         for (const Instance& i : walk.instances) {
-            const aiMesh& mesh = *scene.mMeshes[i.mesh];
-            if (mesh.mMaterialIndex < used.size()) used[mesh.mMaterialIndex] = 1;
+            if (i.material < used.size()) used[i.material] = 1;
         }
         for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
             if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
@@ -374,6 +377,40 @@ ModelOrigin originOf(const std::filesystem::path& path, const std::string& forma
     return origin;
 }
 
+/// The only one of this name, or nothing.
+std::optional<unsigned> materialNamed(const aiScene& scene, const std::string& name) {
+    std::optional<unsigned> found;
+    for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
+        if (scene.mMaterials[m] == nullptr || name != scene.mMaterials[m]->GetName().C_Str()) continue;
+        if (found) return std::nullopt;
+        found = m;
+    }
+    return found;
+}
+
+/// Assimp gives all nodes that show one geometry of an FBX file the materials of the first of them, and reads
+/// those of such nodes alone.
+void setInstanceMaterials(const aiScene& scene, const FbxNotes& notes, NodeWalk& walk, ImportReport& report) {
+    std::uint64_t lost = 0;
+    std::map<unsigned, const std::vector<std::string>*> first; // of each mesh: materials of its first node
+    for (Instance& instance : walk.instances) {
+        const auto own = notes.materials.find(instance.node->mName.C_Str());
+        const auto* const names = own != notes.materials.end() ? &own->second : nullptr;
+        const auto [of, isNew] = first.try_emplace(instance.mesh, names);
+        if (isNew || names == nullptr || of->second == nullptr || *names == *of->second) continue;
+        if (instance.material >= scene.mNumMaterials || scene.mMaterials[instance.material] == nullptr)
+            continue;
+        const std::string given = scene.mMaterials[instance.material]->GetName().C_Str();
+        const auto at = std::ranges::find(*of->second, given);
+        const auto number = static_cast<std::size_t>(at - of->second->begin());
+        if (std::ranges::count(*of->second, given) != 1 || number >= names->size()) continue;
+        const auto material = materialNamed(scene, (*names)[number]);
+        instance.material = material.value_or(instance.material);
+        lost += material ? 0 : 1;
+    }
+    if (lost > 0) addWarning(report, say(import_forms::kLostInstanceMaterials, lost));
+}
+
 /// Instances multiply: a small file can stand for more triangles than any memory holds.
 void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
               MeshAssembler& assembler) {
@@ -411,8 +448,8 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
     const aiMesh& mesh = *scene.mMeshes[instance.mesh];
     const std::string path = pathOf(scene, *instance.node);
     std::string name = path.empty() ? mesh.mName.C_Str() : "";
-    if (instance.node->mNumMeshes > 1 && mesh.mMaterialIndex < scene.mNumMaterials) {
-        const aiMaterial* const material = scene.mMaterials[mesh.mMaterialIndex];
+    if (instance.node->mNumMeshes > 1 && instance.material < scene.mNumMaterials) {
+        const aiMaterial* const material = scene.mMaterials[instance.material];
         const std::string own = material != nullptr ? material->GetName().C_Str() : "";
         if (!own.empty()) name = own;
     }
@@ -439,7 +476,8 @@ FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOpti
     pose.choose(options.pose, result.report);
     const FbxNotes notes = fbxNotesOf(fbx);
     HiddenNodes hidden(scene, notes);
-    const NodeWalk walk = walkNodes(scene, pose, options.origin, hidden);
+    NodeWalk walk = walkNodes(scene, pose, options.origin, hidden);
+    setInstanceMaterials(scene, notes, walk, result.report);
     result.coarseness = walk.coarseness;
     MeshAssembler assembler;
     makeRoom(scene, walk, options.memoryLimit, assembler);
@@ -454,9 +492,9 @@ FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOpti
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
         if (!options.origin.isZero())
             result.coarseness = std::max(result.coarseness, coarsenessOf(mesh, instance.toWorld));
-        SourceMesh source = reader.read(mesh, instance, materials.texcoordUse(mesh.mMaterialIndex));
+        SourceMesh source = reader.read(mesh, instance, materials.texcoordUse(instance.material));
         if (source.triangles.empty()) continue;
-        source.material = materials.numberOf(mesh.mMaterialIndex);
+        source.material = materials.numberOf(instance.material);
         const std::uint32_t first = assembler.triangleCount();
         assembler.add(source);
         result.model.parts.push_back(

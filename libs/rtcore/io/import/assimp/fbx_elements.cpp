@@ -35,7 +35,8 @@ bool isWanted(std::span<const std::string> around, std::string_view name) {
                (around.size() == 2 && name == "Properties70") || (around.size() == 3 && name == "P");
     if (around[0] == "Connections") return around.size() == 1 && name == "C";
     if (around.size() == 1)
-        return isOneOf(name, std::array<Names, 4>{"Model", "Deformer", "NodeAttribute", "Geometry"});
+        return isOneOf(name,
+                       std::array<Names, 5>{"Model", "Deformer", "NodeAttribute", "Geometry", "Material"});
     const bool hasProperties = isOneOf(around[1], std::array<Names, 2>{"Model", "Deformer"});
     if (around.size() == 2)
         return hasProperties &&
@@ -55,7 +56,7 @@ std::string plainName(std::string_view name) {
     const std::size_t zero = name.find('\0');
     if (zero != std::string_view::npos) return std::string(name.substr(0, zero));
     for (const std::string_view kind :
-         {"Model::", "SubDeformer::", "Deformer::", "Geometry::", "NodeAttribute::"}) {
+         {"Model::", "SubDeformer::", "Deformer::", "Geometry::", "NodeAttribute::", "Material::"}) {
         if (name.starts_with(kind)) return std::string(name.substr(kind.size()));
     }
     return std::string(name);

@@ -33,8 +33,8 @@ bool isFbx(const std::filesystem::path& path);
 inline constexpr std::string_view kFbxApplication = "Original|ApplicationName";
 
 /// `FBXHeaderExtension` as far as it names that, `Objects` and `Connections`, and of those the models,
-/// deformers, attributes and geometries with some of their properties; geometries without their lists. Of a
-/// damaged file what stands before the damage. Throws as openFileBytes() does.
+/// deformers, attributes, materials and geometries with some of their properties; geometries without their
+/// lists. Of a damaged file what stands before the damage. Throws as openFileBytes() does.
 std::vector<FbxElement> readFbxElements(const std::filesystem::path& path);
 
 } // namespace rtcore

@@ -152,6 +152,18 @@ FbxMorphChannel channelOf(const FbxObjects& objects, Id id) {
     return channel;
 }
 
+void addMaterials(const FbxObjects& objects, FbxNotes& notes) {
+    std::map<std::string, int> times;
+    for (const auto& [id, object] : objects.all())
+        if (object->name == "Model") ++times[object->text(1)];
+    for (const auto& [id, object] : objects.all()) {
+        if (object->name != "Model" || times[object->text(1)] > 1) continue;
+        std::vector<std::string>& names = notes.materials[object->text(1)];
+        for (const Id material : objects.partsOf(id, "Material"))
+            names.push_back(objects.find(material)->text(1));
+    }
+}
+
 FbxMorphs morphsOf(const FbxObjects& objects, Id geometry) {
     FbxMorphs morphs{objects.find(geometry)->text(1), {}, {}};
     for (const Id blend : objects.partsOf(geometry, "Deformer", "BlendShape"))
@@ -200,6 +212,7 @@ FbxNotes fbxNotesOf(const std::vector<FbxElement>& elements) {
     const FbxObjects objects(elements);
     FbxNotes notes;
     Visibility(objects, notes).walk();
+    addMaterials(objects, notes);
     std::map<Id, std::vector<std::string>> nodes; // by geometry
     for (const auto& [id, object] : objects.all()) {
         if (object->name != "Model") continue;

@@ -31,6 +31,9 @@ struct FbxMorphs {
 
 struct FbxNotes {
     std::vector<FbxMorphs> morphs;
+    /// By the name of a node that no other has: those of its materials, in the order of the numbers that its
+    /// geometry names them by.
+    std::map<std::string, std::vector<std::string>> materials;
     bool hidesSome = false;
     /// By the names of the nodes from the root on, each with a slash before it: of the nodes of these names,
     /// depth first, whether they are hidden. By Visibility or Show, or as the second or a further level of

@@ -2,6 +2,7 @@
 
 #include "rtcore/io/import/scan/ply_elements.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,15 +14,15 @@ void refuseDamaged(const Sentence& problem) {
 }
 
 void refuseCutOff(const PlyElement& element, std::uint64_t read) {
-    refuseDamaged(say("it ends after {0} of the {1} elements '{2}' that its head promises", read,
-                      element.count, element.name));
+    refuseDamaged(say("it ends after {0} of the {1} elements {2} that its head promises", read, element.count,
+                      inQuotes(element.name)));
 }
 
 void refuseMoreThanFile(const PlySource& source, const PlyElement& element, std::size_t size) {
     const std::uint64_t max = size > 0 ? source.in.left() / size : element.count;
     if (element.count > max) {
-        refuseDamaged(say("its head promises {0} elements '{1}', for which it has no room", element.count,
-                          element.name));
+        refuseDamaged(say("its head promises {0} elements {1}, for which it has no room", element.count,
+                          inQuotes(element.name)));
     }
 }
 

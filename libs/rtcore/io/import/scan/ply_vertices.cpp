@@ -2,6 +2,7 @@
 #include "rtcore/io/import/scan/ply_elements.h"
 #include "rtcore/io/import/scan/ply_numbers.h"
 #include "rtcore/platform/large_vector.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -159,8 +160,8 @@ void readPlyVertices(PlySource& source, const PlyElement& element, ScanMesh& mes
         return true;
     };
     if (!source.in.readRecords(element.count, size, use)) {
-        refuseDamaged(say("it ends before the last of the {0} elements '{1}' that its head promises",
-                          element.count, element.name));
+        refuseDamaged(say("it ends before the last of the {0} elements {1} that its head promises",
+                          element.count, inQuotes(element.name)));
     }
     const ColourDecoder decode(false);
     for (Colour& colour : mesh.colours) colour = decode(colour);
