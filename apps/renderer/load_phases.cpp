@@ -136,6 +136,7 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
                            rtcore::guessedText(loaded.guesses).english() +
                            "; a .scn of it has them as they are");
         app::selectParts(options.selection, loaded.scene);
+        app::cutOpen(options.selection.sections, loaded.scene);
         app::selectLights(options.selection, loaded.scene);
         if (options.verbose) tellOpenGlass(loaded.openGlass, progress);
         return loaded;

@@ -9,7 +9,7 @@ std::vector<std::string> suggestLights(std::span<const std::string> /*words*/) {
 } // namespace
 
 OptionGroup selectionOptionGroup() {
-    return {"Parts and lights",
+    return {"Parts, sections and lights",
             {{.name = "isolate",
               .value = ValueKind::Text,
               .argument = "PART",
@@ -25,6 +25,23 @@ OptionGroup selectionOptionGroup() {
               .value = ValueKind::Text,
               .argument = "PART",
               .help = "show this part of the model where the scene hides it; may be given several times"},
+             {.name = "section",
+              .value = ValueKind::Text,
+              .argument = "X,Y,Z,NX,NY,NZ",
+              .help = "cut the model open: take away what lies beyond the point, along the normal; may be "
+                      "given six times",
+              .more = "`--section=0,1.2,0,0,1,0` takes away all above 1.2. In place of the sections of a "
+                      "`.scn`"},
+             {.name = "section-box",
+              .value = ValueKind::Text,
+              .argument = "X,Y,Z,X2,Y2,Z2",
+              .help = "leave what is in the box between these corners"},
+             {.name = "section-light",
+              .value = ValueKind::Choice,
+              .argument = "LIGHT",
+              .help = "whole: the rooms of what is cut keep their light, as if nothing was cut; cut: light "
+                      "falls in [whole]",
+              .choices = {"whole", "cut"}},
              {.name = "lights",
               .value = ValueKind::Text,
               .argument = "LIST",

@@ -85,6 +85,7 @@ std::vector<CommandSpec> lightCommands();
 std::vector<CommandSpec> skyCommands();
 std::vector<CommandSpec> bookmarkCommands();
 std::vector<CommandSpec> modelCommands();
+std::vector<CommandSpec> sectionCommands();
 std::vector<CommandSpec> keyCommands();
 
 } // namespace app

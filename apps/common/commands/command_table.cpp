@@ -9,7 +9,7 @@ std::span<const CommandSpec> commandTable() {
         std::vector<CommandSpec> all;
         for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), editCommands(),
                                   cameraCommands(), fileCommands(), lightCommands(), skyCommands(),
-                                  bookmarkCommands(), modelCommands(), keyCommands()})
+                                  bookmarkCommands(), modelCommands(), sectionCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;
     }();

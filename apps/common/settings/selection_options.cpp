@@ -74,6 +74,7 @@ Selection readSelection(const Arguments& arguments) {
         if (given.name == "hide" || given.name == "show")
             selection.parts.push_back({given.value, given.name == "hide"});
     }
+    selection.sections = readSections(arguments);
     selection.lights = arguments.text("lights");
     return selection;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/cli/command_line.h"
+#include "common/settings/section_options.h"
 
 #include "rtcore/scene/scene.h"
 
@@ -11,7 +12,7 @@
 
 namespace app {
 
-/// Which parts are seen and which lights are on, in place of what the scene says.
+/// Which parts are seen, what is cut open and which lights are on, in place of what the scene says.
 struct Selection {
     struct Part {
         std::string text; ///< as numbersNamed() takes it
@@ -19,6 +20,7 @@ struct Selection {
     };
     std::vector<std::string> isolated; ///< these alone; empty: no change
     std::vector<Part> parts;           ///< then, in order
+    SectionChoice sections;
     std::optional<std::string> lights; ///< "all", "none", or names and ids, parted by commas
 };
 

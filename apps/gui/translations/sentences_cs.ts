@@ -1892,6 +1892,10 @@
         <translation>žádné</translation>
     </message>
     <message>
+        <source>normal is zero; give the side that is taken away</source>
+        <translation>normála je nulová; uveďte stranu, která se odebírá</translation>
+    </message>
+    <message>
         <source>normals: element {0} is not of unit length</source>
         <translation>normals: prvek {0} nemá jednotkovou délku</translation>
     </message>
@@ -2600,6 +2604,10 @@
         <translation>síť má {0} výstupů, ne 3</translation>
     </message>
     <message>
+        <source>the normal of a section is not zero</source>
+        <translation>normála řezu nesmí být nulová</translation>
+    </message>
+    <message>
         <source>the number of angles in a plane</source>
         <translation>počet úhlů v rovině</translation>
     </message>
@@ -2732,6 +2740,10 @@
         <translation>sklon svítidla</translation>
     </message>
     <message>
+        <source>the two corners of a box differ in each coordinate</source>
+        <translation>dva rohy kvádru se musí lišit v každé souřadnici</translation>
+    </message>
+    <message>
         <source>the unit of lengths</source>
         <translation>jednotka délek</translation>
     </message>
@@ -2756,8 +2768,16 @@
         <translation>dílů je víc než snímků; tento je prázdný</translation>
     </message>
     <message>
+        <source>there are more than {0} sections; leave some out</source>
+        <translation>řezů je více než {0}; některé vynechte</translation>
+    </message>
+    <message>
         <source>there are more warnings than these</source>
         <translation>upozornění je víc než tato</translation>
+    </message>
+    <message>
+        <source>there are six sections already; remove one first</source>
+        <translation>řezů je už šest; nejprve jeden odstraňte</translation>
     </message>
     <message>
         <source>there are too many arguments</source>
@@ -2822,6 +2842,10 @@
     <message>
         <source>there is no room to stand here, or no floor below; move elsewhere first</source>
         <translation>není tu místo ke stání, nebo dole není podlaha; nejdřív jděte jinam</translation>
+    </message>
+    <message>
+        <source>there is no section {0}; 'sections' lists them</source>
+        <translation>řez {0} neexistuje; vypíše je příkaz sections</translation>
     </message>
     <message>
         <source>there is no server</source>

@@ -742,6 +742,10 @@
         <source>visible parts</source>
         <translation>viditelné části</translation>
     </message>
+    <message>
+        <source>section</source>
+        <translation>řez</translation>
+    </message>
 </context>
 <context>
     <name>LightKinds</name>
@@ -1185,8 +1189,8 @@
         <translation>čím je scéna osvětlena namísto vlastních světel: sky, studio nebo headlight</translation>
     </message>
     <message>
-        <source>Parts and lights</source>
-        <translation>Části a světla</translation>
+        <source>Parts, sections and lights</source>
+        <translation>Části, řezy a světla</translation>
     </message>
     <message>
         <source>Isolate</source>
@@ -1211,6 +1215,30 @@
     <message>
         <source>show this part of the model where the scene hides it; may be given several times</source>
         <translation>zobrazí tuto část modelu, i když ji scéna skrývá; lze opakovat</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Řez</translation>
+    </message>
+    <message>
+        <source>cut the model open: take away what lies beyond the point, along the normal; may be given six times</source>
+        <translation>rozříznout model: odebrat, co leží za bodem ve směru normály; lze uvést šestkrát</translation>
+    </message>
+    <message>
+        <source>Section box</source>
+        <translation>Kvádr řezu</translation>
+    </message>
+    <message>
+        <source>leave what is in the box between these corners</source>
+        <translation>ponechat, co je v kvádru mezi těmito rohy</translation>
+    </message>
+    <message>
+        <source>Section light</source>
+        <translation>Světlo v řezu</translation>
+    </message>
+    <message>
+        <source>whole: the rooms of what is cut keep their light, as if nothing was cut; cut: light falls in [whole]</source>
+        <translation>whole: rozříznuté místnosti si ponechají světlo, jako by se nic neřízlo; cut: světlo dopadá dovnitř [whole]</translation>
     </message>
     <message>
         <source>Lights</source>

@@ -35,25 +35,6 @@ namespace rtserver {
 
 namespace {
 
-rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
-    return {number(call[i]), number(call[i + 1]), number(call[i + 2])};
-}
-
-// In the coordinates of the model's file.
-rtcore::Vec3 positionAt(const Call& call, std::size_t i) {
-    return call.document().scene()->origin.local(
-        {preciseNumber(call[i]), preciseNumber(call[i + 1]), preciseNumber(call[i + 2])});
-}
-
-std::string positionText(const Call& call, rtcore::Vec3 p) {
-    const rtcore::LocalOrigin& origin = call.document().scene()->origin;
-    if (origin.isZero())
-        return fmt::format("{} {} {}", rtcore::settingText(p.x), rtcore::settingText(p.y),
-                           rtcore::settingText(p.z));
-    const auto [x, y, z] = origin.inFile(p);
-    return fmt::format("{} {} {}", rtcore::shortestText(x), rtcore::shortestText(y), rtcore::shortestText(z));
-}
-
 Result getCamera(const Call& call) {
     std::string text = rtcore::formatCameraInFile(call.document().camera(), call.document().scene()->origin);
     if (text.ends_with('\n')) text.pop_back();

@@ -5,7 +5,11 @@
 #include "rtcore/io/text/sentence_json.h"
 #include "rtcore/motion/key_codes.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/settings/number_text.h"
 #include "rtcore/settings/plain_text.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <fmt/format.h>
 
 #include <optional>
 
@@ -15,6 +19,24 @@ float number(const std::string& text) { return static_cast<float>(preciseNumber(
 double preciseNumber(const std::string& text) { return app::parseNumber(text).value(); }
 int integer(const std::string& text) { return static_cast<int>(app::parseInteger(text).value()); }
 bool flag(const std::string& text) { return text == "on"; }
+
+rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
+    return {number(call[i]), number(call[i + 1]), number(call[i + 2])};
+}
+
+rtcore::Vec3 positionAt(const Call& call, std::size_t i) {
+    return call.document().scene()->origin.local(
+        {preciseNumber(call[i]), preciseNumber(call[i + 1]), preciseNumber(call[i + 2])});
+}
+
+std::string positionText(const Call& call, rtcore::Vec3 p) {
+    const rtcore::LocalOrigin& origin = call.document().scene()->origin;
+    if (origin.isZero())
+        return fmt::format("{} {} {}", rtcore::settingText(p.x), rtcore::settingText(p.y),
+                           rtcore::settingText(p.z));
+    const auto [x, y, z] = origin.inFile(p);
+    return fmt::format("{} {} {}", rtcore::shortestText(x), rtcore::shortestText(y), rtcore::shortestText(z));
+}
 
 int keyOf(const std::string& name) {
     const std::optional<int> code = rtcore::keyNamed(name);

@@ -40,6 +40,7 @@ std::span<const CommandFunction> lightFunctions();
 std::span<const CommandFunction> cameraFunctions();
 std::span<const CommandFunction> fileFunctions();
 std::span<const CommandFunction> modelFunctions();
+std::span<const CommandFunction> sectionFunctions();
 std::span<const CommandFunction> keyFunctions();
 std::span<const CommandFunction> saveFunctions();
 std::span<const CommandFunction> skyFunctions();
@@ -50,6 +51,11 @@ float number(const std::string& text);
 double preciseNumber(const std::string& text);
 int integer(const std::string& text);
 bool flag(const std::string& text); ///< on, off
+/// Three arguments from that one on; positions in the coordinates of the model's file.
+rtcore::Vec3 vectorAt(const Call& call, std::size_t i);
+rtcore::Vec3 positionAt(const Call& call, std::size_t i);
+/// In those coordinates, parted by spaces.
+std::string positionText(const Call& call, rtcore::Vec3 p);
 int keyOf(const std::string& name);
 /// The server's own folder says nothing to a client: absolute paths only.
 std::filesystem::path pathOf(const std::string& text);

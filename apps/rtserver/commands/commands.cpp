@@ -24,7 +24,7 @@ const Functions& functions() {
         Functions table{};
         for (const auto group :
              {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(), modelFunctions(),
-              cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
+              sectionFunctions(), cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
             for (const CommandFunction& each : group) table[static_cast<std::size_t>(each.id)] = each.run;
         }
         return table;

@@ -103,15 +103,8 @@ class Place {
     }
 
     const std::string& word() const { return word_; }
-    Vec3 vector() const {
-        return {number(call_[first_]), number(call_[first_ + 1]), number(call_[first_ + 2])};
-    }
-    /// In the coordinates of the model's file.
-    Vec3 position() const {
-        return call_.document().scene()->origin.local({preciseNumber(call_[first_]),
-                                                       preciseNumber(call_[first_ + 1]),
-                                                       preciseNumber(call_[first_ + 2])});
-    }
+    Vec3 vector() const { return vectorAt(call_, first_); }
+    Vec3 position() const { return positionAt(call_, first_); }
     /// Throws std::runtime_error where nothing is.
     SeenSurface surface() const {
         const auto fraction = [&](std::size_t i) {

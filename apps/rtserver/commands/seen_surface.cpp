@@ -12,7 +12,7 @@ std::optional<SeenSurface> surfaceAt(const Document& document, float right, floa
     rtcore::RayWave rays;
     rtcore::HitWave hits;
     rays.push(ray);
-    document.world().tracer->intersect(rtcore::RayKind::Primary, rays, hits);
+    document.tracer()->intersect(rtcore::RayKind::Primary, rays, hits);
     if (!hits.isHit(0)) return std::nullopt;
     const rtcore::Vec3 normal = normalize(document.scene()->mesh().geometricNormal(hits.triangle[0]));
     const bool faces = dot(normal, ray.direction) < 0;

@@ -28,6 +28,7 @@ rtcore::Changes changesBetween(const rtcore::Scene& before, const rtcore::Scene&
                                          after.activeEnvironment != before.activeEnvironment ||
                                          after.environments != before.environments);
     changes.set(rtcore::Change::Material, after.materials != before.materials);
+    changes.set(rtcore::Change::Section, after.sections != before.sections);
     changes.set(rtcore::Change::Visibility, !rtcore::sameHidden(after.hiddenParts, before.hiddenParts));
     return changes;
 }
@@ -76,7 +77,7 @@ void Document::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore:
 
 void Document::putScene(rtcore::Scene edited) {
     scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
-    visible_.takeGround(*scene_);
+    visible_.take(*scene_);
 }
 
 void Document::publish(rtcore::Scene edited) {

@@ -27,4 +27,10 @@ void hideParts(Document& document, rtcore::HiddenParts hidden) {
     document.publish(std::move(edited));
 }
 
+void cutOpen(Document& document, rtcore::SectionPlanes sections) {
+    rtcore::Scene edited = *document.scene();
+    edited.sections = std::move(sections);
+    document.publish(std::move(edited));
+}
+
 } // namespace rtserver

@@ -1,4 +1,4 @@
-/// Edits of what a model consists of: its materials and its parts.
+/// Edits of what is seen of a model: its materials, its parts and its sections.
 #pragma once
 
 #include "rtserver/document/document.h"
@@ -18,5 +18,8 @@ void resetMaterials(Document& document, std::span<const std::size_t> materials);
 
 /// Parts of this model. Rays and bodies pass through what is hidden.
 void hideParts(Document& document, rtcore::HiddenParts hidden);
+
+/// By these planes, at most kMaxSectionPlanes.
+void cutOpen(Document& document, rtcore::SectionPlanes sections);
 
 } // namespace rtserver

@@ -50,6 +50,7 @@ Opening openingOf(World& world, const Options& options, const rtcore::RenderSett
     }
     if (first) {
         app::selectParts(options.selection, scene);
+        app::cutOpen(options.selection.sections, scene);
         app::selectLights(options.selection, scene);
     }
     // A .bsp may have one that Document::setCamera() refuses.

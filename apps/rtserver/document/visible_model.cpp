@@ -1,6 +1,6 @@
 #include "rtserver/document/visible_model.h"
 
-#include "rtcore/render/ground_tracer.h"
+#include "rtcore/render/shown_tracer.h"
 #include "rtcore/render/visible_scene.h"
 
 #include <utility>
@@ -11,7 +11,7 @@ void VisibleModel::prune(const World& world, const rtcore::Scene& scene) {
     tree_ = rtcore::visibleTree(world.loaded.tree, scene);
     pruned_ = scene.hiddenParts != nullptr;
     surfaces_ = pruned_ ? std::make_shared<const rtcore::KdRayTracer>(tree_, *world.tracer) : world.tracer;
-    takeGround(scene);
+    take(scene);
 }
 
 void VisibleModel::replace(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
@@ -19,9 +19,9 @@ void VisibleModel::replace(rtcore::KdTree tree, std::shared_ptr<const rtcore::Kd
     tree_ = std::move(tree);
     pruned_ = false;
     surfaces_ = std::move(tracer);
-    takeGround(scene);
+    take(scene);
 }
 
-void VisibleModel::takeGround(const rtcore::Scene& scene) { tracer_ = rtcore::withGround(surfaces_, scene); }
+void VisibleModel::take(const rtcore::Scene& scene) { tracer_ = rtcore::shownTracer(surfaces_, scene); }
 
 } // namespace rtserver

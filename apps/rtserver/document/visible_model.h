@@ -20,14 +20,14 @@ class VisibleModel {
     /// A tree that was built of the visible parts alone, by which rays are faster than by a pruned one.
     void replace(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
                  const rtcore::Scene& scene);
-    /// The scene has another ground, or none; the surfaces are the same.
-    void takeGround(const rtcore::Scene& scene);
+    /// The scene has another ground, or other sections; the surfaces are the same.
+    void take(const rtcore::Scene& scene);
 
     const rtcore::KdTree& tree() const { return tree_; }
     /// A pruned tree is in use.
     bool pruned() const { return pruned_; }
-    /// Meets the surfaces and the ground. A thread of its own that traces keeps it, together with a scene:
-    /// that owns the triangles.
+    /// Meets the surfaces, as sections leave them, and the ground. A thread of its own that traces keeps it,
+    /// together with a scene: that owns the triangles.
     const std::shared_ptr<const rtcore::RayTracer>& tracer() const { return tracer_; }
 
   private:

@@ -21,7 +21,9 @@ void WalkLight::follow(const Document& document, int threads) {
     // Of whole frames: coarse ones have cheaper samples, but the same light.
     const rtcore::RenderSettings settings = document.frameSettings();
     const rtcore::Changes changes = known_.take(document.revisions());
-    const bool begins = light_ == nullptr || changes.hasAny({Change::Scene, Change::Section}),
+    const auto cut = [](const auto& scene) { return scene != nullptr && scene->sections.letLightIn(); };
+    const bool opened = changes.has(Change::Section) && (cut(scene_) || cut(document.scene()));
+    const bool begins = light_ == nullptr || changes.has(Change::Scene) || opened,
                parts = changes.has(Change::Visibility),
                other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
                        !rtcore::sameLight(settings, settings_);

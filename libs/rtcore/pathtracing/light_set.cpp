@@ -1,5 +1,6 @@
 #include "rtcore/pathtracing/light_set.h"
 
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/math/constants.h"
 
 #include <algorithm>
@@ -41,6 +42,21 @@ std::vector<std::uint8_t> hasProxyLight(const Scene& scene) {
     return result;
 }
 
+/// Those that are hidden, and where sections let light in those that a plane cuts, or takes away: what is
+/// left of them is found by rays that hit it by chance.
+std::vector<std::uint8_t> noEmitters(const Scene& scene, const Box3& bounds,
+                                     std::span<const std::uint8_t> hidden) {
+    std::vector<std::uint8_t> none(hidden.begin(), hidden.end());
+    if (!scene.sections.letLightIn()) return none;
+    const SectionClip clip(scene.sections, bounds);
+    const Mesh& mesh = scene.model.mesh;
+    none.resize(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < none.size(); ++t)
+        for (int corner = 0; corner < 3 && none[t] == 0; ++corner)
+            none[t] = clip.removes(mesh.position(t, corner)) ? 1 : 0;
+    return none;
+}
+
 } // namespace
 
 void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
@@ -62,9 +78,11 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
     emitsNoLight_.assign(scene.materials.size(), use == EmitterLight::Off ? 1 : 0);
     if (use == EmitterLight::Automatic) emitsNoLight_ = hasProxyLight(scene);
     emitters_ = {};
-    if (use != EmitterLight::Off)
+    if (use != EmitterLight::Off) {
+        const std::vector<std::uint8_t> none = noEmitters(scene, bounds, hidden);
         emitters_.prepare(scene,
-                          {.hidden = hidden, .emitsNoLight = emitsNoLight_, .textures = settings.textures});
+                          {.hidden = none, .emitsNoLight = emitsNoLight_, .textures = settings.textures});
+    }
     background_ = backgroundLight(scene, settings.environmentFilter, scene.ambient);
     surroundings_ = {};
     surroundings_.prepare(background_);

@@ -24,6 +24,9 @@ void PathIntegrator::begin(const PathFrame& frame) {
     frame_.materials = &frame.materials;
     frame_.statistics = &statistics_;
     frame_.clock = &clock_;
+    const SectionPlanes& sections = frame.scene.sections;
+    seenClip_ =
+        sections.light == SectionLight::Whole ? SectionClip(sections, frame.tracer.bounds()) : SectionClip();
     lights_ = &frame.lights;
     rows_ = frame.lights.rows();
     limits_ = frame.settings.path;
@@ -109,6 +112,7 @@ void PathIntegrator::startInMedia(std::uint32_t first) {
 void PathIntegrator::tracePaths() {
     const std::span<PathBatch> batches = current_.batches();
     rays_.clear();
+    for (PathBatch& batch : batches) clipUnscattered(batch);
     for (const PathBatch& batch : batches) rays_.append(batch.queue.rays, 0, batch.queue.size());
     startStep(RayKind::Scattered, rays_);
     std::size_t first = 0;
@@ -121,6 +125,15 @@ void PathIntegrator::tracePaths() {
         first += batch.queue.size();
     }
     addKept();
+}
+
+/// What the camera sees in mirrors and through glass is cut open, too, where light is not.
+void PathIntegrator::clipUnscattered(PathBatch& batch) const {
+    if (seenClip_.empty()) return;
+    RayWave& rays = batch.queue.rays;
+    for (std::size_t i = 0; i < batch.queue.size(); ++i)
+        if ((batch.scattered().state[i] & path_state::kScatters) == 0)
+            seenClip_.clip(rays.ray(i), rays.tMin[i], rays.tMax[i]);
 }
 
 /// Finds what the rays of a step hit; nothing follows from them yet.

@@ -6,6 +6,7 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/pathtracing/kept_light.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/next_event.h"
@@ -77,6 +78,7 @@ class PathIntegrator {
     void traceOnward();
     bool leavesLightsOut(std::size_t ray) const;
     bool leavesDiscsOut(std::size_t ray) const;
+    void clipUnscattered(PathBatch& batch) const;
     void startStep(RayKind kind, const RayWave& rays);
     void shade(std::size_t first, std::size_t count);
     PathNames names() const;
@@ -113,6 +115,7 @@ class PathIntegrator {
     RayWave cameraRays_;
     StartMedia startMedia_; ///< of cameraRays_
     PathBatch startBatch_;  ///< those rays, where some begin in solids
+    SectionClip seenClip_;  ///< of rays of the camera alone
     PathBatches current_, next_;
     PathBatch* paths_ = nullptr;  ///< of the wave's rays; null for those of the camera
     PathBatch* onward_ = nullptr; ///< of next_: takes the rays that follow

@@ -7,7 +7,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kSide = 4; ///< samples of a pixel, each way: edges of few are worse than a net's
+constexpr int kSamplesAcross = 4; ///< samples of a pixel, each way: edges of few are worse than a net's
 
 } // namespace
 
@@ -15,7 +15,7 @@ RenderSettings steadySettings(const RenderSettings& settings) {
     RenderSettings rays = settings;
     rays.integrator = Integrator::Whitted;
     rays.path.seed = 0; // of the paths that records learn from
-    rays.antialiasing = std::max(kSide, settings.antialiasing);
+    rays.antialiasing = std::max(kSamplesAcross, settings.antialiasing);
     return rays;
 }
 

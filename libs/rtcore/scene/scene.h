@@ -13,6 +13,7 @@
 #include "rtcore/scene/model.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/scene/scene_light.h"
+#include "rtcore/scene/section_planes.h"
 #include "rtcore/scene/sky.h"
 #include "rtcore/scene/sky_ground.h"
 
@@ -56,6 +57,7 @@ struct SceneLook {
     Colour ambient;    ///< radiance that reaches every surface from all directions, unshadowed
     Fog fog;
     WalkParameters walk;
+    SectionPlanes sections;
     Vec3 up{0, 1, 0}; ///< one of the six axes
     float metresPerUnit = 1;
     LocalOrigin origin; ///< the scene's zero, in the coordinates of the model's file

@@ -50,7 +50,8 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
     using Names = std::set<std::string_view>;
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
-    EXPECT_EQ(commandsFor(app::BrowserUse::Look), (Names{"material get", "materials", "parts", "seen"}));
+    EXPECT_EQ(commandsFor(app::BrowserUse::Look),
+              (Names{"material get", "materials", "parts", "sections", "seen"}));
     EXPECT_EQ(
         commandsFor(app::BrowserUse::Move),
         (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
@@ -88,6 +89,14 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "redo",
                                                          "resolution",
                                                          "resume",
+                                                         "section add",
+                                                         "section box",
+                                                         "section clear",
+                                                         "section here",
+                                                         "section light",
+                                                         "section move",
+                                                         "section remove",
+                                                         "section turn",
                                                          "set",
                                                          "sky",
                                                          "sky date",

@@ -222,9 +222,9 @@ TEST_F(ModelCommands, AWrittenSceneShowsTheSame) {
         answer("camera reset");
     };
     show(folder / "m.scn");
-    for (const char* edit :
-         {"material set red roughness 0.4", "material set blue metallic 0.7",
-          "material set blue diffuse 0.3 0.6 0.2", "material set red opacity 0.5", "part hide front/blue"})
+    for (const char* edit : {"material set red roughness 0.4", "material set blue metallic 0.7",
+                             "material set blue diffuse 0.3 0.6 0.2", "material set red opacity 0.5",
+                             "part hide front/blue", "section add 0 0.5 0 0 1 0.1", "section light cut"})
         answer(edit);
     answer("export scene DIR/e.scn");
     const rtcore::Scene edited = *document.scene();
@@ -233,6 +233,8 @@ TEST_F(ModelCommands, AWrittenSceneShowsTheSame) {
     EXPECT_EQ(document.scene()->materials, edited.materials);
     EXPECT_TRUE(rtcore::sameHidden(document.scene()->hiddenParts, edited.hiddenParts));
     EXPECT_NE(document.scene()->hiddenParts, nullptr);
+    EXPECT_EQ(document.scene()->sections, edited.sections);
+    EXPECT_FALSE(edited.sections.empty());
     EXPECT_EQ(document.scene()->closed == nullptr, edited.closed == nullptr);
     EXPECT_EQ(frame(), whole);
 }

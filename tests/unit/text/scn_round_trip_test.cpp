@@ -155,6 +155,10 @@ SceneFile randomScene(Random& random) {
     s.defaultLight = random.flag();
     s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.fraction();
+    for (std::size_t n = random.below(4); n > 0; --n)
+        s.sections.planes.push_back(
+            {{random.number(), random.number(), random.number()}, {0, random.number(), 1}});
+    if (random.flag()) s.sections.light = rtcore::SectionLight::Cut;
     if (random.flag()) s.deflection = 1e-6F + 0.09F * random.fraction();
     if (random.flag())
         s.pose = {rtcore::PoseChoice::Kind::Moment, awkwardName(random), double{random.number()}};
@@ -203,6 +207,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.pose, b.pose);
     EXPECT_EQ(a.deflection, b.deflection);
+    EXPECT_EQ(a.sections, b.sections);
     EXPECT_EQ(a.activeEnvironment, b.activeEnvironment);
     EXPECT_EQ(a.creaseAngle, b.creaseAngle);
     EXPECT_EQ(a.camera, b.camera);

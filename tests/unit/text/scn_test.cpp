@@ -65,6 +65,27 @@ TEST(Scn, DeflectionIsAKeyOfVersionTwo) {
     }
 }
 
+TEST(Scn, SectionsAreReadAndRefused) {
+    const std::string head = "version = 2\nmodel = \"a\"\n",
+                      one = "[[section]]\npoint = [0, 1.2, 0]\nnormal = [0, 1, 0]\n";
+    const SceneFile scene = parseSceneFile(head + "sectionLight = \"cut\"\n" + one, "x.scn");
+    ASSERT_EQ(scene.sections.planes.size(), 1U);
+    EXPECT_EQ(scene.sections.planes[0], (rtcore::SectionPlane{{0, 1.2F, 0}, {0, 1, 0}}));
+    EXPECT_TRUE(scene.sections.letLightIn());
+    EXPECT_TRUE(parseSceneFile(head + "sectionLight = \"cut\"\n", "x.scn").sections.empty());
+    const auto refused = [](const std::string& text, const std::string& words) {
+        const std::string message = test::badData([&] { parseSceneFile(text, "x.scn"); });
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    };
+    std::string seven = head;
+    for (int i = 0; i < 7; ++i) seven += one;
+    refused(seven, "more than 6 sections");
+    refused(head + "[[section]]\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n", "normal is zero");
+    refused(head + "[[section]]\nnormal = [0, 1, 0]\n", "point");
+    refused(head + "sectionLight = \"some\"\n", "sectionLight");
+    refused("version = 1\nmodel = \"a\"\n" + one, "section");
+}
+
 TEST(Scn, PathsStartAtTheFolderOfTheScene) {
     const SceneFile scene =
         parse("settings = \"../a.set\"\noutput = \"/tmp/b.png\"\n[camera]\nfile = \"c/d.cam\"\n"

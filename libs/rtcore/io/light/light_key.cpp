@@ -93,6 +93,13 @@ void addSettings(const RenderSettings& settings, ContentHash& to) {
         to.add(std::string_view(settingText(requireSetting(name).get(settings))));
 }
 
+void addSections(const SectionPlanes& sections, ContentHash& to) {
+    for (const SectionPlane& plane : sections.planes) {
+        addVec(plane.point, to);
+        addVec(plane.normal, to);
+    }
+}
+
 std::uint64_t surfacesOf(const Scene& scene, const Box3& bounds) {
     ContentHash hash;
     hash.add(scene.model.mesh.vertices);
@@ -102,6 +109,7 @@ std::uint64_t surfacesOf(const Scene& scene, const Box3& bounds) {
         hash.add(std::span<const std::uint8_t>(hidden));
     addVec(bounds.lo, hash);
     addVec(bounds.hi, hash);
+    if (scene.sections.letLightIn()) addSections(scene.sections, hash);
     return hash.value();
 }
 

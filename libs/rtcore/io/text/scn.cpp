@@ -97,6 +97,7 @@ class SceneReader {
             scene_.materials.push_back(readMaterial(table, folder_));
         for (StrictTable& table : root_.tables("part")) scene_.parts.push_back(readPart(table));
         root_.needVersion(2, "part");
+        scene_.sections = readSectionPlanes(root_);
         for (StrictTable& table : root_.tables("environment"))
             scene_.environments.push_back(readEnvironment(table, folder_));
         scene_.modelLights = root_.boolean("modelLights").value_or(scene_.lights.empty());
@@ -191,6 +192,7 @@ class SceneWriter {
         for (const LightDescription& light : scene_.lights) writeLight(writer_, light, folder_);
         for (const MaterialOverride& material : scene_.materials) writeMaterial(writer_, material, folder_);
         for (const PartDescription& part : scene_.parts) writePart(writer_, part);
+        for (const SectionPlane& plane : scene_.sections.planes) writeSectionPlane(writer_, plane);
         for (const EnvironmentFile& environment : scene_.environments)
             writeEnvironment(writer_, environment, folder_);
         if (scene_.sky) {
@@ -227,6 +229,7 @@ class SceneWriter {
         writer_.add("creaseAngle", scene_.creaseAngle);
         writer_.add("flipTextures", scene_.flipTextures);
         if (scene_.pose != PoseChoice{}) writer_.add("pose", poseText(scene_.pose));
+        writeSectionLight(writer_, scene_.sections.light);
         if (scene_.deflection != SceneFile{}.deflection) writer_.add("deflection", scene_.deflection);
     }
 

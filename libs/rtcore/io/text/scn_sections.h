@@ -23,6 +23,8 @@ LightDescription readLight(StrictTable& table, const std::filesystem::path& fold
 MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& folder);
 PartDescription readPart(StrictTable& table);
 EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path& folder);
+/// All [[section]] of the root, and what light knows of them.
+SectionPlanes readSectionPlanes(StrictTable& root);
 Sky readSky(StrictTable& table, const Sky& usual = {});
 
 /// All [[bookmark]] of the root; `up` as in readCamera().
@@ -36,6 +38,8 @@ void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const s
 void writePart(TomlWriter& writer, const PartDescription& part);
 void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
                       const std::filesystem::path& folder);
+void writeSectionLight(TomlWriter& writer, SectionLight light);
+void writeSectionPlane(TomlWriter& writer, const SectionPlane& plane);
 void writeSky(TomlWriter& writer, const Sky& sky);
 void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);
 

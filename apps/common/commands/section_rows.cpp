@@ -1,0 +1,75 @@
+// Rows for the planes that cut the model open.
+#include "common/commands/command_rows.h"
+
+#include "rtcore/scene/section_planes.h"
+
+namespace app {
+
+using enum CommandEffect;
+
+std::vector<CommandSpec> sectionCommands() {
+    const CommandArgument section = whole("N", 1, rtcore::kMaxSectionPlanes);
+    return {
+        {.id = CommandId::Sections,
+         .name = "sections",
+         .effect = Tells,
+         .browser = BrowserUse::Look,
+         .help =
+             "print the planes that cut the model open: number, a point, the normal; then what light knows",
+         .more = "A line each, `1 0 1.2 0 0 1 0`, and `light whole` or `light cut` at the end. The model is "
+                 "taken away on the side that the normal points to"},
+        {.id = CommandId::SectionAdd,
+         .name = "section add",
+         .arguments = numbers({"X", "Y", "Z", "NX", "NY", "NZ"}),
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "cut the model open: take away what lies beyond the point, along the normal N",
+         .more = "`section add 0 1.2 0 0 1 0` takes away all above 1.2. Up to six, each of which takes more "
+                 "away: corners cannot be cut out, since what is left must be convex"},
+        {.id = CommandId::SectionHere,
+         .name = "section here",
+         .arguments = {number("RIGHT", 0, 1), number("DOWN", 0, 1)},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "cut along the face that is seen there, 0..1 from the left and from the top",
+         .more = "What lies before the face is taken away, and the face stays; `section move` goes on from "
+                 "there"},
+        {.id = CommandId::SectionBox,
+         .name = "section box",
+         .arguments = numbers({"X", "Y", "Z", "X2", "Y2", "Z2"}),
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "leave what is in a box between two corners; in place of all sections"},
+        {.id = CommandId::SectionMove,
+         .name = "section move",
+         .arguments = {section, number("DISTANCE")},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "move a section along its normal, in scene units; below 0: takes more away"},
+        {.id = CommandId::SectionTurn,
+         .name = "section turn",
+         .arguments = {section},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "take away the other side"},
+        {.id = CommandId::SectionRemove,
+         .name = "section remove",
+         .arguments = {section},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "remove a section"},
+        {.id = CommandId::SectionClear,
+         .name = "section clear",
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "remove all sections: the model is whole again"},
+        {.id = CommandId::SectionLight,
+         .name = "section light",
+         .arguments = {choiceOf(rtcore::kSectionLights)},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "whole: rooms keep their light, as if nothing was cut; cut: light falls in"},
+    };
+}
+
+} // namespace app

@@ -1,0 +1,128 @@
+// Commands for the planes that cut the model open.
+#include "rtserver/commands/command_call.h"
+#include "rtserver/commands/seen_surface.h"
+#include "rtserver/document/model_edits.h"
+
+#include "common/cli/command_line.h"
+
+#include "rtcore/platform/sentence.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+using rtcore::SectionPlane;
+using rtcore::SectionPlanes;
+using rtcore::Vec3;
+
+const SectionPlanes& sectionsOf(const Call& call) { return call.document().scene()->sections; }
+
+Result sections(const Call& call) {
+    const SectionPlanes& all = sectionsOf(call);
+    std::string text;
+    for (std::size_t i = 0; i < all.planes.size(); ++i) {
+        const Vec3 n = all.planes[i].normal;
+        text += fmt::format("{} {} {} {} {}\n", i + 1, positionText(call, all.planes[i].point),
+                            rtcore::settingText(n.x), rtcore::settingText(n.y), rtcore::settingText(n.z));
+    }
+    return {.answer = text + fmt::format("light {}", nameOf(all.light))};
+}
+
+void add(const Call& call, const SectionPlane& plane) {
+    if (normalize(plane.normal) == Vec3{})
+        throw app::UsageError(rtcore::say("the normal of a section is not zero"));
+    SectionPlanes all = sectionsOf(call);
+    if (all.planes.size() == rtcore::kMaxSectionPlanes)
+        throw rtcore::Refusal("there are six sections already; remove one first");
+    all.planes.push_back(plane);
+    cutOpen(call.document(), std::move(all));
+}
+
+Result sectionAdd(const Call& call) {
+    add(call, {positionAt(call, 0), vectorAt(call, 3)});
+    return {};
+}
+
+Result sectionHere(const Call& call) {
+    const auto seen = surfaceAt(call.document(), number(call[0]), number(call[1]));
+    if (!seen) throw rtcore::Refusal("nothing of the model is seen there");
+    add(call, {seen->position, seen->normal});
+    return {};
+}
+
+Result sectionBox(const Call& call) {
+    const Vec3 a = positionAt(call, 0), b = positionAt(call, 3);
+    Vec3 lo, hi;
+    for (int axis = 0; axis < 3; ++axis) {
+        lo[axis] = std::min(a[axis], b[axis]);
+        hi[axis] = std::max(a[axis], b[axis]);
+        if (!(lo[axis] < hi[axis]))
+            throw app::UsageError(rtcore::say("the two corners of a box differ in each coordinate"));
+    }
+    cutOpen(call.document(), {rtcore::planesAround(lo, hi), sectionsOf(call).light});
+    return {};
+}
+
+/// All sections, and that which the first argument numbers.
+std::pair<SectionPlanes, std::size_t> chosen(const Call& call) {
+    SectionPlanes all = sectionsOf(call);
+    const auto number = static_cast<std::size_t>(integer(call[0]));
+    if (number > all.planes.size())
+        throw rtcore::Refusal(rtcore::say("there is no section {0}; 'sections' lists them", number));
+    return {std::move(all), number - 1};
+}
+
+Result sectionMove(const Call& call) {
+    auto [all, i] = chosen(call);
+    all.planes[i].point = all.planes[i].point + normalize(all.planes[i].normal) * number(call[1]);
+    cutOpen(call.document(), std::move(all));
+    return {};
+}
+
+Result sectionTurn(const Call& call) {
+    auto [all, i] = chosen(call);
+    all.planes[i].normal = Vec3{} - all.planes[i].normal; // no -0
+    cutOpen(call.document(), std::move(all));
+    return {};
+}
+
+Result sectionRemove(const Call& call) {
+    auto [all, i] = chosen(call);
+    all.planes.erase(all.planes.begin() + static_cast<std::ptrdiff_t>(i));
+    cutOpen(call.document(), std::move(all));
+    return {};
+}
+
+Result sectionClear(const Call& call) {
+    cutOpen(call.document(), {{}, sectionsOf(call).light});
+    return {};
+}
+
+Result sectionLight(const Call& call) {
+    cutOpen(call.document(), {sectionsOf(call).planes, rtcore::sectionLightNamed(call[0]).value()});
+    return {};
+}
+
+constexpr std::array kSectionFunctions{
+    CommandFunction{app::CommandId::Sections, sections},
+    CommandFunction{app::CommandId::SectionAdd, sectionAdd},
+    CommandFunction{app::CommandId::SectionHere, sectionHere},
+    CommandFunction{app::CommandId::SectionBox, sectionBox},
+    CommandFunction{app::CommandId::SectionMove, sectionMove},
+    CommandFunction{app::CommandId::SectionTurn, sectionTurn},
+    CommandFunction{app::CommandId::SectionRemove, sectionRemove},
+    CommandFunction{app::CommandId::SectionClear, sectionClear},
+    CommandFunction{app::CommandId::SectionLight, sectionLight},
+};
+
+} // namespace
+
+std::span<const CommandFunction> sectionFunctions() { return kSectionFunctions; }
+
+} // namespace rtserver

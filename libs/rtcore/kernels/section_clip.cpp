@@ -1,0 +1,72 @@
+#include "rtcore/kernels/section_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace rtcore {
+
+namespace {
+
+constexpr float kPlaneRounding = 2e-6F; ///< of the largest coordinate
+
+float largestOf(const Box3& bounds) {
+    float largest = 0;
+    for (const Vec3 corner : {bounds.lo, bounds.hi})
+        for (int a = 0; a < 3; ++a) largest = std::max(largest, std::fabs(corner[a]));
+    return largest;
+}
+
+/// Of all points of a box, that farthest along a direction.
+Vec3 farthest(const Box3& box, Vec3 direction) {
+    Vec3 corner;
+    for (int a = 0; a < 3; ++a) corner[a] = direction[a] > 0 ? box.hi[a] : box.lo[a];
+    return corner;
+}
+
+/// `speed`: of the ray along the normal; `room`: from its origin to the plane.
+void clipBy(float speed, float room, float& tMin, float& tMax) {
+    const float t = room / speed;
+    if (speed > 0) {
+        tMax = std::min(tMax, t);
+    } else if (speed < 0) {
+        tMin = std::max(tMin, t);
+    } else if (room < 0) {
+        tMax = -1;
+    }
+}
+
+} // namespace
+
+SectionClip::SectionClip(const SectionPlanes& sections, const Box3& bounds) {
+    if (bounds.empty()) return;
+    const float rounding = kPlaneRounding * largestOf(bounds);
+    for (const SectionPlane& plane : sections.planes) {
+        const Vec3 normal = normalize(plane.normal);
+        const float offset = dot(normal, plane.point) + rounding;
+        if (dot(normal, farthest(bounds, normal)) > offset) halves_.push_back({normal, offset});
+    }
+}
+
+bool SectionClip::removes(Vec3 point) const {
+    return std::ranges::any_of(halves_,
+                               [&](const HalfSpace& half) { return dot(half.normal, point) > half.offset; });
+}
+
+void SectionClip::clip(const Ray& ray, float& tMin, float& tMax) const {
+    for (const HalfSpace& half : halves_)
+        clipBy(dot(half.normal, ray.direction), half.offset - dot(half.normal, ray.origin), tMin, tMax);
+}
+
+void SectionClip::clip(RayWave& rays) const {
+    for (const HalfSpace& half : halves_) {
+        const Vec3 n = half.normal;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const float speed = n.x * rays.dx[i] + n.y * rays.dy[i] + n.z * rays.dz[i];
+            const float room = half.offset - (n.x * rays.ox[i] + n.y * rays.oy[i] + n.z * rays.oz[i]);
+            clipBy(speed, room, rays.tMin[i], rays.tMax[i]);
+        }
+    }
+}
+
+} // namespace rtcore

@@ -1,0 +1,38 @@
+/// Clips rays to what planes leave of a scene: each ray's own interval becomes shorter, and no tree is built
+/// anew.
+#pragma once
+
+#include "rtcore/kernels/ray_wave.h"
+#include "rtcore/math/box.h"
+#include "rtcore/scene/section_planes.h"
+
+#include <vector>
+
+namespace rtcore {
+
+/// Immutable. What it does to a ray does not depend on the others of a wave.
+class SectionClip {
+  public:
+    SectionClip() = default;
+    /// Planes beyond `bounds`, those of all that may be hit, which they leave whole, cost nothing. Faces in a
+    /// plane stay: planes lie further out by what positions are rounded.
+    SectionClip(const SectionPlanes& sections, const Box3& bounds);
+
+    /// It clips no ray.
+    bool empty() const { return halves_.empty(); }
+    /// Whether the point was taken away.
+    bool removes(Vec3 point) const;
+    /// The interval becomes that part of it that is left; where none is, tMin > tMax.
+    void clip(const Ray& ray, float& tMin, float& tMax) const;
+    void clip(RayWave& rays) const;
+
+  private:
+    /// dot(normal, x) <= offset is kept.
+    struct HalfSpace {
+        Vec3 normal;
+        float offset = 0;
+    };
+    std::vector<HalfSpace> halves_;
+};
+
+} // namespace rtcore

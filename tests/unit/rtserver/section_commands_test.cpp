@@ -1,0 +1,81 @@
+// Commands that cut the model open: what they tell, what is seen then, that they are taken back, and that a
+// scene that is written shows the same.
+#include "command_room.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rtserver {
+namespace {
+
+using rtcore::Vec3;
+
+class SectionCommands : public test::CommandRoom {
+  protected:
+    const rtcore::SectionPlanes& sections() const { return document.scene()->sections; }
+    /// Of what the camera sees in the middle.
+    float distance() const {
+        rtcore::RayWave ray;
+        rtcore::HitWave hit;
+        ray.push({document.camera().eye, 0, normalize(document.camera().forward), 1e6F});
+        document.tracer()->intersect(rtcore::RayKind::Primary, ray, hit);
+        return hit.isHit(0) ? hit.t[0] : -1;
+    }
+};
+
+TEST_F(SectionCommands, AreToldAndEdited) {
+    EXPECT_EQ(answer("sections"), "light whole");
+    answer("section add 0 1.5 0 0 2 0");
+    answer("section add 1 0 0 1 0 0");
+    EXPECT_EQ(answer("sections"), "1 0 1.5 0 0 2 0\n2 1 0 0 1 0 0\nlight whole");
+    answer("section move 1 -0.5");
+    answer("section turn 2");
+    answer("section light cut");
+    EXPECT_EQ(answer("sections"), "1 0 1 0 0 2 0\n2 1 0 0 -1 0 0\nlight cut");
+    answer("section remove 1");
+    EXPECT_EQ(answer("sections"), "1 1 0 0 -1 0 0\nlight cut");
+    answer("section box 1 2 3 -1 -2 -3");
+    EXPECT_EQ(sections().planes.size(), 6U);
+    EXPECT_EQ(sections().planes[0].point, (Vec3{1, 2, 3}));
+    answer("section clear");
+    EXPECT_EQ(answer("sections"), "light cut");
+}
+
+TEST_F(SectionCommands, ThatCannotBeAreRefused) {
+    EXPECT_EQ(refusal("section add 0 0 0 0 0 0").code, 2);
+    EXPECT_EQ(refusal("section add 0 0 0 0 1").code, 2);
+    EXPECT_EQ(refusal("section move 1 2").code, 1);
+    EXPECT_EQ(refusal("section box 0 0 0 1 1 0").code, 2);
+    EXPECT_EQ(refusal("section light some").code, 2);
+    answer("section box 0 0 0 1 1 1");
+    EXPECT_NE(refusal("section add 0 0 0 0 1 0").code, 0);
+    EXPECT_EQ(sections().planes.size(), 6U);
+}
+
+TEST_F(SectionCommands, AreSeenAndTakenBack) {
+    answer("camera look-at 0 2 3 0 0 0");
+    const float before = distance();
+    ASSERT_GT(before, 0);
+    answer("section here 0.5 0.5");
+    EXPECT_NEAR(distance(), before, 1e-3F) << "the face stays";
+    EXPECT_EQ(document.history().last()->label, "section here");
+    answer("section move 1 -0.01");
+    EXPECT_TRUE(distance() < 0 || distance() > before + 0.005F) << distance();
+    answer("undo");
+    EXPECT_NEAR(distance(), before, 1e-3F);
+    answer("undo");
+    EXPECT_TRUE(sections().empty());
+    EXPECT_EQ(distance(), before);
+    answer("redo");
+    EXPECT_EQ(sections().planes.size(), 1U);
+}
+
+TEST_F(SectionCommands, AreEditsOfTheirKind) {
+    changes();
+    answer("section add 0 1.5 0 0 1 0");
+    EXPECT_EQ(changes(), rtcore::Changes{rtcore::Change::Section});
+}
+
+} // namespace
+} // namespace rtserver
