@@ -1,5 +1,7 @@
 #include "bsp_support.h"
 
+#include "rtcore/io/bsp/bsp_checksum.h"
+
 #include <array>
 #include <fstream>
 
@@ -12,7 +14,30 @@ namespace {
 
 constexpr BspIdentity kIdentity{987654321012, 0xDEADBEEF, 77};
 
+/// Bit by bit, as the standard of zip files says.
+std::uint32_t plainCrc(std::span<const std::byte> bytes, std::uint32_t before) {
+    std::uint32_t crc = ~before;
+    for (const std::byte byte : bytes) {
+        crc ^= std::to_integer<std::uint32_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+    return ~crc;
+}
+
 } // namespace
+
+TEST(BspChecksum, IsThatOfZipFilesForAnyLength) {
+    std::vector<std::byte> bytes(5000);
+    std::uint32_t state = 1;
+    for (std::byte& byte : bytes)
+        byte = static_cast<std::byte>((state = state * 1664525U + 1013904223U) >> 24U);
+    for (std::size_t size = 0; size < 700; ++size) {
+        const auto part = std::span<const std::byte>(bytes).subspan(size % 5, size);
+        EXPECT_EQ(rtcore::crc32Of(part), plainCrc(part, 0)) << size;
+        EXPECT_EQ(rtcore::crc32Of(part, 0x12345678), plainCrc(part, 0x12345678)) << size;
+    }
+    EXPECT_EQ(rtcore::crc32Of(bytes), plainCrc(bytes, 0));
+}
 
 TEST(BspRoundTrip, EverythingComesBack) {
     const test::TemporaryFolder folder;

@@ -12,6 +12,7 @@ using namespace rtcore;
 ModelBuffers assemble(const std::vector<SourceMesh>& meshes, MeshAssembler& assembler) {
     for (const SourceMesh& mesh : meshes) assembler.add(mesh);
     ModelBuffers model;
+    assembler.weld();
     assembler.finish(model, 40);
     return model;
 }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -384,6 +385,51 @@ TEST(ObjImport, DamagedFilesAreSoundOrRefused) {
             EXPECT_EQ(error.kind, FailureKind::BadData) << error.what();
         }
     }
+}
+
+TEST(StatementText, NumbersHaveTheBitsOfFromChars) {
+    std::mt19937 random(7);
+    const auto digits = [&](std::size_t max) {
+        std::string text(random() % (max + 1), ' ');
+        for (char& digit : text) digit = static_cast<char>('0' + random() % 10);
+        return text;
+    };
+    std::vector<std::string> words{"16777217", "16777217.0", "8388608.5", "0",   "-0",
+                                   ".5",       "5.",         "0.1",       "1e-5"};
+    for (int i = 0; i < 20'000; ++i)
+        words.push_back((random() % 2 == 0 ? "-" : "") + digits(10) + "7." + digits(12));
+    for (const std::string& word : words) {
+        float expected = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), expected);
+        ASSERT_EQ(error, std::errc()) << word;
+        const std::string line = word + "\n";
+        const auto number = StatementText(line).number();
+        ASSERT_TRUE(number) << word;
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(*number), std::bit_cast<std::uint32_t>(expected)) << word;
+    }
+}
+
+/// Threads read blocks of it; indices that count from the end wait for the blocks before.
+TEST(ObjImport, ALongFileIsTheSameHoweverItsCornersCount) {
+    const TemporaryFolder folder;
+    std::string positive, negative;
+    for (int i = 0; i < 20'000; ++i) {
+        std::string both = i % 1000 == 0 ? "g part" + std::to_string(i) + "\nusemtl m\n" : "";
+        for (const char* corner : {" 0 0.25\n", " 1.5 0\n", " 2 -1\n"})
+            both += "v " + std::to_string(i % 7777) + corner + "vt 0.5 0." + std::to_string(i) + "\n";
+        positive += both + "f";
+        for (int k = 1; k <= 3; ++k)
+            positive += " " + std::to_string(3 * i + k) + "/" + std::to_string(3 * i + k);
+        positive += "\n";
+        negative += both + "f -3/-3 -2/-2 -1/-1\n";
+    }
+    writeText(folder / "p.obj", positive);
+    writeText(folder / "n.obj", negative);
+    FileImport a = objOf(folder / "p.obj"), b = objOf(folder / "n.obj");
+    EXPECT_EQ(a.model.parts.size(), 20U);
+    EXPECT_EQ(a.model.texcoords.size(), 60'000U);
+    a.report.files = b.report.files;
+    expectSameBits(a, b, "long");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "rtcore/io/bsp/bsp_checksum.h"
 
+#include "rtcore/io/bsp/crc_folding.h"
 #include "rtcore/platform/threads.h"
 
 #include <zlib.h>
@@ -7,6 +8,18 @@
 #include <vector>
 
 namespace rtcore {
+
+namespace {
+
+uLong crcOf(std::span<const std::byte> bytes) {
+    constexpr std::size_t kStep = 64, kWorthFolding = 4 * kStep;
+    const std::size_t folded = bytes.size() < kWorthFolding ? 0 : bytes.size() / kStep * kStep;
+    const uLong crc = folded > 0 ? foldedCrc(bytes.first(folded), 0) : 0;
+    const std::span<const std::byte> rest = bytes.subspan(folded);
+    return ::crc32_z(crc, reinterpret_cast<const Bytef*>(rest.data()), rest.size());
+}
+
+} // namespace
 
 std::uint32_t crc32Of(std::span<const std::byte> bytes, std::uint32_t before) {
     // Parts of it by several threads; crc32_combine() takes no longer for long ones.
@@ -19,7 +32,7 @@ std::uint32_t crc32Of(std::span<const std::byte> bytes, std::uint32_t before) {
     for (std::size_t part = 0; part < parts; ++part) {
         const std::span<const std::byte> own = bytes.subspan(begin(part), end(part) - begin(part));
         // zlib takes a null pointer as "give me the start value".
-        if (!own.empty()) crcs[part] = ::crc32_z(0, reinterpret_cast<const Bytef*>(own.data()), own.size());
+        if (!own.empty()) crcs[part] = crcOf(own);
     }
     uLong crc = before;
     for (std::size_t part = 0; part < parts; ++part)

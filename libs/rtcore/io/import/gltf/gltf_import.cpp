@@ -122,7 +122,7 @@ class GltfReader {
             keptOf = {at.mesh, weights, skinned};
             for (std::size_t p = 0; p < gltf::sizeOf(list); ++p) {
                 if (kept.size() > p) {
-                    addMesh(kept[p], at, p, materials, assembler);
+                    addMesh(kept[p], at, p, materials, assembler, false);
                     continue;
                 }
                 gltf::PrimitiveUse use = materials.useOf(list[p]);
@@ -130,15 +130,15 @@ class GltfReader {
                 use.skinned = skinned;
                 gltf::Primitive primitive = primitives_.read(list[p], use);
                 const bool once = times[at.mesh] == 1;
-                addMesh(primitive, at, p, materials, assembler, once ? &primitive.list.triangles : nullptr);
+                addMesh(primitive, at, p, materials, assembler, once);
                 if (!once) kept.push_back(std::move(primitive));
             }
         }
     }
 
-    void addMesh(const gltf::Primitive& primitive, const gltf::Placement& at, std::size_t number,
-                 const gltf::ModelMaterials& materials, MeshAssembler& assembler,
-                 std::vector<Triangle>* spare = nullptr) {
+    /// `spare`: the lists of the primitive are needed no more.
+    void addMesh(gltf::Primitive& primitive, const gltf::Placement& at, std::size_t number,
+                 const gltf::ModelMaterials& materials, MeshAssembler& assembler, bool spare) {
         damagedPrimitives_ += primitive.damaged ? 1 : 0;
         damagedAttributes_ += primitive.damagedAttributes;
         import_.report.ignoredPrimitives += primitive.list.pointsAndLines;
@@ -148,7 +148,7 @@ class GltfReader {
         SourceMesh mesh = placer_.place(primitive, at.toWorld,
                                         isSkinned(at) ? skins_.joints(*at.skin) : std::span<const Affine>());
         if (mesh.triangles.empty()) return;
-        if (spare != nullptr && spare->data() == mesh.triangles.data()) mesh.spare = spare;
+        if (spare) gltf::MeshPlacer::spareLists(primitive, mesh);
         mesh.material = materials.numberOf(primitivesOf(at.mesh)[number]);
         const std::uint32_t first = assembler.triangleCount();
         assembler.add(mesh);

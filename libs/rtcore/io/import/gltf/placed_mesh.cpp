@@ -53,6 +53,8 @@ SourceMesh MeshPlacer::place(const Primitive& primitive, const Affine& toWorld,
         }
         mesh.positions = positions_;
         mesh.normals = normals_;
+        mesh.spare.positions = &positions_;
+        mesh.spare.normals = &normals_;
     }
     const Affine first =
         posed ? skinOf(primitive.influences, primitive.list.triangles[0].v[0], joints) : toWorld;
@@ -60,8 +62,19 @@ SourceMesh MeshPlacer::place(const Primitive& primitive, const Affine& toWorld,
         triangles_ = primitive.list.triangles;
         for (Triangle& t : triangles_) std::swap(t.v[1], t.v[2]);
         mesh.triangles = triangles_;
+        mesh.spare.triangles = &triangles_;
     }
     return mesh;
+}
+
+void MeshPlacer::spareLists(Primitive& primitive, SourceMesh& mesh) {
+    if (mesh.positions.data() == primitive.positions.data()) {
+        mesh.spare.positions = &primitive.positions;
+        mesh.spare.normals = &primitive.normals;
+    }
+    mesh.spare.texcoords = &primitive.texcoords;
+    if (mesh.triangles.data() == primitive.list.triangles.data())
+        mesh.spare.triangles = &primitive.list.triangles;
 }
 
 } // namespace rtcore::gltf

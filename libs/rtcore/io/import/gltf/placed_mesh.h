@@ -17,6 +17,8 @@ class MeshPlacer {
     /// none. Valid until the next call, as long as `primitive` lives. Turns triangles over where they are
     /// mirrored.
     SourceMesh place(const Primitive& primitive, const Affine& toWorld, std::span<const Affine> joints);
+    /// For a primitive that is placed only once: its lists that `mesh` shows may be taken.
+    static void spareLists(Primitive& primitive, SourceMesh& mesh);
 
   private:
     void move(const Primitive& primitive, const Affine& toWorld);

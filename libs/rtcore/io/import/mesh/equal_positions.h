@@ -33,9 +33,8 @@ inline std::uint64_t hashOfPosition(Vec3 p) {
     return finishedHash(mixedHash(mixedHash(0, bitsOfPair(p.x, p.y)), std::bit_cast<std::uint32_t>(p.z)));
 }
 
-/// For each position the number of the first that is equal; for those that are not usable their own. At most
-/// 2^32 - 1 positions; 25 bytes of memory for each. By the threads of OpenMP; the result does not depend on
-/// them.
+/// For each position the number of the first that is equal; for those that are not usable their own. Nothing
+/// where all differ (first_of_same.h).
 std::vector<std::uint32_t> firstOfEqualPositions(std::span<const Vec3> positions);
 
 } // namespace rtcore

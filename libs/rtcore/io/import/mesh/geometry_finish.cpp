@@ -96,6 +96,7 @@ void refusePoints(std::uint64_t count) {
 
 void finishGeometry(MeshAssembler& assembler, float creaseAngle, const LocalOrigin& origin,
                     FileImport& import) {
+    assembler.weld();
     refuseFarAt(boundsOf(assembler.bounds()), assembler.vertices(), origin);
     assembler.finish(import.model, creaseAngle);
     import.report.degenerateTriangles = assembler.degenerateTriangles();

@@ -116,6 +116,7 @@ SourceMesh ObjMeshes::asItStands(const MtlLayout& layout) {
     model_.corners.normals = {};
     for (Vec2& t : model_.texcoords) t = placed(t, layout);
     SourceMesh mesh{.positions = model_.positions, .colours = model_.colours};
+    mesh.spare = {&model_.positions, &model_.normals, &model_.texcoords, nullptr};
     if (hasNormals) mesh.normals = model_.normals;
     if (hasTexcoords) mesh.texcoords = model_.texcoords;
     mesh.triangles = {reinterpret_cast<const Triangle*>(positions.data()), model_.faces};
@@ -160,7 +161,9 @@ SourceMesh ObjMeshes::read(const ObjMesh& mesh, const MtlLayout& layout, bool la
     for (const ObjRun& run : mesh.runs) readRun(run);
     gatherVertices(layout);
     if (last) releaseModel();
-    return {positions_, normals_, texcoords_, colours_, {}, triangles_};
+    SourceMesh source{positions_, normals_, texcoords_, colours_, {}, triangles_};
+    source.spare = {&positions_, &normals_, &texcoords_, &triangles_};
+    return source;
 }
 
 } // namespace rtcore

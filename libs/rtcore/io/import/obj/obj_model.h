@@ -19,6 +19,16 @@ struct ObjCorners {
     std::vector<std::uint32_t> texcoords, normals; ///< kNoIndex = none; empty, or as long as `positions`
 };
 
+/// Positions, normals, texture coordinates and faces, which nearly all statements of a file are.
+struct ObjLists {
+    std::vector<Vec3> positions, normals;
+    std::vector<Vec2> texcoords;
+    std::vector<Colour> colours; ///< of positions, as in the file; empty, or as many as there are
+    ObjCorners corners;
+    std::vector<std::uint32_t> sizes; ///< corners of each face; empty where all have three
+    std::size_t faces = 0;
+};
+
 /// Faces behind each other.
 struct ObjRun {
     std::size_t firstFace, endFace, firstCorner, endCorner;
@@ -32,13 +42,7 @@ struct ObjMesh {
     std::uint64_t statements = 0; ///< faces, lines and points
 };
 
-struct ObjModel {
-    std::vector<Vec3> positions, normals;
-    std::vector<Vec2> texcoords;
-    std::vector<Colour> colours; ///< of positions, as in the file; empty, or as many as there are
-    ObjCorners corners;
-    std::vector<std::uint32_t> sizes; ///< corners of each face; empty where all have three
-    std::size_t faces = 0;
+struct ObjModel : ObjLists {
     std::uint64_t segments = 0; ///< lines between two points, and points
 
     std::vector<std::string> objects;

@@ -2,20 +2,21 @@
 
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/mesh/utf16_text.h"
+#include "rtcore/io/import/obj/list_reader.h"
 #include "rtcore/io/import/obj/material_libraries.h"
+#include "rtcore/io/import/obj/obj_block.h"
 #include "rtcore/io/import/obj/obj_structure.h"
 #include "rtcore/io/import/text/statement_pieces.h"
 #include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/io/import/text/statement_warning.h"
+#include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/large_vector.h"
 #include "rtcore/platform/paths.h"
+#include "rtcore/platform/task_errors.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <set>
 #include <string_view>
 
@@ -31,26 +32,31 @@ constexpr std::array kPassedOver{View("s"),          View("mg"),        View("be
                                  View("shadow_obj"), View("trace_obj"), View("ctech"),  View("stech"),
                                  View("vp")};
 
+/// Large enough for the threads, and small enough for their caches.
+constexpr std::size_t kBytesOfBlock = std::size_t{256} << 10;
+
 class ObjStatements {
   public:
     ObjStatements(const std::filesystem::path& path, const LocalOrigin& origin, ObjFile& file,
                   ImportReport& report)
-        : origin_(origin), model_(file.model), materials_(file.materials), structure_(file.model),
-          libraries_(path), report_(report) {}
+        : origin_(origin), model_(file.model), lists_(file.model, origin, false), materials_(file.materials),
+          structure_(file.model), libraries_(path), report_(report) {}
 
     /// `text` is of whole statements.
     void read(View text) {
-        StatementText in(text);
-        while (!in.atEnd()) {
-            if (!in.hasWord()) {
-                in.endStatement();
-            } else if (in.next() == '#') {
-                in.endLine();
-            } else {
-                readStatement(in);
-            }
+        const std::vector<View> parts = partsOfStatements(text, kBytesOfBlock);
+        if (blocks_.size() < parts.size()) blocks_.resize(parts.size());
+        const bool texcoordsBefore = !model_.texcoords.empty();
+        TaskErrors errors;
+#pragma omp parallel for schedule(dynamic, 1) if (parts.size() > 1)
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            errors.guard([&] { blocks_[i].read(parts[i], origin_, texcoordsBefore); });
+        errors.rethrow();
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            blocks_[i].moveTo(
+                model_, [this](StatementText in) { readStatement(in); }, [this] { noteFaces(); });
+            lines_ += blocks_[i].lines();
         }
-        lines_ += in.lines();
     }
 
     /// After a piece, if as many bytes as `piecesLeft` of that size follow: makes room for more of the same.
@@ -83,18 +89,14 @@ class ObjStatements {
     void readStatement(StatementText& in) {
         const std::uint64_t line = lines_ + in.lines() + 1;
         const View keyword = in.word();
-        const bool understood = keyword == "v"    ? readPosition(in)
-                                : keyword == "f"  ? readFace(in)
-                                : keyword == "vt" ? readTexcoord(in)
-                                : keyword == "vn" ? readNormal(in)
-                                                  : readOther(keyword, in);
-        if (!understood) odd_.add(line, keyword);
-        in.endStatement();
+        const bool ofLists = ObjListReader::reads(keyword);
+        if (ofLists ? lists_.read(keyword, in) : readOther(keyword, in)) return noteFaces();
+        if (ofLists) lists_.addDamaged(keyword);
+        odd_.add(line, keyword);
     }
 
     /// False for one that is not understood.
     bool readOther(View keyword, StatementText& in) {
-        if (keyword == "fo") return readFace(in); // of earlier versions
         if (keyword == "l" || keyword == "p") return countSegments(keyword == "l", in);
         if (keyword == "g") {
             structure_.beginGroup(in.rest());
@@ -110,125 +112,15 @@ class ObjStatements {
         return true;
     }
 
-    /// x y z, and a weight, a colour or a colour with an opacity behind them.
-    bool readPosition(StatementText& in) {
-        std::array<float, 8> numbers{};
-        std::size_t count = 0;
-        bool good = true;
-        while (count < numbers.size() && in.hasWord() && in.next() != '#') {
-            const auto number = count < 3 ? in.coordinate(origin_.at[count]) : in.number();
-            good = good && number.has_value();
-            numbers[count++] = number.value_or(std::numeric_limits<float>::quiet_NaN());
-        }
-        const auto& n = numbers;
-        good = good && count >= 3;
-        Vec3 position =
-            good ? Vec3{n[0], n[1], n[2]} : Vec3{1, 1, 1} * std::numeric_limits<float>::quiet_NaN();
-        if (good && count == 4 && n[3] != 0) position = divided(position, n[3]);
-        model_.positions.push_back(position);
-        if (good && (count == 6 || count == 7)) {
-            model_.colours.resize(model_.positions.size(), kWhite);
-            model_.colours.back() = {n[3], n[4], n[5]};
-        } else if (!model_.colours.empty()) {
-            model_.colours.push_back(kWhite);
-        }
-        return good;
-    }
-
-    /// A position whose numbers are to be divided by its weight, less the origin either way.
-    Vec3 divided(Vec3 p, float weight) const {
-        if (origin_.isZero()) return {p.x / weight, p.y / weight, p.z / weight};
-        FilePoint point = origin_.inFile(p);
-        for (double& each : point) each /= double{weight};
-        return origin_.local(point);
-    }
-
-    bool readTexcoord(StatementText& in) {
-        const auto x = in.number();
-        const auto y = x && in.hasWord() && in.next() != '#' ? in.number() : std::optional(0.0F);
-        const auto finite = [](float v) { return std::isfinite(v) ? v : 0.0F; };
-        model_.texcoords.push_back(x && y ? Vec2{finite(*x), finite(*y)} : Vec2{});
-        return x && y;
-    }
-
-    bool readNormal(StatementText& in) {
-        const auto x = in.number(), y = in.number(), z = in.number();
-        const bool good = x && y && z;
-        model_.normals.push_back(good ? Vec3{*x, *y, *z} : Vec3{});
-        return good;
-    }
-
-    /// From 0; kNoIndex for one that cannot be there.
-    static std::uint32_t indexOf(std::int64_t number, std::size_t count) {
-        const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
-        return index >= 0 && index < std::int64_t{kNoIndex} ? static_cast<std::uint32_t>(index) : kNoIndex;
-    }
-
-    struct Corner {
-        std::uint32_t position = kNoIndex, texcoord = kNoIndex, normal = kNoIndex;
-    };
-    /// "v", "v/t", "v//n" or "v/t/n"; nothing for what is none.
-    std::optional<Corner> readCorner(StatementText& in) const {
-        Corner corner;
-        const auto position = in.wholeNumber();
-        if (!position) return std::nullopt;
-        corner.position = indexOf(*position, model_.positions.size());
-        if (in.slash()) {
-            const auto second = in.wholeNumber();
-            const bool third = in.slash();
-            const auto normal = third ? in.wholeNumber() : std::nullopt;
-            // Without texture coordinates in the file, programs write "v/n".
-            const bool secondIsNormal =
-                second && !third && model_.texcoords.empty() && !model_.normals.empty();
-            if (second && !secondIsNormal) corner.texcoord = indexOf(*second, model_.texcoords.size());
-            if (secondIsNormal) corner.normal = indexOf(*second, model_.normals.size());
-            if (normal) corner.normal = indexOf(*normal, model_.normals.size());
-        }
-        if (!in.endsWord()) return std::nullopt;
-        return corner;
-    }
-
-    static void addIndex(std::vector<std::uint32_t>& list, std::uint32_t index, std::size_t at) {
-        if (list.empty()) {
-            if (index == kNoIndex) return;
-            list.resize(at, kNoIndex);
-        }
-        list.push_back(index);
-    }
-
-    bool readFace(StatementText& in) {
-        ObjCorners& corners = model_.corners;
-        const std::size_t first = corners.positions.size();
-        while (in.hasWord() && in.next() != '#') {
-            const auto corner = readCorner(in);
-            if (!corner) {
-                corners.positions.resize(first);
-                if (!corners.texcoords.empty()) corners.texcoords.resize(first, kNoIndex);
-                if (!corners.normals.empty()) corners.normals.resize(first, kNoIndex);
-                return false;
-            }
-            const std::size_t at = corners.positions.size();
-            corners.positions.push_back(corner->position);
-            addIndex(corners.texcoords, corner->texcoord, at);
-            addIndex(corners.normals, corner->normal, at);
-        }
-        if (corners.positions.size() == first) return false;
-        addFace(first);
-        return true;
-    }
-
-    /// Of the corners from `first` on.
-    void addFace(std::size_t first) {
-        const std::size_t end = model_.corners.positions.size();
-        const std::size_t size = end - first;
-        if (size != 3 && model_.sizes.empty()) model_.sizes.assign(model_.faces, 3);
-        if (size != 3 || !model_.sizes.empty()) model_.sizes.push_back(static_cast<std::uint32_t>(size));
+    /// Those that were added belong to the mesh at hand.
+    void noteFaces() {
+        if (model_.faces == notedFaces_) return;
         ObjMesh& mesh = model_.meshes[structure_.meshOfNext()];
-        ++mesh.statements;
-        if (mesh.runs.empty() || mesh.runs.back().endFace != model_.faces)
-            mesh.runs.push_back({model_.faces, model_.faces, first, first});
-        mesh.runs.back().endFace = ++model_.faces;
-        mesh.runs.back().endCorner = end;
+        mesh.statements += model_.faces - notedFaces_;
+        if (mesh.runs.empty() || mesh.runs.back().endFace != notedFaces_)
+            mesh.runs.push_back({notedFaces_, notedFaces_, notedCorners_, notedCorners_});
+        notedFaces_ = mesh.runs.back().endFace = model_.faces;
+        notedCorners_ = mesh.runs.back().endCorner = model_.corners.positions.size();
     }
 
     bool countSegments(bool isLine, StatementText& in) {
@@ -260,6 +152,9 @@ class ObjStatements {
 
     LocalOrigin origin_;
     ObjModel& model_;
+    ObjListReader lists_; ///< for statements that blocks leave
+    std::vector<ObjBlock> blocks_;
+    std::size_t notedFaces_ = 0, notedCorners_ = 0; ///< that belong to meshes
     MtlMaterials& materials_;
     ObjStructure structure_;
     LibraryFinder libraries_;

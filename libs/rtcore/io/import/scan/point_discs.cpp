@@ -33,11 +33,12 @@ LostPoints dropUseless(ScanMesh& points) {
     std::vector<char> kept(points.positions.size(), 1);
     {
         const std::vector<std::uint32_t> first = firstOfEqualPositions(points.positions);
-        for (std::size_t i = 0; i < first.size(); ++i) {
+        for (std::size_t i = 0; i < kept.size(); ++i) {
             const bool usable = isUsablePosition(points.positions[i]);
-            kept[i] = usable && first[i] == i ? 1 : 0;
+            const bool isFirst = first.empty() || first[i] == i;
+            kept[i] = usable && isFirst ? 1 : 0;
             lost.nonFinite += usable ? 0 : 1;
-            lost.equal += usable && first[i] != i ? 1 : 0;
+            lost.equal += usable && !isFirst ? 1 : 0;
         }
     }
     if (lost.nonFinite + lost.equal == 0) return lost;

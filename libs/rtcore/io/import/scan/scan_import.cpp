@@ -125,8 +125,11 @@ double coarsenessOf(const ScanMesh& mesh) {
     return bounds.empty() ? 0 : coarsenessAt(bounds.farthest());
 }
 
-SourceMesh viewOf(const ScanMesh& mesh) {
-    return {mesh.positions, mesh.normals, mesh.texcoords, mesh.colours, {}, mesh.triangles};
+/// Which may take the lists.
+SourceMesh viewOf(ScanMesh& mesh) {
+    SourceMesh view{mesh.positions, mesh.normals, mesh.texcoords, mesh.colours, {}, mesh.triangles};
+    view.spare = {&mesh.positions, &mesh.normals, &mesh.texcoords, &mesh.triangles};
+    return view;
 }
 
 /// Vertices without faces.

@@ -2,6 +2,7 @@
 
 #include "rtcore/io/import/text/statement_text.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -11,7 +12,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kBytesAtOnce = std::size_t{1} << 20;
+constexpr std::uint64_t kBytesAtOnce = std::uint64_t{4} << 20; // enough work for several threads
 constexpr std::uint64_t kBytesBetweenSigns = std::uint64_t{64} << 20;
 
 } // namespace
@@ -19,11 +20,12 @@ constexpr std::uint64_t kBytesBetweenSigns = std::uint64_t{64} << 20;
 void forEachStatements(const InputFile& file, const std::function<void()>& alive, const UseStatements& use,
                        std::uint64_t from) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    std::vector<char> buffer(2 * kBytesAtOnce + 1);
+    const auto atOnce = static_cast<std::size_t>(std::min(kBytesAtOnce, file.size() + 1));
+    std::vector<char> buffer(2 * atOnce + 1);
     std::size_t kept = 0; // bytes at its beginning that wait for the rest of their statement
     bool begun = false;
     for (std::uint64_t offset = from;;) {
-        if (buffer.size() < kept + kBytesAtOnce + 1) buffer.resize(2 * buffer.size());
+        if (buffer.size() < kept + atOnce + 1) buffer.resize(2 * buffer.size());
         const std::span<char> room = std::span(buffer).subspan(kept);
         const std::size_t got = file.readAt(offset, std::as_writable_bytes(room.first(room.size() - 1)));
         const std::uint64_t told = offset / kBytesBetweenSigns;

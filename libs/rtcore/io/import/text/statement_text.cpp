@@ -1,5 +1,6 @@
 #include "rtcore/io/import/text/statement_text.h"
 
+#include "rtcore/io/import/text/plain_number.h"
 #include "rtcore/math/nearest_float.h"
 
 #include <algorithm>
@@ -48,8 +49,14 @@ std::optional<float> StatementText::number() {
     if (!hasWord()) return std::nullopt;
     const char* const first = *at_ == '+' ? at_ + 1 : at_;
     float value = 0;
-    const auto [end, error] = std::from_chars(first, end_, value);
     const char* const before = at_;
+    if (const char* const plain = readPlainFloat(first, value)) {
+        at_ = plain;
+        if (endsWord()) return value;
+        at_ = before;
+        return numberOf(word());
+    }
+    const auto [end, error] = std::from_chars(first, end_, value);
     at_ = error == std::errc::invalid_argument ? at_ : end;
     if (error == std::errc() && endsWord()) return value;
     at_ = before;

@@ -53,18 +53,17 @@ class StatementText {
         if (at_ != end_) passLineEnd();
     }
 
-    /// The next word, if it is a number: from 1 up, or below 0; else nothing, and no word is passed over. A
-    /// number behind a slash is a part of a word.
-    std::optional<std::int64_t> wholeNumber() {
+    /// The next word, if it is a number: from 1 up, or below 0; else 0, and no word is passed over. A number
+    /// behind a slash is a part of a word.
+    std::int64_t wholeNumber() {
         const char* at = at_;
         const bool negative = *at == '-';
         if (negative) ++at;
-        const char* const first = at;
         std::int64_t value = 0;
         constexpr std::int64_t kMax = std::int64_t{1} << 40;
         for (; *at >= '0' && *at <= '9'; ++at)
             if (value < kMax) value = value * 10 + (*at - '0');
-        if (at == first || value == 0) return std::nullopt;
+        if (value == 0) return 0;
         at_ = at;
         return negative ? -value : value;
     }
@@ -84,7 +83,12 @@ class StatementText {
     std::optional<double> preciseNumber();
 
   private:
-    static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0'; }
+    static bool isBlank(char c) {
+        constexpr std::uint64_t kBlanks =
+            1U << 0U | 1U << 9U | 1U << 11U | 1U << 12U | std::uint64_t{1} << 32U;
+        const auto code = static_cast<unsigned char>(c);
+        return code <= 32 && (kBlanks >> code & 1U) != 0;
+    }
     static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
     void passLineEnd() {
         const bool two = *at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n';
