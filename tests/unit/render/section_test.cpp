@@ -35,12 +35,12 @@ Doubles crossOf(Doubles a, Doubles b) {
 
 /// How far beyond the planes a point lies; below 0: it is left.
 double beyond(const SectionPlanes& sections, Doubles point) {
-    double most = -1e30;
+    double farthest = -1e30;
     for (const SectionPlane& plane : sections.planes) {
         const Doubles n = doubles(plane.normal);
-        most = std::max(most, dotOf(n, minus(point, doubles(plane.point))) / std::sqrt(dotOf(n, n)));
+        farthest = std::max(farthest, dotOf(n, minus(point, doubles(plane.point))) / std::sqrt(dotOf(n, n)));
     }
-    return most;
+    return farthest;
 }
 
 /// By all triangles, each cut by itself.
