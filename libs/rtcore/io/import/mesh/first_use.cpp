@@ -3,6 +3,7 @@
 #include "rtcore/platform/large_vector.h"
 #include "rtcore/platform/threads.h"
 
+#include <algorithm>
 #include <atomic>
 #include <numeric>
 
@@ -12,13 +13,32 @@ namespace {
 
 /// Triangles: fewer are numbered sooner than threads wake up several times on a busy machine.
 constexpr std::size_t kWorthThreads = 1'000'000;
+/// Together they read the triangles four times, one thread alone does once.
+constexpr std::size_t kEnoughThreads = 6;
 constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;
+
+std::vector<std::uint32_t> renumberedByOne(std::span<Triangle> triangles, std::size_t vertices) {
+    std::vector<std::uint32_t> order, number;
+    reserveLarge(number, vertices);
+    number.assign(vertices, kNowhere);
+    reserveLarge(order, std::min(vertices, 3 * triangles.size()));
+    for (Triangle& t : triangles) {
+        for (std::uint32_t& v : t.v) {
+            std::uint32_t& known = number[v];
+            if (known == kNowhere) {
+                known = static_cast<std::uint32_t>(order.size());
+                order.push_back(v);
+            }
+            v = known;
+        }
+    }
+    return order;
+}
 
 class FirstUses {
   public:
     FirstUses(std::span<Triangle> triangles, std::size_t vertices)
-        : triangles_(triangles),
-          parts_(triangles.size() > kWorthThreads ? static_cast<std::size_t>(threadsFor(0)) : 1) {
+        : triangles_(triangles), parts_(static_cast<std::size_t>(threadsFor(0))) {
         reserveLarge(first_, vertices);
         first_.assign(vertices, kNowhere);
     }
@@ -52,7 +72,7 @@ class FirstUses {
 
     template <typename Work>
     void forEachPart(const Work& work) const {
-#pragma omp parallel for schedule(static, 1) if (parts_ > 1)
+#pragma omp parallel for schedule(static, 1)
         for (std::size_t part = 0; part < parts_; ++part) work(part);
     }
 
@@ -93,7 +113,9 @@ class FirstUses {
 } // namespace
 
 std::vector<std::uint32_t> renumberByFirstUse(std::span<Triangle> triangles, std::size_t vertices) {
-    return FirstUses(triangles, vertices).run();
+    const bool many =
+        triangles.size() > kWorthThreads && static_cast<std::size_t>(threadsFor(0)) >= kEnoughThreads;
+    return many ? FirstUses(triangles, vertices).run() : renumberedByOne(triangles, vertices);
 }
 
 } // namespace rtcore

@@ -121,7 +121,7 @@ void MeshAssembler::reserve(std::size_t vertices, std::size_t triangles) {
     expectedTriangles_ = triangles;
 }
 
-/// Classifies the triangles, and extends the bounds by all that are finite.
+/// Classifies the triangles, and extends the bounds by finite ones that will not be welded.
 std::vector<MeshAssembler::Use> MeshAssembler::measure(const SourceMesh& mesh) {
     const std::size_t count = mesh.triangles.size();
     std::vector<Use> uses(count);
@@ -138,11 +138,11 @@ std::vector<MeshAssembler::Use> MeshAssembler::measure(const SourceMesh& mesh) {
         for (std::size_t i = 0; i < count; ++i) {
             const Triangle& t = mesh.triangles[i];
             uses[i] = useOf(t);
-            if (uses[i] == Use::NonFinite) continue;
+            if (uses[i] != Use::WithoutArea) continue;
             for (const std::uint32_t v : t.v) bounds.extend(mesh.positions[v]);
         }
 #pragma omp critical(rtcore_mesh_bounds)
-        bounds_.extend(bounds);
+        if (!bounds.empty()) bounds_.extend(bounds);
     }
     return uses;
 }
@@ -201,7 +201,18 @@ void MeshAssembler::add(const SourceMesh& mesh) {
     addVertices(mesh);
 }
 
-void MeshAssembler::weld() { rtcore::weld(std::move(lists_), welded_); }
+void MeshAssembler::weld() {
+    rtcore::weld(std::move(lists_), welded_);
+    const std::vector<Vertex>& vertices = welded_.vertices;
+#pragma omp parallel if (vertices.size() > kFewTriangles)
+    {
+        Box3 bounds;
+#pragma omp for schedule(static)
+        for (std::size_t i = 0; i < vertices.size(); ++i) bounds.extend(vertices[i].position());
+#pragma omp critical(rtcore_mesh_bounds)
+        if (!bounds.empty()) bounds_.extend(bounds);
+    }
+}
 
 void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
     model.vertices = std::move(welded_.vertices);

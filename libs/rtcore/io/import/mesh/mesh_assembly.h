@@ -50,7 +50,7 @@ class MeshAssembler {
     /// behind weld().
     void finish(ModelBuffers& model, float creaseAngle);
 
-    /// The bounds of all finite triangles added, even without area, and before small numbers become 0.
+    /// Behind weld(): the bounds of all finite triangles added, even without area.
     const Box3& bounds() const { return bounds_; }
     std::uint64_t degenerateTriangles() const { return degenerate_; }
     std::uint64_t nonFiniteTriangles() const { return nonFinite_; }

@@ -1,12 +1,14 @@
 #include "rtcore/io/import/mesh/equal_positions.h"
-#include "rtcore/io/import/mesh/first_of_same.h"
 #include "rtcore/io/import/mesh/first_use.h"
 #include "rtcore/io/import/mesh/hash.h"
 #include "rtcore/io/import/mesh/mesh_lists.h"
 #include "rtcore/platform/large_vector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace rtcore {
@@ -139,44 +141,84 @@ class Welder {
         return bare;
     }
 
-    std::vector<std::uint8_t> lonelyVertices() const {
-        std::vector<std::uint8_t> alone(firstOfEqual_.size(), 1);
-        for (std::size_t i = 0; i < alone.size(); ++i)
-            if (firstOfEqual_[i] != i) alone[i] = alone[firstOfEqual_[i]] = 0;
-        return alone;
+    /// What tells a corner from others at its position.
+    struct Corner {
+        std::uint32_t number;
+        std::uint8_t bare;
+        Attributes attributes;
+    };
+    bool same(const Corner& a, const Corner& b) const {
+        return a.bare == b.bare && a.attributes == b.attributes &&
+               std::ranges::all_of(from_.furtherTexcoords, [&](const std::vector<Vec2>& set) {
+                   return furtherAt(set, a.number) == furtherAt(set, b.number);
+               });
     }
 
-    std::uint64_t hashOf(std::uint32_t corner) const {
-        const auto [normal, texcoord, colour, alpha] = attributesAt(corner);
-        std::uint64_t hash = mixedHash(mixedHash(firstOfEqual_[corner], bitsOfPair(normal.x, normal.y)),
-                                       bitsOfPair(normal.z, texcoord.x));
+    std::uint64_t hashOf(const Corner& corner) const {
+        const auto& [normal, texcoord, colour, alpha] = corner.attributes;
+        std::uint64_t hash =
+            mixedHash(mixedHash(0, bitsOfPair(normal.x, normal.y)), bitsOfPair(normal.z, texcoord.x));
         hash = mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b));
         hash = mixedHash(hash, bitsOfPair(alpha, 0));
         for (const std::vector<Vec2>& set : from_.furtherTexcoords) {
-            const Vec2 t = furtherAt(set, corner);
+            const Vec2 t = furtherAt(set, corner.number);
             hash = mixedHash(hash, bitsOfPair(t.x, t.y));
         }
         return finishedHash(hash);
     }
 
+    /// By vertex: the next one with its position, ascending; 0 behind the last.
+    std::vector<std::uint32_t> nextWithPosition() const {
+        std::vector<std::uint32_t> next;
+        resizeLarge(next, firstOfEqual_.size());
+        for (std::size_t i = next.size(); i-- > 0;) {
+            const std::uint32_t first = firstOfEqual_[i];
+            if (first != i) next[i] = std::exchange(next[first], static_cast<std::uint32_t>(i));
+        }
+        return next;
+    }
+
+    /// Of the vertices with the position of `first`: for each the first that is the same corner.
+    void matchCorners(std::uint32_t first, const std::vector<std::uint32_t>& next,
+                      const std::vector<std::uint8_t>& bare, std::vector<std::uint32_t>& firstSame) const {
+        constexpr std::size_t kSearched = 8; // different ones; others are found by their hashes
+        const auto cornerOf = [&](std::uint32_t i) { return Corner{i, bare[i], attributesAt(i)}; };
+        std::array<Corner, kSearched> different{cornerOf(first)};
+        std::size_t count = 1;
+        std::unordered_multimap<std::uint64_t, Corner> others;
+        for (std::uint32_t i = next[first]; i != 0; i = next[i]) {
+            const Corner corner = cornerOf(i);
+            const auto isSame = [&](const Corner& other) { return same(other, corner); };
+            const auto end = different.begin() + static_cast<std::ptrdiff_t>(count);
+            if (const auto at = std::find_if(different.begin(), end, isSame); at != end) {
+                firstSame[i] = at->number;
+            } else if (count < kSearched) {
+                different[count++] = corner;
+            } else {
+                const std::uint64_t hash = hashOf(corner);
+                const auto [from, to] = others.equal_range(hash);
+                const auto known =
+                    std::find_if(from, to, [&](const auto& each) { return isSame(each.second); });
+                if (known != to) {
+                    firstSame[i] = known->second.number;
+                } else {
+                    others.emplace(hash, corner);
+                }
+            }
+        }
+    }
+
     /// For each vertex the number of the first with its position and attributes.
     std::vector<std::uint32_t> firstOfSameCorners() const {
-        const std::vector<std::uint8_t> bare = bareVertices(), alone = lonelyVertices();
-        const auto hashOfCorner = [&](std::uint32_t i) {
-            return alone[i] != 0 ? std::nullopt : std::optional(hashOf(i));
-        };
-        const auto same = [&](std::uint32_t a, std::uint32_t b) {
-            return firstOfEqual_[a] == firstOfEqual_[b] && bare[a] == bare[b] &&
-                   attributesAt(a) == attributesAt(b) &&
-                   std::ranges::all_of(from_.furtherTexcoords, [&](const std::vector<Vec2>& set) {
-                       return furtherAt(set, a) == furtherAt(set, b);
-                   });
-        };
-        std::vector<std::uint32_t> first = firstOfSame(alone.size(), hashOfCorner, same);
-        if (first.empty()) { // all differ, though not in their positions
-            resizeLarge(first, alone.size());
-            std::iota(first.begin(), first.end(), 0U);
-        }
+        const std::vector<std::uint8_t> bare = bareVertices();
+        const std::vector<std::uint32_t> next = nextWithPosition();
+        std::vector<std::uint32_t> first;
+        resizeLarge(first, next.size());
+        std::iota(first.begin(), first.end(), 0U);
+#pragma omp parallel for schedule(static) if (first.size() > kManyElements)
+        for (std::size_t i = 0; i < first.size(); ++i)
+            if (next[i] != 0 && firstOfEqual_[i] == i)
+                matchCorners(static_cast<std::uint32_t>(i), next, bare, first);
         return first;
     }
 
