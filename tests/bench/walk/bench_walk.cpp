@@ -42,6 +42,7 @@ PictureErrors errorsOfPair(const PicturePair& pair) {
     PictureErrors errors = errorsOf(pair.shown, pair.wanted, test::Flip(pair.wanted, pair.pixelsPerDegree));
     if (pair.light) {
         errors.relMse = pair.light->relMse;
+        errors.blocks = pair.light->blocks;
         errors.bias = pair.light->bias;
     }
     return errors;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -46,6 +47,39 @@ double meanWithoutWorst(const std::vector<double>& errors, const std::vector<dou
     return sum / static_cast<double>(left);
 }
 
+/// The sum over a square of pixels from (x, y).
+double lightOf(const rtcore::HdrImage& image, int x, int y, int side) {
+    double sum = 0;
+    for (int v = y; v < y + side; ++v)
+        for (int u = x; u < x + side; ++u) sum += rtcore::luminance(image.at(u, v));
+    return sum;
+}
+
+double errorOfBlocks(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
+                     const rtcore::HdrImage& other) {
+    constexpr int kSide = 8;
+    const auto wanted = [&](int x, int y, int side) {
+        return (lightOf(one, x, y, side) + lightOf(other, x, y, side)) / 2;
+    };
+    double mean = 0, count = 0;
+    const auto forEachBlock = [&](const auto& use) {
+        for (int y = 0; y + kSide <= image.height; y += kSide)
+            for (int x = 0; x + kSide <= image.width; x += kSide) use(x, y);
+    };
+    forEachBlock([&](int x, int y) {
+        mean += wanted(x, y, kSide);
+        ++count;
+    });
+    if (mean <= 0) return 0;
+    const double floor = 0.1 * mean / count;
+    double sum = 0;
+    forEachBlock([&](int x, int y) {
+        const double r = wanted(x, y, kSide);
+        sum += std::fabs(lightOf(image, x, y, kSide) - r) / (r + floor);
+    });
+    return sum / count;
+}
+
 } // namespace
 
 LightErrors lightErrors(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
@@ -57,7 +91,8 @@ LightErrors lightErrors(const rtcore::HdrImage& image, const rtcore::HdrImage& o
         errors.push_back(relativeError(channels(image.pixels[i]), a, b, floor));
         noise.push_back(-relativeError(channels(0.5F * (one.pixels[i] + other.pixels[i])), a, b, floor));
     }
-    return {meanWithoutWorst(errors, noise), mean > 0 ? meanOf(image) / mean - 1 : 0};
+    return {meanWithoutWorst(errors, noise), errorOfBlocks(image, one, other),
+            mean > 0 ? meanOf(image) / mean - 1 : 0};
 }
 
 } // namespace bench

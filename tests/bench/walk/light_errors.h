@@ -11,6 +11,9 @@ struct LightErrors {
     /// hardly an error. It stays in r, so figures compare by the same references only. Without the thousandth
     /// of the pixels in which the references differ most, as scripts/lights and scripts/denoising compute it.
     double relMse = 0;
+    /// Mean over squares of 8 x 8 pixels of how far their luminance is from the references' mean, in parts of
+    /// that and a tenth of the image's: what is seen as blotches. The references' noise stays in it.
+    double blocks = 0;
     double bias = 0; ///< mean of x - r in parts of the mean of r, over all pixels
 };
 

@@ -11,7 +11,8 @@ struct PictureErrors {
     double flip = 0; ///< mean, 0..1
     /// Of displayed light: mean of (x - r)^2 / (r^2 + 0.01 mean^2); beside paths LightErrors, of radiance.
     double relMse = 0;
-    double bias = 0; ///< the same: mean of x - r in parts of the mean of r
+    double blocks = 0; ///< LightErrors::blocks, beside paths
+    double bias = 0;   ///< the same: mean of x - r in parts of the mean of r
 };
 
 /// A frame smaller than the window, as the window draws it: interpolated linearly.

@@ -34,11 +34,12 @@ std::string lineOf(const char* name, const char* form, const std::vector<Moment>
 } // namespace
 
 std::string tableOf(const std::vector<Moment>& moments) {
-    std::string text = fmt::format("{:>6}{:>10}{:>10}{:>16}{:>10}\n", "camera", "relMSE", "mean FLIP",
-                                   "mean error, %", "PSNR, dB");
+    std::string text = fmt::format("{:>6}{:>10}{:>10}{:>10}{:>16}{:>10}\n", "camera", "relMSE", "blocks",
+                                   "mean FLIP", "mean error, %", "PSNR, dB");
     for (const Moment& m : moments) {
-        text += fmt::format("{:>6}{:>10.4f}{:>10.4f}{:>+16.2f}{:>10.2f}\n", m.camera, m.errors.relMse,
-                            m.errors.flip, 100 * m.errors.bias, m.errors.psnr);
+        text +=
+            fmt::format("{:>6}{:>10.4f}{:>10.4f}{:>10.4f}{:>+16.2f}{:>10.2f}\n", m.camera, m.errors.relMse,
+                        m.errors.blocks, m.errors.flip, 100 * m.errors.bias, m.errors.psnr);
     }
     return text;
 }
@@ -53,6 +54,8 @@ std::string summaryOf(const std::vector<Moment>& moments) {
     text += lineOf(
         "relMSE", "{:.4f}", moments, [](const Moment& m) { return m.errors.relMse; }, kWorst);
     text += lineOf(
+        "blocks", "{:.4f}", moments, [](const Moment& m) { return m.errors.blocks; }, kWorst);
+    text += lineOf(
         "mean error, %", "{:+.2f}", moments, [](const Moment& m) { return 100 * m.errors.bias; }, kWorst);
     text += lineOf(
         "size each way, %", "{:.0f}", moments, [](const Moment& m) { return 100 * m.scale; }, 1 - kWorst);
@@ -64,11 +67,11 @@ std::string summaryOf(const std::vector<Moment>& moments) {
 }
 
 void writeCsv(const std::filesystem::path& path, const std::vector<Moment>& moments) {
-    std::string text = "camera,milliseconds,drawn,age,scale,flip,psnr,relmse,bias\n";
+    std::string text = "camera,milliseconds,drawn,age,scale,flip,psnr,relmse,bias,blocks\n";
     for (const Moment& m : moments) {
-        text += fmt::format("{},{:.2f},{:.2f},{:.2f},{:.4f},{:.5f},{:.3f},{:.5f},{:.5f}\n", m.camera,
+        text += fmt::format("{},{:.2f},{:.2f},{:.2f},{:.4f},{:.5f},{:.3f},{:.5f},{:.5f},{:.5f}\n", m.camera,
                             m.milliseconds, m.drawn, m.age, m.scale, m.errors.flip, m.errors.psnr,
-                            m.errors.relMse, m.errors.bias);
+                            m.errors.relMse, m.errors.bias, m.errors.blocks);
     }
     const std::span<const std::byte> piece = std::as_bytes(std::span(text));
     rtcore::writeFileAtomically(path, std::span(&piece, 1));

@@ -39,6 +39,18 @@ TEST(LightErrors, AreThoseOfTheFormula) {
     EXPECT_NEAR(errors.bias, 0.5, 1e-9);
 }
 
+// Noise of single pixels evens out over a square, an error of all of it does not.
+TEST(LightErrors, TellBlotchesFromNoise) {
+    const HdrImage noise = noisy(1, 0.08F, 4), wanted = uniform(1);
+    EXPECT_NEAR(lightErrors(uniform(1.2F), wanted, wanted).blocks, 0.2 / 1.1, 1e-5);
+    EXPECT_LT(lightErrors(noise, wanted, wanted).blocks, 0.01);
+    HdrImage blotch = wanted;
+    for (int y = 8; y < 16; ++y)
+        for (int x = 8; x < 16; ++x) blotch.at(x, y) = {0, 0, 0};
+    EXPECT_NEAR(lightErrors(blotch, wanted, wanted).blocks, 1 / 1.1 / (25 * 25), 1e-6);
+    EXPECT_EQ(lightErrors(wanted, uniform(0), uniform(0)).blocks, 0);
+}
+
 // The square of what it differs from the mean of both would have half of their variance, 0.00125, as well.
 TEST(LightErrors, LoseTheNoiseOfIndependentReferences) {
     const HdrImage one = noisy(1, 0.05F, 1), other = noisy(1, 0.05F, 2);
