@@ -78,6 +78,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     if (status.wholeSeconds > 0) line("whole frame", fmt::format("{:.2f} s", status.wholeSeconds));
     line("frames per second", fmt::format("{:.1f}", status.framesPerSecond));
     if (status.kept > 0) line("new pixels", fmt::format("{:.1f} %", 100 * (1 - status.kept)));
+    if (status.lightError > 0) line("indirect light", fmt::format("+-{:.1f} %", 100 * status.lightError));
     line("rays per second", fmt::format("{:.2f} million", status.raysPerSecond * 1e-6));
     line("mode", std::string(mode(status)) + floorNote(status));
     line("eye", positionText(eyeInFile(status)));
@@ -100,6 +101,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
                    {"framesPerSecond", status.framesPerSecond},
                    {"raysPerSecond", status.raysPerSecond},
                    {"kept", sameDigits(status.kept)},
+                   {"indirectError", sameDigits(status.lightError)},
                    {"mode", mode(status)},
                    {"eye", eyeInFile(status)},
                    {"forward", vectorJson(status.forward)},

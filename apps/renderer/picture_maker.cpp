@@ -93,7 +93,7 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     start = std::chrono::steady_clock::now();
     const rtcore::HdrImage& radiance = finish(settings, index, count);
     report.net = developer_.netReport();
-    const float exposure = develop(task, radiance, settings);
+    const float exposure = develop(task, shot, radiance);
     write(task, radiance, settings);
     // This must come last: a viewer that has seen it may end this process.
     if (preview_ != nullptr)
@@ -360,14 +360,15 @@ void PictureMaker::tell(const std::vector<rtcore::ImageRemark>& remarks) {
     toldOfScene_ = true;
 }
 
-float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radiance,
-                            const rtcore::RenderSettings& settings) {
+float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcore::HdrImage& radiance) {
+    const rtcore::RenderSettings& settings = shot.settings;
     const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
         return isStandardOutput(output) || !rtcore::isHdrFormat(output);
     });
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
     developer_.develop(radiance, settings, exposure, options_.threads, developed_);
+    caps_.paint(loaded_.scene, shot.camera, developed_);
     return exposure;
 }
 

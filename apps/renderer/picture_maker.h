@@ -15,6 +15,7 @@
 #include "rtcore/post/develop.h"
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/light_meter.h"
+#include "rtcore/sections/cap_painter.h"
 
 #include <filesystem>
 #include <optional>
@@ -101,8 +102,7 @@ class PictureMaker {
     const rtcore::HdrImage& finish(const rtcore::RenderSettings& settings, int index, int count);
     void tell(const std::vector<rtcore::ImageRemark>& remarks);
     /// The exposure; nothing is done when no output is wanted.
-    float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
-                  const rtcore::RenderSettings& settings);
+    float develop(const FrameTask& task, const Shot& shot, const rtcore::HdrImage& radiance);
     void write(const FrameTask& task, const rtcore::HdrImage& radiance,
                const rtcore::RenderSettings& settings);
 
@@ -131,6 +131,7 @@ class PictureMaker {
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;
+    rtcore::CapPainter caps_;
 };
 
 } // namespace renderer

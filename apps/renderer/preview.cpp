@@ -98,7 +98,7 @@ void Preview::finish(const rtcore::LdrImage& picture, float exposure, const Pict
     status_.exposure = exposure;
     picture_ = picture;
     mark(errors);
-    publish(ipc::kPreviewDone);
+    publish(ipc::kPreviewDone, picture_);
     status_.progress = 1;
     status_.idle = 1;
     server_->setStatus(status_);
@@ -140,7 +140,7 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
         info_.samples = pass.samples;
         mark({filter_.report(), filter_.errors()});
     }
-    publish(tagUnderWay());
+    publish(tagUnderWay(), withCaps());
     pace_.shown(Clock::now(), Clock::now());
 }
 
@@ -155,7 +155,7 @@ void Preview::showTiles() {
     for (const rtcore::PixelArea& tile : tiles) {
         rtcore::developPart(work_->frame.radiance, how, effects_, tile, picture_);
     }
-    publish(tagUnderWay());
+    publish(tagUnderWay(), withCaps());
     pace_.shown(start, Clock::now());
 }
 
@@ -176,10 +176,19 @@ void Preview::mark(const PictureErrors& errors) {
         picture_.pixels[i].a = app::errorByte(errors.pixels[i]);
 }
 
-void Preview::publish(std::uint64_t tag) {
+/// What is shown before the last image, which has them already.
+const rtcore::LdrImage& Preview::withCaps() {
+    const rtcore::View& view = work_->view;
+    if (!rtcore::CapPainter::paints(view.scene)) return picture_;
+    capped_ = picture_;
+    caps_.paint(view.scene, view.camera, capped_);
+    return capped_;
+}
+
+void Preview::publish(std::uint64_t tag, const rtcore::LdrImage& image) {
     info_.run = options_.run;
     info_.tag = tag;
-    server_->publishFrame(info_, std::as_bytes(std::span(picture_.pixels)));
+    server_->publishFrame(info_, std::as_bytes(std::span(image.pixels)));
 }
 
 void Preview::run(const std::stop_token& stop) {

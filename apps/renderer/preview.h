@@ -11,6 +11,7 @@
 
 #include "rtcore/post/develop.h"
 #include "rtcore/render/image_renderer.h"
+#include "rtcore/sections/cap_painter.h"
 
 #include <atomic>
 #include <chrono>
@@ -78,7 +79,8 @@ class Preview {
     void showPass(const rtcore::ImagePass& pass);
     void showTiles();
     std::uint64_t tagUnderWay() const;
-    void publish(std::uint64_t tag);
+    void publish(std::uint64_t tag, const rtcore::LdrImage& image);
+    const rtcore::LdrImage& withCaps();
     void mark(const PictureErrors& errors);
     void run(const std::stop_token& stop);
     void serve();
@@ -95,8 +97,9 @@ class Preview {
     std::condition_variable_any wake_;
     std::unique_ptr<ipc::Server> server_;
     ipc::Status status_;
-    const Work* work_ = nullptr; ///< null: nothing is being rendered
-    rtcore::LdrImage picture_;
+    const Work* work_ = nullptr;        ///< null: nothing is being rendered
+    rtcore::LdrImage picture_, capped_; ///< capped_: the same with caps
+    rtcore::CapPainter caps_;
     ipc::FrameInfo info_;         ///< of picture_
     rtcore::EffectChain effects_; ///< for parts, by the last whole pass
     PreviewPace pace_;

@@ -290,6 +290,17 @@ TEST(Figures, SayThatACoarsePictureIsRefined) {
     EXPECT_NE(figures({800, 600}, true).find("complete"), std::string::npos);
 }
 
+TEST(Figures, SayHowSureIndirectLightIsWhileItIsLearned) {
+    ServerStatus status;
+    status.resolution = QSize(800, 600);
+    const auto figures = [&] { return text(overlayText(status, {800, 600}, false, {})); };
+    EXPECT_EQ(figures(), "800 × 600  ·  Fly  ·  drawing") << "there is none";
+    status.indirectError = 0.034;
+    EXPECT_EQ(figures(), "800 × 600  ·  Fly  ·  drawing  ·  indirect light ±3 %");
+    status.idle = true;
+    EXPECT_EQ(figures(), "800 × 600  ·  Fly  ·  complete");
+}
+
 TEST(Figures, TellWhatTheRendererDoesInPlaceOfComplete) {
     ServerStatus status;
     status.resolution = QSize(800, 600);

@@ -29,11 +29,13 @@ class Cuts : public testing::Test {
         }
         return text;
     }
-    void writeScene(const std::string& name, const std::string& sections) const {
+    void writeScene(const std::string& name, const std::string& sections,
+                    const std::string& more = "") const {
         test::writeText(folder / name,
-                        "version = 2\nmodel = \"boxes.obj\"\nambient = [0.5, 0.5, 0.5]\n"
-                        "defaultLight = false\n[camera]\neye = [0, 6, 0]\nforward = [0, -1, 0]\n"
-                        "up = [0, 0, -1]\nfov = 25\n" +
+                        "version = 2\nmodel = \"boxes.obj\"\n" + more +
+                            "ambient = [0.5, 0.5, 0.5]\n"
+                            "defaultLight = false\n[camera]\neye = [0, 6, 0]\nforward = [0, -1, 0]\n"
+                            "up = [0, 0, -1]\nfov = 25\n" +
                             sections);
     }
     test::ProgramResult render(std::vector<std::string> arguments) {
@@ -55,22 +57,35 @@ class Cuts : public testing::Test {
 };
 
 TEST_F(Cuts, TheCommandLineAndFilesCutTheSame) {
-    const std::string whole = picture({"whole.scn"}), cut = picture({"cut.scn"});
+    const std::string open = "--section-caps=none";
+    const std::string whole = picture({"whole.scn"}), cut = picture({"cut.scn", open});
     EXPECT_GT(middle(whole).first, 50);
     EXPECT_EQ(middle(whole).second, 0);
     EXPECT_EQ(middle(cut).first, 0);
     EXPECT_GT(middle(cut).second, 50) << "the box inside is seen";
-    EXPECT_EQ(picture({"whole.scn", "--section=0,0.75,0,0,2,0"}), cut);
-    EXPECT_EQ(picture({"cut.scn", "--section=0,3,0,0,1,0"}), whole) << "in place of the scene's";
-    const std::string box = picture({"whole.scn", "--section-box=2,0.75,-2,-2,-2,2"});
+    EXPECT_EQ(picture({"whole.scn", open, "--section=0,0.75,0,0,2,0"}), cut);
+    EXPECT_EQ(picture({"cut.scn", open, "--section=0,3,0,0,1,0"}), whole) << "in place of the scene's";
+    const std::string box = picture({"whole.scn", open, "--section-box=2,0.75,-2,-2,-2,2"});
     EXPECT_EQ(box, cut);
 }
 
 /// The inside of a closed box is dark, unless light falls in where it was cut.
 TEST_F(Cuts, PathsKnowWhetherLightFallsIn) {
-    const std::string paths = "--integrator=path";
-    EXPECT_LT(middle(picture({"cut.scn", paths})).second, 5);
-    EXPECT_GT(middle(picture({"cut.scn", paths, "--section-light=cut"})).second, 50);
+    const std::string paths = "--integrator=path", open = "--section-caps=none";
+    EXPECT_LT(middle(picture({"cut.scn", open, paths})).second, 5);
+    EXPECT_GT(middle(picture({"cut.scn", open, paths, "--section-light=cut"})).second, 50);
+}
+
+// The cut at 0.75 goes through the red box alone, one at 0.25 through both.
+TEST_F(Cuts, SolidsAreClosed) {
+    using Codes = std::pair<int, int>;
+    EXPECT_EQ(middle(picture({"cut.scn"})), (Codes{255, 0}));
+    EXPECT_EQ(middle(picture({"cut.scn", "--integrator=path"})), (Codes{255, 0}));
+    EXPECT_EQ(middle(picture({"cut.scn", "--section=0,0.25,0,0,1,0"})), (Codes{0, 255}));
+    writeScene("one.scn", "[[section]]\npoint = [0, 0.25, 0]\nnormal = [0, 1, 0]\n",
+               "sectionCaps = \"one\"\nsectionColour = [1, 1, 1]\n");
+    EXPECT_EQ(middle(picture({"one.scn"})), (Codes{255, 255}));
+    EXPECT_EQ(middle(picture({"one.scn", "--section-caps=own"})), (Codes{0, 255}));
 }
 
 TEST_F(Cuts, WhatIsNoSectionIsRefused) {
@@ -84,9 +99,13 @@ TEST_F(Cuts, WhatIsNoSectionIsRefused) {
     for (const char* const text : {"1,2,3", "0,0,0,0,1,0,0", "0,0,0,0,one,0", ",,,,,", "0 0 0 0 1 0"})
         refused({std::string("--section=") + text}, "is not six numbers, parted by commas");
     refused({"--section=0,0,0,0,0,0"}, "is zero");
+    refused({"--section=1e300,0,0,0,1,0"}, "beyond 1e12");
+    refused({"--section=0,0,0,0,1e300,0"}, "too large");
+    refused({"--section-box=0,0,0,1,1,2e12"}, "beyond 1e12");
     refused({"--section-box=0,0,0,1,1,0"}, "must differ in each coordinate");
     refused({"--section-box=0,0,0,1,1,1", "--section=0,0,0,0,1,0"}, "more than six");
     refused({"--section-light=dim"}, "section-light");
+    refused({"--section-caps=red"}, "section-caps");
     test::writeText(folder / "bad.scn",
                     "version = 2\nmodel = \"boxes.obj\"\n[[section]]\npoint = [0, 0, 0]\n");
     EXPECT_EQ(render({"bad.scn"}).exitCode, 65);

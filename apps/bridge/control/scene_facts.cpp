@@ -218,7 +218,8 @@ json statusJson(const ipc::Status& status) {
             {"paused", status.paused != 0},
             {"recording", status.recording != 0},
             {"progress", status.progress},
-            {"kept", status.kept}};
+            {"kept", status.kept},
+            {"indirectError", status.lightError}};
 }
 
 std::string withoutFolders(std::string_view text) {

@@ -15,9 +15,13 @@ std::vector<CommandSpec> sectionCommands() {
          .effect = Tells,
          .browser = BrowserUse::Look,
          .help =
-             "print the planes that cut the model open: number, a point, the normal; then what light knows",
-         .more = "A line each, `1 0 1.2 0 0 1 0`, and `light whole` or `light cut` at the end. The model is "
-                 "taken away on the side that the normal points to"},
+             "print the planes that cut the model open: number, a point, the normal; then what light knows, "
+             "and how solids are closed",
+         .more = "A line each, `1 0 1.2 0 0 1 0`, and `light whole` or `light cut`, `caps own`, `colour 0.1 "
+                 "0.1 0.1` "
+                 "and `hatching off` at the end; then `open NAME` for each part that is cut and has no cap, "
+                 "since it "
+                 "is not closed. The model is taken away on the side that the normal points to"},
         {.id = CommandId::SectionAdd,
          .name = "section add",
          .arguments = numbers({"X", "Y", "Z", "NX", "NY", "NZ"}),
@@ -69,6 +73,25 @@ std::vector<CommandSpec> sectionCommands() {
          .step = "section",
          .browser = BrowserUse::Edit,
          .help = "whole: rooms keep their light, as if nothing was cut; cut: light falls in"},
+        {.id = CommandId::SectionCaps,
+         .name = "section caps",
+         .arguments = {choiceOf(rtcore::kCapColours)},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help =
+             "close solids that are cut: own: in the colours of their materials; one: all in one; none: not"},
+        {.id = CommandId::SectionColour,
+         .name = "section colour",
+         .arguments = {number("R", 0, 1), number("G", 0, 1), number("B", 0, 1)},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "the one colour of caps: linear, as a display shows it"},
+        {.id = CommandId::SectionHatching,
+         .name = "section hatching",
+         .arguments = {choice("on|off")},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "lines across caps"},
     };
 }
 

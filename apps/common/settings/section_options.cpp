@@ -38,6 +38,12 @@ SectionChoice::Plane planeOf(const SixNumbers& n) {
             {static_cast<float>(n[3]), static_cast<float>(n[4]), static_cast<float>(n[5])}};
 }
 
+void refuseUseless(const SectionChoice::Plane& plane, const char* option) {
+    const rtcore::SectionPlane there{rtcore::LocalOrigin{}.local(plane.point), plane.normal};
+    if (const auto problem = problemOf(there))
+        throw UsageError(rtcore::say("option '{0}': {1}", option, *problem));
+}
+
 SectionChoice::Box boxOf(const SixNumbers& n) {
     SectionChoice::Box box;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -46,6 +52,8 @@ SectionChoice::Box boxOf(const SixNumbers& n) {
         if (!(box.lo[a] < box.hi[a]))
             throw UsageError("option '--section-box': its corners must differ in each coordinate");
     }
+    for (const rtcore::FilePoint& corner : {box.lo, box.hi})
+        refuseUseless({corner, {1, 0, 0}}, "--section-box");
     return box;
 }
 
@@ -65,12 +73,12 @@ SectionChoice readSections(const Arguments& arguments) {
             continue;
         }
         choice.planes.push_back(planeOf(*numbers));
-        if (normalize(choice.planes.back().normal) == rtcore::Vec3{})
-            throw UsageError("option '--section': its normal, the last three numbers, is zero");
+        refuseUseless(choice.planes.back(), "--section");
     }
     if (choice.planes.size() + (choice.box ? kPlanesOfBox : 0) > rtcore::kMaxSectionPlanes)
         throw UsageError("more than six sections are given; a box has six");
     if (const auto light = arguments.text("section-light")) choice.light = rtcore::sectionLightNamed(*light);
+    if (const auto caps = arguments.text("section-caps")) choice.caps = rtcore::capColoursNamed(*caps);
     return choice;
 }
 
@@ -83,6 +91,7 @@ void cutOpen(const SectionChoice& choice, rtcore::Scene& scene) {
     for (const SectionChoice::Plane& plane : choice.planes)
         planes.push_back({scene.origin.local(plane.point), plane.normal});
     if (choice.light) scene.sections.light = *choice.light;
+    if (choice.caps) scene.sections.caps.colours = *choice.caps;
 }
 
 } // namespace app

@@ -22,6 +22,7 @@ struct SectionChoice {
     std::vector<Plane> planes; ///< without these and a box those of the scene stay
     std::optional<Box> box;    ///< what is outside is taken away
     std::optional<rtcore::SectionLight> light;
+    std::optional<rtcore::CapColours> caps;
 };
 
 /// Throws UsageError for what is no plane, and where there are more than kMaxSectionPlanes.

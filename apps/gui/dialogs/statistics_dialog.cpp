@@ -31,6 +31,7 @@ StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> del
     addRow(*form, tr("Display latency"), delayed_);
     addRow(*form, tr("Image"), image_);
     addRow(*form, tr("Rays/s"), rays_);
+    addRow(*form, tr("Indirect light"), indirect_);
     addRow(*form, tr("Resolution"), resolution_);
     addRow(*form, tr("Triangles"), polygons_);
     addRow(*form, tr("Mode"), mode_);
@@ -80,6 +81,9 @@ void StatisticsDialog::refresh() {
     delayed_->setText(tr("%1 ms").arg(number(delay_() * kMilli, 1)));
     image_->setText(origin_());
     rays_->setText(tr("%1 million").arg(number(status.raysPerSecond / kMega, 2)));
+    constexpr double kPercent = 100;
+    indirect_->setText(status.indirectError > 0 ? tr("±%1 %").arg(number(kPercent * status.indirectError, 1))
+                                                : QStringLiteral("–"));
     resolution_->setText(
         QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height()));
     polygons_->setText(QLocale().toString(status.polygons));

@@ -33,7 +33,7 @@ class StatisticsDialog : public QDialog {
     std::function<double()> delay_;
     std::function<QString()> origin_;
     PlainLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *image_, *rays_, *resolution_,
-        *polygons_, *mode_, *eye_, *exposure_;
+        *indirect_, *polygons_, *mode_, *eye_, *exposure_;
     QTimer timer_;
     QElapsedTimer clock_;
     int received_ = 0; ///< frames since the clock's start

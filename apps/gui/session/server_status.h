@@ -30,6 +30,8 @@ struct ServerStatus {
     double frameSeconds = 0;
     double raysPerSecond = 0;
     double kept = 0; ///< part of the last frame that was taken from those before it, 0..1
+    double indirectError =
+        0; ///< standard error of the last frame's indirect light, a part of it; 0: there is none
     quint64 polygons = 0;
     QSize resolution;   ///< pixels of a frame; empty while nothing is loaded
     float exposure = 0; ///< the constant of the tone mapping

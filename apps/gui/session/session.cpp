@@ -22,6 +22,7 @@ ServerStatus statusOf(const ipc::Status& from) {
     to.frameSeconds = from.frameSeconds;
     to.raysPerSecond = from.raysPerSecond;
     to.kept = static_cast<double>(from.kept);
+    to.indirectError = static_cast<double>(from.lightError);
     to.polygons = from.polygons;
     to.resolution = QSize(static_cast<int>(from.width), static_cast<int>(from.height));
     to.exposure = from.exposure;

@@ -1075,6 +1075,10 @@
         <source>Indirect light is rendered, and these lights stand in for it: %1.</source>
         <translation>Nepřímé světlo se počítá a tato světla ho jen nahrazují: %1.</translation>
     </message>
+    <message>
+        <source>indirect light ±%1 %</source>
+        <translation>nepřímé světlo ±%1 %</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -3816,6 +3820,14 @@ Dvojklik natočí pohled. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>Image</source>
         <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>Indirect light</source>
+        <translation>Nepřímé světlo</translation>
+    </message>
+    <message>
+        <source>±%1 %</source>
+        <translation>±%1 %</translation>
     </message>
 </context>
 <context>

@@ -1892,10 +1892,6 @@
         <translation>žádné</translation>
     </message>
     <message>
-        <source>normal is zero; give the side that is taken away</source>
-        <translation>normála je nulová; uveďte stranu, která se odebírá</translation>
-    </message>
-    <message>
         <source>normals: element {0} is not of unit length</source>
         <translation>normals: prvek {0} nemá jednotkovou délku</translation>
     </message>
@@ -2604,8 +2600,8 @@
         <translation>síť má {0} výstupů, ne 3</translation>
     </message>
     <message>
-        <source>the normal of a section is not zero</source>
-        <translation>normála řezu nesmí být nulová</translation>
+        <source>the normal of the section is zero or too large; give the side that is taken away</source>
+        <translation>normála řezu je nulová nebo příliš dlouhá; uveďte stranu, která se odebírá</translation>
     </message>
     <message>
         <source>the number of angles in a plane</source>
@@ -2654,6 +2650,10 @@
     <message>
         <source>the photometric type</source>
         <translation>fotometrický typ</translation>
+    </message>
+    <message>
+        <source>the point of the section has a coordinate beyond 1e12; give one near the model</source>
+        <translation>bod řezu má souřadnici větší než 1e12; uveďte bod poblíž modelu</translation>
     </message>
     <message>
         <source>the position of the light source</source>

@@ -43,6 +43,9 @@ QString overlayText(const ServerStatus& status, const QSize& frame, bool still, 
     if (!complete || rendering.isEmpty()) parts.append(activity(status, coarse && still));
     const bool counts = !status.idle && !status.paused && status.framesPerSecond >= 1;
     if (counts) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
+    if (!status.idle && status.indirectError > 0)
+        parts.append(
+            tr("indirect light ±%1 %").arg(QLocale().toString(kPercent * status.indirectError, 'f', 0)));
     if (status.recording) parts.append(tr("● recording"));
     if (!sharing.isEmpty()) parts.append(sharing);
     if (!rendering.isEmpty()) parts.append(rendering);

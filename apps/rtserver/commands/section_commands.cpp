@@ -6,6 +6,7 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/platform/sentence.h"
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/format.h>
@@ -31,12 +32,28 @@ Result sections(const Call& call) {
         text += fmt::format("{} {} {} {} {}\n", i + 1, positionText(call, all.planes[i].point),
                             rtcore::settingText(n.x), rtcore::settingText(n.y), rtcore::settingText(n.z));
     }
-    return {.answer = text + fmt::format("light {}", nameOf(all.light))};
+    const rtcore::Colour c = all.caps.colour;
+    text += fmt::format("light {}\ncaps {}\ncolour {} {} {}\nhatching {}", nameOf(all.light),
+                        nameOf(all.caps.colours), rtcore::settingText(c.r), rtcore::settingText(c.g),
+                        rtcore::settingText(c.b), all.caps.hatched ? "on" : "off");
+    for (const std::string& part : call.document().caps().openParts(*call.document().scene()))
+        text += "\nopen " + rtcore::inQuotes(part);
+    return {.answer = text};
+}
+
+/// In place of all sections.
+void cutBy(const Call& call, std::vector<SectionPlane> planes) {
+    SectionPlanes all = sectionsOf(call);
+    all.planes = std::move(planes);
+    cutOpen(call.document(), std::move(all));
+}
+
+void refuseUseless(const SectionPlane& plane) {
+    if (const auto problem = problemOf(plane)) throw app::UsageError(*problem);
 }
 
 void add(const Call& call, const SectionPlane& plane) {
-    if (normalize(plane.normal) == Vec3{})
-        throw app::UsageError(rtcore::say("the normal of a section is not zero"));
+    refuseUseless(plane);
     SectionPlanes all = sectionsOf(call);
     if (all.planes.size() == rtcore::kMaxSectionPlanes)
         throw rtcore::Refusal("there are six sections already; remove one first");
@@ -65,7 +82,9 @@ Result sectionBox(const Call& call) {
         if (!(lo[axis] < hi[axis]))
             throw app::UsageError(rtcore::say("the two corners of a box differ in each coordinate"));
     }
-    cutOpen(call.document(), {rtcore::planesAround(lo, hi), sectionsOf(call).light});
+    std::vector<SectionPlane> planes = rtcore::planesAround(lo, hi);
+    for (const SectionPlane& plane : planes) refuseUseless(plane);
+    cutBy(call, std::move(planes));
     return {};
 }
 
@@ -81,6 +100,7 @@ std::pair<SectionPlanes, std::size_t> chosen(const Call& call) {
 Result sectionMove(const Call& call) {
     auto [all, i] = chosen(call);
     all.planes[i].point = all.planes[i].point + normalize(all.planes[i].normal) * number(call[1]);
+    refuseUseless(all.planes[i]);
     cutOpen(call.document(), std::move(all));
     return {};
 }
@@ -100,13 +120,38 @@ Result sectionRemove(const Call& call) {
 }
 
 Result sectionClear(const Call& call) {
-    cutOpen(call.document(), {{}, sectionsOf(call).light});
+    cutBy(call, {});
     return {};
 }
 
 Result sectionLight(const Call& call) {
-    cutOpen(call.document(), {sectionsOf(call).planes, rtcore::sectionLightNamed(call[0]).value()});
+    SectionPlanes all = sectionsOf(call);
+    all.light = rtcore::sectionLightNamed(call[0]).value();
+    cutOpen(call.document(), std::move(all));
     return {};
+}
+
+template <typename Change>
+Result style(const Call& call, const Change& change) {
+    SectionPlanes all = sectionsOf(call);
+    change(all.caps);
+    cutOpen(call.document(), std::move(all));
+    return {};
+}
+
+Result sectionCaps(const Call& call) {
+    return style(call,
+                 [&](rtcore::CapStyle& caps) { caps.colours = rtcore::capColoursNamed(call[0]).value(); });
+}
+
+Result sectionColour(const Call& call) {
+    return style(call, [&](rtcore::CapStyle& caps) {
+        caps.colour = {number(call[0]), number(call[1]), number(call[2])};
+    });
+}
+
+Result sectionHatching(const Call& call) {
+    return style(call, [&](rtcore::CapStyle& caps) { caps.hatched = call[0] == "on"; });
 }
 
 constexpr std::array kSectionFunctions{
@@ -119,6 +164,9 @@ constexpr std::array kSectionFunctions{
     CommandFunction{app::CommandId::SectionRemove, sectionRemove},
     CommandFunction{app::CommandId::SectionClear, sectionClear},
     CommandFunction{app::CommandId::SectionLight, sectionLight},
+    CommandFunction{app::CommandId::SectionCaps, sectionCaps},
+    CommandFunction{app::CommandId::SectionColour, sectionColour},
+    CommandFunction{app::CommandId::SectionHatching, sectionHatching},
 };
 
 } // namespace

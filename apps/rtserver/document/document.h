@@ -12,6 +12,7 @@
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/revisions.h"
+#include "rtcore/sections/cap_painter.h"
 #include "rtcore/settings/render_settings.h"
 
 #include <cstdint>
@@ -63,6 +64,9 @@ class Document {
     /// One built of what is visible. The frames stay the same. Nothing where other parts are hidden by now.
     void useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
                         const rtcore::HiddenParts& hidden);
+
+    /// What closes the solids that sections cut; safe from several threads.
+    rtcore::CapPainter& caps() const { return *caps_; }
 
     // --- Scene ---
 
@@ -139,6 +143,7 @@ class Document {
     std::unique_ptr<World> world_;
     std::shared_ptr<const rtcore::Scene> scene_;
     VisibleModel visible_;
+    std::unique_ptr<rtcore::CapPainter> caps_ = std::make_unique<rtcore::CapPainter>();
     rtcore::Revisions revisions_;
     rtcore::Camera camera_;
     rtcore::RenderSettings settings_;

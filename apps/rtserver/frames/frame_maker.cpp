@@ -71,9 +71,17 @@ bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const 
     revision_ = revision;
     detail_ = detail;
     keptPart_ = detail.live() ? 1 - live_->newSamples() : 0;
+    indirectError_ = errorOfIndirect(document, detail);
     rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
+}
+
+double FrameMaker::errorOfIndirect(const Document& document, const FrameDetail& detail) const {
+    if (document.settings().indirect.mode != rtcore::IndirectMode::Live) return 0;
+    const rtcore::IndirectLight* const light =
+        detail.exact() && viewLight_ ? &viewLight_->light() : walkLight_->known();
+    return light != nullptr ? light->learned().error : 0;
 }
 
 /// The light on what is seen: coarse and whole frames of a view have the same exposure. That of live frames
@@ -260,7 +268,7 @@ void FrameMaker::drop() {
     coarse_ = {};
     seen_ = nullptr;
     revision_ = 0;
-    keptPart_ = 0;
+    keptPart_ = indirectError_ = 0;
     renderer_.emplace();
     live_.emplace();
     walkLight_.emplace();
@@ -276,7 +284,12 @@ const rtcore::LdrImage* FrameMaker::underWay(const Document& document) {
         adapt(white_ ? target_ : target_ * brightening, document.frameSettings().exposure);
         return adaptation_.value();
     };
-    return gradual_.step(whole_.radiance, exposure, Clock::now());
+    const rtcore::LdrImage* const image = gradual_.step(whole_.radiance, exposure, Clock::now());
+    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    if (image == nullptr || !rtcore::CapPainter::paints(*scene)) return image;
+    step_ = *image;
+    document.caps().paint(*scene, document.camera(), step_);
+    return &step_;
 }
 
 /// Towards an exposure, by the time that has passed since the last call; or, where the view has been seen for
@@ -308,6 +321,7 @@ void FrameMaker::develop(const Document& document) {
     adapt(target_, settings.exposure);
     begun_.reset();
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);
+    document.caps().paint(*document.scene(), document.camera(), image_);
 }
 
 } // namespace rtserver

@@ -46,6 +46,8 @@ class FrameMaker {
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
     /// The fraction of the last frame's pixels whose light is of frames before it.
     double kept() const { return keptPart_; }
+    /// Of the indirect light that the last frame shows (IndirectLight::Learned::error); 0 without it.
+    double indirectError() const { return indirectError_; }
     /// The revision of the state that the last frame shows; 0: there is no frame.
     std::uint64_t revision() const { return revision_; }
     /// Whether the state changed since, or there is no frame.
@@ -94,6 +96,7 @@ class FrameMaker {
                       const rtcore::Frame& frame);
     bool showAtOnce(const Document& document, rtcore::RenderControl& control, rtcore::Frame& frame);
     void countRays();
+    double errorOfIndirect(const Document& document, const FrameDetail& detail) const;
     bool lightIndirectly(const Document& document, const FrameDetail& detail, const rtcore::View& view,
                          rtcore::RenderControl& control);
     void noticeChanges(const Document& document);
@@ -123,7 +126,8 @@ class FrameMaker {
     rtcore::PictureDeveloper developer_;
     rtcore::Frame whole_, coarse_;           ///< apart, so that one keeps its memory beside the other
     const rtcore::HdrImage* seen_ = nullptr; ///< the last frame with its effects; null: no frame
-    rtcore::LdrImage image_;
+    rtcore::LdrImage image_, step_;          ///< step_: with caps, while a whole frame is traced
+    double indirectError_ = 0;
     std::uint64_t revision_ = 0;
     Adaptation adaptation_;
     rtcore::Subscription adapted_; ///< what the adaptation knows of the state

@@ -22,6 +22,7 @@ ipc::Status statusOf(const Workspace& state, const FrameMaker& frames, const Act
     status.mode = state.walk.onUnseenFloor() ? 2 : state.walk.walking() ? 1 : 0;
     status.exposure = frames.exposure();
     status.kept = static_cast<float>(frames.kept());
+    status.lightError = static_cast<float>(frames.indirectError());
     status.idle = activity.idle ? 1 : 0;
     return status;
 }

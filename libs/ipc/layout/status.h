@@ -25,11 +25,13 @@ struct Status {
     std::uint32_t recording = 0;   ///< 1: frames are being recorded
     std::uint32_t messages = 0;    ///< number of messages so far; grows
     float kept = 0;                ///< part of the last frame that was taken from those before it, 0..1
+    float lightError = 0; ///< standard error of light that the last frame shows, a part of it; 0: not known
+    std::uint32_t unused = 0;
     double wholeSeconds = 0; ///< what a frame of all pixels and samples takes, so far where it is under way
     double origin[3] = {0, 0, 0};    ///< what to add to the camera's position for that in the model's file
     std::uint64_t stateRevision = 0; ///< grows when what a client could ask for is another; 0: nothing yet
     friend bool operator==(const Status&, const Status&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 152 && alignof(Status) == 8);
+static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 160 && alignof(Status) == 8);
 
 } // namespace ipc

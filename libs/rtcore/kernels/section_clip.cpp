@@ -8,8 +8,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kPlaneRounding = 2e-6F; ///< of the largest coordinate
-
 float largestOf(const Box3& bounds) {
     float largest = 0;
     for (const Vec3 corner : {bounds.lo, bounds.hi})
@@ -38,9 +36,14 @@ void clipBy(float speed, float room, float& tMin, float& tMax) {
 
 } // namespace
 
+float roundingOf(const Box3& bounds) {
+    constexpr float kRounding = 2e-6F; // of the largest coordinate
+    return bounds.empty() ? 0 : kRounding * largestOf(bounds);
+}
+
 SectionClip::SectionClip(const SectionPlanes& sections, const Box3& bounds) {
     if (bounds.empty()) return;
-    const float rounding = kPlaneRounding * largestOf(bounds);
+    const float rounding = roundingOf(bounds);
     for (const SectionPlane& plane : sections.planes) {
         const Vec3 normal = normalize(plane.normal);
         const float offset = dot(normal, plane.point) + rounding;

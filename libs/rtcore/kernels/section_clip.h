@@ -10,6 +10,10 @@
 
 namespace rtcore {
 
+/// How far planes lie further out than they are given, so that faces in them stay: what positions within
+/// `bounds` are rounded by.
+float roundingOf(const Box3& bounds);
+
 /// Immutable. What it does to a ray does not depend on the others of a wave.
 class SectionClip {
   public:

@@ -186,6 +186,19 @@ Found find(const Mesh& mesh, std::span<const Material> materials) {
 
 } // namespace
 
+std::vector<std::uint8_t> inClosedPieces(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    Closing closing(triangles.size());
+    std::vector<HalfEdge> edges = halfEdges(cornersOf(mesh, triangles), true);
+    visitEdges(edges, [&](std::span<const HalfEdge> sides) {
+        for (const HalfEdge& side : sides) closing.parts.join(side.triangle, sides[0].triangle);
+        const auto along = std::ranges::count_if(sides, &HalfEdge::forward);
+        if (2 * along != std::ssize(sides)) ++closing.openEdges[sides[0].triangle];
+    });
+    std::vector<std::uint8_t> closed = closing.open();
+    for (std::uint8_t& each : closed) each ^= 1U;
+    return closed;
+}
+
 ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
     return find(mesh, materials).closed;
 }

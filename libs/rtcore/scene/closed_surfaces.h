@@ -21,6 +21,11 @@ namespace rtcore {
 /// that differ by rounding alone (weld.h). Null when no material is transparent.
 using ClosedSurfaces = std::shared_ptr<const std::vector<std::uint8_t>>;
 
+/// By triangle of the list: 1 where it belongs to a piece of them, connected by edges, in which as many
+/// triangles run along each edge as against it: two of one solid, four where solids touch. How often such a
+/// piece winds around a point is a whole number. Degenerate ones count like others.
+std::vector<std::uint8_t> inClosedPieces(const Mesh& mesh, std::span<const std::uint32_t> triangles);
+
 /// Degenerate triangles count like others. Takes time of the transparent triangles only, but for glass that
 /// is open also a word of memory for each vertex.
 ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials);

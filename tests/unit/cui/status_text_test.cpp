@@ -60,6 +60,15 @@ TEST(StatusText, SaysHowManyPixelsAreNewWhereOthersAreKept) {
     EXPECT_NE(cui::statusJson("cow", 7, status).find("\"kept\":0.979,"), std::string::npos);
 }
 
+TEST(StatusText, SaysHowSureIndirectLightIsWhereThereIsAny) {
+    ipc::Status status;
+    EXPECT_EQ(cui::statusText("cow", 7, status).find("indirect light"), std::string::npos);
+    EXPECT_NE(cui::statusJson("cow", 7, status).find("\"indirectError\":0.0,"), std::string::npos);
+    status.lightError = 0.034F;
+    EXPECT_NE(cui::statusText("cow", 7, status).find("indirect light: +-3.4 %\n"), std::string::npos);
+    EXPECT_NE(cui::statusJson("cow", 7, status).find("\"indirectError\":0.034,"), std::string::npos);
+}
+
 TEST(StatusText, SaysWhatAWholeFrameTakesWhileLiveOnesAreShown) {
     ipc::Status status;
     EXPECT_EQ(cui::statusText("cow", 7, status).find("whole frame"), std::string::npos) << "none yet";

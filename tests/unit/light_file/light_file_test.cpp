@@ -119,6 +119,21 @@ LightKey keyOf(const Scene& scene, const RenderSettings& settings = {},
     return lightKeyOf(scene, bounds, settings);
 }
 
+// A model that is cut open keeps the light of the whole one, unless light falls in.
+TEST(LightKey, DiffersWithSectionsThatLetLightIn) {
+    Scene scene = lively();
+    const LightKey whole = keyOf(scene);
+    scene.sections = {{{{1, 0, 0}, {1, 0, 0}}}, SectionLight::Whole};
+    EXPECT_EQ(keyOf(scene), whole);
+    scene.sections.light = SectionLight::Cut;
+    const LightKey cut = keyOf(scene);
+    EXPECT_NE(cut, whole);
+    scene.sections.planes[0].point.x = 2;
+    EXPECT_NE(keyOf(scene), cut) << "elsewhere";
+    scene.sections.planes.clear();
+    EXPECT_EQ(keyOf(scene), whole);
+}
+
 /// The arrays of a model, to be changed.
 ModelBuffers buffersOf(const Model& model) {
     const auto copy = [](auto view, auto& to) { to.assign(view.begin(), view.end()); };

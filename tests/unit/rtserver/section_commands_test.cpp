@@ -25,30 +25,48 @@ class SectionCommands : public test::CommandRoom {
 };
 
 TEST_F(SectionCommands, AreToldAndEdited) {
-    EXPECT_EQ(answer("sections"), "light whole");
+    const std::string style = "\ncaps own\ncolour 0.1 0.1 0.1\nhatching off",
+                      open = "\nopen ''"; // the room, which is not closed and has no name
+    EXPECT_EQ(answer("sections"), "light whole" + style);
     answer("section add 0 1.5 0 0 2 0");
     answer("section add 1 0 0 1 0 0");
-    EXPECT_EQ(answer("sections"), "1 0 1.5 0 0 2 0\n2 1 0 0 1 0 0\nlight whole");
+    EXPECT_EQ(answer("sections"), "1 0 1.5 0 0 2 0\n2 1 0 0 1 0 0\nlight whole" + style + open);
     answer("section move 1 -0.5");
     answer("section turn 2");
     answer("section light cut");
-    EXPECT_EQ(answer("sections"), "1 0 1 0 0 2 0\n2 1 0 0 -1 0 0\nlight cut");
+    EXPECT_EQ(answer("sections"), "1 0 1 0 0 2 0\n2 1 0 0 -1 0 0\nlight cut" + style + open);
     answer("section remove 1");
-    EXPECT_EQ(answer("sections"), "1 1 0 0 -1 0 0\nlight cut");
+    EXPECT_EQ(answer("sections"), "1 1 0 0 -1 0 0\nlight cut" + style + open);
     answer("section box 1 2 3 -1 -2 -3");
     EXPECT_EQ(sections().planes.size(), 6U);
     EXPECT_EQ(sections().planes[0].point, (Vec3{1, 2, 3}));
     answer("section clear");
-    EXPECT_EQ(answer("sections"), "light cut");
+    EXPECT_EQ(answer("sections"), "light cut" + style);
+    answer("section caps one");
+    answer("section colour 1 0.5 0");
+    answer("section hatching on");
+    answer("section add 0 0 0 0 1 0");
+    EXPECT_EQ(sections().caps, (rtcore::CapStyle{rtcore::CapColours::One, {1, 0.5F, 0}, true})) << "it stays";
+    answer("section clear");
+    EXPECT_EQ(answer("sections"), "light cut\ncaps one\ncolour 1 0.5 0\nhatching on");
+    answer("undo");
+    answer("undo");
+    answer("undo");
+    EXPECT_FALSE(sections().caps.hatched);
 }
 
 TEST_F(SectionCommands, ThatCannotBeAreRefused) {
     EXPECT_EQ(refusal("section add 0 0 0 0 0 0").code, 2);
     EXPECT_EQ(refusal("section add 0 0 0 0 1").code, 2);
+    EXPECT_EQ(refusal("section add 1e20 0 0 0 1 0").code, 2);
+    EXPECT_EQ(refusal("section box 0 0 0 1 1 1e20").code, 2);
     EXPECT_EQ(refusal("section move 1 2").code, 1);
     EXPECT_EQ(refusal("section box 0 0 0 1 1 0").code, 2);
     EXPECT_EQ(refusal("section light some").code, 2);
+    EXPECT_EQ(refusal("section caps some").code, 2);
+    EXPECT_EQ(refusal("section colour 1 2 0").code, 2);
     answer("section box 0 0 0 1 1 1");
+    EXPECT_EQ(refusal("section move 1 1e20").code, 2);
     EXPECT_NE(refusal("section add 0 0 0 0 1 0").code, 0);
     EXPECT_EQ(sections().planes.size(), 6U);
 }

@@ -47,6 +47,21 @@ TEST_F(ServerStatus, TellsWhichPartOfALiveFrameIsKept) {
     EXPECT_EQ(statusOf(state, frames, {}).kept, 0);
 }
 
+TEST_F(ServerStatus, TellsHowSureIndirectLightIs) {
+    FrameMaker frames(1);
+    state.frameSeconds = 0.03;
+    test::draw(frames, state);
+    EXPECT_EQ(statusOf(state, frames, {}).lightError, 0) << "there is none";
+    rtcore::RenderSettings settings = document.settings();
+    settings.indirect.mode = rtcore::IndirectMode::Live;
+    document.setSettings(settings);
+    test::draw(frames, state);
+    walk.turn(1, 0);
+    test::draw(frames, state, {1, true, 0.1});
+    EXPECT_GT(statusOf(state, frames, {}).lightError, 0);
+    EXPECT_LT(statusOf(state, frames, {}).lightError, 1);
+}
+
 TEST_F(ServerStatus, WithoutASceneTellsWhatIsKnown) {
     const Workspace fresh(options, {}, messages);
     const ipc::Status status = statusOf(fresh, FrameMaker(1), {.progress = 0.25F});

@@ -4,6 +4,7 @@
 #include "support/temporary_folder.h"
 #include "unit/text/text_test_support.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -155,10 +156,12 @@ SceneFile randomScene(Random& random) {
     s.defaultLight = random.flag();
     s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.fraction();
+    const auto near = [&] { return std::clamp(random.number(), -1e12F, 1e12F); };
     for (std::size_t n = random.below(4); n > 0; --n)
-        s.sections.planes.push_back(
-            {{random.number(), random.number(), random.number()}, {0, random.number(), 1}});
+        s.sections.planes.push_back({{near(), near(), near()}, {0, random.number(), 1}});
     if (random.flag()) s.sections.light = rtcore::SectionLight::Cut;
+    if (random.flag())
+        s.sections.caps = {rtcore::CapColours::One, {random.fraction(), random.fraction(), 0}, random.flag()};
     if (random.flag()) s.deflection = 1e-6F + 0.09F * random.fraction();
     if (random.flag())
         s.pose = {rtcore::PoseChoice::Kind::Moment, awkwardName(random), double{random.number()}};

@@ -80,9 +80,18 @@ TEST(Scn, SectionsAreReadAndRefused) {
     std::string seven = head;
     for (int i = 0; i < 7; ++i) seven += one;
     refused(seven, "more than 6 sections");
-    refused(head + "[[section]]\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n", "normal is zero");
+    refused(head + "[[section]]\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n", "is zero");
     refused(head + "[[section]]\nnormal = [0, 1, 0]\n", "point");
+    refused(head + "[[section]]\npoint = [0, 2e12, 0]\nnormal = [0, 1, 0]\n", "beyond 1e12");
     refused(head + "sectionLight = \"some\"\n", "sectionLight");
+    const rtcore::CapStyle caps =
+        parseSceneFile(head + "sectionCaps = \"one\"\nsectionColour = [1, 0, 0.5]\nsectionHatching = true\n",
+                       "x.scn")
+            .sections.caps;
+    EXPECT_EQ(caps, (rtcore::CapStyle{rtcore::CapColours::One, {1, 0, 0.5F}, true}));
+    refused(head + "sectionCaps = \"red\"\n", "sectionCaps");
+    refused(head + "sectionColour = [1, 2, 0]\n", "sectionColour");
+    refused("version = 1\nmodel = \"a\"\nsectionHatching = true\n", "sectionHatching");
     refused("version = 1\nmodel = \"a\"\n" + one, "section");
 }
 

@@ -229,7 +229,7 @@ class SceneWriter {
         writer_.add("creaseAngle", scene_.creaseAngle);
         writer_.add("flipTextures", scene_.flipTextures);
         if (scene_.pose != PoseChoice{}) writer_.add("pose", poseText(scene_.pose));
-        writeSectionLight(writer_, scene_.sections.light);
+        writeSectionStyle(writer_, scene_.sections);
         if (scene_.deflection != SceneFile{}.deflection) writer_.add("deflection", scene_.deflection);
     }
 

@@ -38,7 +38,7 @@ void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const s
 void writePart(TomlWriter& writer, const PartDescription& part);
 void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
                       const std::filesystem::path& folder);
-void writeSectionLight(TomlWriter& writer, SectionLight light);
+void writeSectionStyle(TomlWriter& writer, const SectionPlanes& sections);
 void writeSectionPlane(TomlWriter& writer, const SectionPlane& plane);
 void writeSky(TomlWriter& writer, const Sky& sky);
 void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);

@@ -1,0 +1,18 @@
+/// Caps in an image, as a drawing shows them: flat, whatever light there is.
+#pragma once
+
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/sections/section_caps.h"
+
+#include <span>
+
+namespace rtcore {
+
+/// Paints the caps that the camera looks at over an image of what it sees, as a display shows it. Nothing
+/// lies before a cap, since what was there is taken away; mirrors do not show them. Each shape in the colour
+/// of its material, or in the one of `style`, its edges dark. By one thread.
+void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const Material> materials,
+               const Camera& camera, LdrImage& image);
+
+} // namespace rtcore

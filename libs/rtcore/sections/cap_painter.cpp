@@ -1,0 +1,40 @@
+#include "rtcore/sections/cap_painter.h"
+
+#include "rtcore/sections/cap_image.h"
+
+namespace rtcore {
+
+const SectionCaps& CapPainter::capsOf(const Scene& scene) {
+    const bool sameModel = known_ && model_ == scene.model.storage;
+    if (sameModel && planes_ == scene.sections.planes && hidden_ == scene.hiddenParts && up_ == scene.up)
+        return caps_;
+    if (!sameModel) {
+        pieces_.reset();
+        model_ = scene.model.storage;
+        known_ = scene.model;
+        pieces_.emplace(*known_);
+    }
+    planes_ = scene.sections.planes;
+    hidden_ = scene.hiddenParts;
+    up_ = scene.up;
+    caps_ = sectionCapsOf(scene, *pieces_);
+    return caps_;
+}
+
+bool CapPainter::paints(const Scene& scene) {
+    return !scene.sections.empty() && scene.sections.caps.colours != CapColours::None;
+}
+
+std::vector<std::string> CapPainter::openParts(const Scene& scene) {
+    if (!paints(scene)) return {};
+    const std::lock_guard lock(mutex_);
+    return capsOf(scene).openParts;
+}
+
+void CapPainter::paint(const Scene& scene, const Camera& camera, LdrImage& image) {
+    if (!paints(scene)) return;
+    const std::lock_guard lock(mutex_);
+    paintCaps(capsOf(scene), scene.sections.caps, scene.materials, camera, image);
+}
+
+} // namespace rtcore
