@@ -19,6 +19,7 @@ class SampleModel {
     rtcore::ModelBuffers make(std::size_t triangles) {
         addMaterials();
         addTextures();
+        addBlocks();
         for (std::size_t i = 0; i < triangles; ++i)
             addTriangle(0.8F / std::cbrt(static_cast<float>(triangles)));
         addLights();
@@ -85,9 +86,10 @@ class SampleModel {
 
     void addTextures() {
         for (const std::uint32_t side : {2U, 5U}) {
-            buffers_.textures.push_back(
-                {buffers_.texels.size(), side, side + 1, rtcore::TextureWrap::ClampToEdge,
-                 rtcore::TextureWrap::MirroredRepeat, rtcore::TextureFilter::Nearest, side == 5 ? 1U : 0U});
+            buffers_.textures.push_back({buffers_.texels.size(), side, side + 1,
+                                         rtcore::TextureWrap::ClampToEdge,
+                                         rtcore::TextureWrap::MirroredRepeat, rtcore::TextureFilter::Nearest,
+                                         rtcore::TextureStorage::Texels, side == 5 ? 1U : 0U});
             for (std::uint32_t i = 0; i < side * (side + 1); ++i) {
                 const auto bits = static_cast<std::uint32_t>(random_());
                 buffers_.texels.push_back(
@@ -95,6 +97,17 @@ class SampleModel {
                      static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 24U)});
             }
         }
+    }
+
+    /// 5 x 3 texels; their random numbers are no others' business.
+    void addBlocks() {
+        std::mt19937_64 random(7);
+        rtcore::Texture texture{1, 5, 3};
+        texture.storage = rtcore::TextureStorage::Blocks;
+        buffers_.textures.push_back(texture);
+        buffers_.blocks.resize(3);
+        for (rtcore::TexelBlock& block : buffers_.blocks)
+            for (std::uint64_t& row : block.rows) row = random();
     }
 
     void addLights() {

@@ -1368,6 +1368,10 @@
         <translation>měří jen {0} jednotek, takže je na výpočet příliš malý; zvětšete ho {1}krát</translation>
     </message>
     <message>
+        <source>it is stored in no known way</source>
+        <translation>je uložena neznámým způsobem</translation>
+    </message>
+    <message>
         <source>it is there already, and not empty; name another folder</source>
         <translation>už tu je a není prázdná; zvolte jinou složku</translation>
     </message>

@@ -50,7 +50,7 @@ std::uint32_t digestOf(const rtcore::Model& model) {
     };
     const rtcore::Mesh& mesh = model.mesh;
     add(mesh.vertices, mesh.triangles, mesh.shading, mesh.normals, mesh.texcoords, mesh.colours);
-    add(model.materials, model.textures, model.texels, model.lights, model.cameras, model.parts,
+    add(model.materials, model.textures, model.texels, model.blocks, model.lights, model.cameras, model.parts,
         model.strings);
     return crc;
 }

@@ -21,8 +21,7 @@ MaterialOverride& editOf(Scene& scene, std::size_t index) {
 }
 
 ImageSummary summaryOf(const Model& model, std::uint32_t texture) {
-    const Texture& t = model.textures[texture];
-    return summarise(model.texels.subspan(t.firstTexel, std::size_t{t.width} * t.height));
+    return summarise(model, model.textures[texture]);
 }
 
 } // namespace

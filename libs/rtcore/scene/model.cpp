@@ -21,6 +21,7 @@ Model makeModel(ModelBuffers buffers) {
     model.materials = owned->materials;
     model.textures = owned->textures;
     model.texels = owned->texels;
+    model.blocks = owned->blocks;
     model.lights = owned->lights;
     model.cameras = owned->cameras;
     model.parts = owned->parts;

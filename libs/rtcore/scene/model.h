@@ -7,6 +7,7 @@
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/material.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/scene/texel_block.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,16 +22,22 @@ namespace rtcore {
 enum class TextureWrap : std::uint32_t { Repeat = 0, ClampToEdge = 1, MirroredRepeat = 2 };
 
 /// Between the middles of texels.
-enum class TextureFilter : std::uint32_t { Linear = 0, Nearest = 1 };
+enum class TextureFilter : std::uint16_t { Linear = 0, Nearest = 1 };
 
-/// One texture: rows from the top, in Model::texels from `firstTexel`. Textures that differ only in how they
-/// wrap, lie and are filtered share their texels.
+/// As texels of 4 bytes, or in blocks of 16 opaque ones (texel_block.h).
+enum class TextureStorage : std::uint16_t { Texels = 0, Blocks = 1 };
+
+/// One texture: rows from the top, in Model::texels from `firstTexel`, or rows of blocks in Model::blocks
+/// from that one. Textures that differ only in how they wrap, lie and are filtered share their texels.
 struct Texture {
-    std::uint64_t firstTexel = 0;
+    std::uint64_t firstTexel = 0; ///< in blocks: the first block
     std::uint32_t width = 0, height = 0;
     TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
     TextureFilter filter = TextureFilter::Linear;
+    TextureStorage storage = TextureStorage::Texels;
     std::uint32_t texcoordSet = 0; ///< by which it lies on surfaces (Mesh::texcoord)
+
+    bool inBlocks() const { return storage == TextureStorage::Blocks; }
     friend bool operator==(const Texture&, const Texture&) = default;
 };
 static_assert(sizeof(Texture) == 32);
@@ -48,6 +55,7 @@ struct Model {
     std::span<const Material> materials; ///< at least one
     std::span<const Texture> textures;
     std::span<const Rgba8> texels; ///< colour as sRGB, alpha linear
+    std::span<const TexelBlock> blocks;
     std::span<const Light> lights;
     std::span<const Camera> cameras;
     std::span<const ModelPart> parts; ///< ascending, none overlap; may leave triangles out, or be empty
@@ -75,6 +83,7 @@ struct ModelBuffers {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Rgba8> texels;
+    std::vector<TexelBlock> blocks;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
     std::vector<ModelPart> parts;

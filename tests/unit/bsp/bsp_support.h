@@ -109,6 +109,7 @@ inline void expectEqual(const rtcore::Model& a, const rtcore::Model& b) {
     EXPECT_TRUE(equal(a.materials, b.materials));
     EXPECT_TRUE(equal(a.textures, b.textures));
     EXPECT_TRUE(equal(a.texels, b.texels));
+    EXPECT_TRUE(equal(a.blocks, b.blocks));
     EXPECT_TRUE(equal(a.lights, b.lights));
     EXPECT_TRUE(equal(a.cameras, b.cameras));
     EXPECT_TRUE(equal(a.parts, b.parts));

@@ -183,9 +183,10 @@ TEST(BspDamage, NamesOfSectionsAreChecked) {
 TEST(BspDamage, WarningsAndOriginMustBeText) {
     const Bytes sound = test::sampleFile(1, 6);
     const std::vector<rtcore::BspSectionEntry> sections = test::tableOf(sound).sections;
-    for (const std::size_t i : {sections.size() - 2, sections.size() - 1}) {
+    for (const rtcore::BspSection section : {rtcore::BspSection::Warnings, rtcore::BspSection::Origin}) {
+        const auto i = static_cast<std::size_t>(section);
         const std::string name = test::nameOf(sections[i]);
-        ASSERT_EQ(name, i == sections.size() - 1 ? "origin" : "warnings");
+        ASSERT_EQ(name, section == rtcore::BspSection::Origin ? "origin" : "warnings");
         for (const std::size_t at : {std::size_t{0}, static_cast<std::size_t>(sections[i].count) - 1}) {
             Bytes bytes = sound;
             bytes[sections[i].offset + at] = static_cast<std::byte>(at == 0 ? '\x1B' : 'x');

@@ -142,6 +142,8 @@ class Walker {
         for (const rtcore::Vec3& n : model_.mesh.normals) add(n);
         for (const rtcore::Texture& t : model_.textures) useTexture(t);
         for (const rtcore::Rgba8& t : model_.texels) sum_ += t.r + t.a;
+        for (const rtcore::TexelBlock& b : model_.blocks)
+            for (std::uint32_t i = 0; i < rtcore::kBlockTexels; ++i) sum_ += rtcore::texelOf(b, i).g;
         for (const rtcore::Material& m : model_.materials) useMaterial(m);
         for (const rtcore::Light& l : model_.lights) {
             add(l.position);
@@ -175,6 +177,11 @@ class Walker {
         sum_ += double{model_.materials[s.material].opacity};
     }
     void useTexture(const rtcore::Texture& t) {
+        if (t.inBlocks()) {
+            const std::size_t blocks = std::size_t{(t.width + 3) / 4} * ((t.height + 3) / 4);
+            sum_ += rtcore::texelOf(model_.blocks.subspan(t.firstTexel, blocks).back(), 15).r;
+            return;
+        }
         const auto texels = model_.texels.subspan(t.firstTexel, std::size_t{t.width} * t.height);
         sum_ += texels.front().r + texels.back().g;
     }

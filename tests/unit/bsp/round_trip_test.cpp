@@ -84,6 +84,7 @@ TEST(BspRoundTrip, WhatAModelMayLackMayBeMissing) {
     buffers.cameras.clear();
     buffers.textures.clear();
     buffers.texels.clear();
+    buffers.blocks.clear();
     buffers.materials = {rtcore::Material{}};
     for (auto& s : buffers.shading) s.material = 0;
     const Model model = rtcore::makeModel(std::move(buffers));

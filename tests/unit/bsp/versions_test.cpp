@@ -266,6 +266,7 @@ TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
     for (rtcore::Texture& t : expected.textures) {
         t.wrapV = rtcore::TextureWrap::Repeat;
         t.filter = rtcore::TextureFilter::Linear;
+        t.storage = rtcore::TextureStorage::Texels;
         t.texcoordSet = 0;
     }
     for (rtcore::Camera& c : expected.cameras) {
@@ -273,6 +274,21 @@ TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
         c.orthographicWidth = c.aspect = 0;
     }
     expectModel(test::readFrom(parts.file()), expected);
+}
+
+TEST(BspVersions, AModelWithoutBlocksIsWrittenAsVersion4) {
+    const auto write = [](rtcore::ModelBuffers buffers) {
+        const test::TemporaryFolder folder;
+        rtcore::writeBsp(folder / "f.bsp", rtcore::makeModel(std::move(buffers)), nullptr, {});
+        return test::tableOf(test::fileContent(folder / "f.bsp"));
+    };
+    rtcore::ModelBuffers buffers = sample();
+    EXPECT_EQ(write(buffers).head.version, 5U);
+    EXPECT_EQ(test::nameOf(write(buffers).sections.back()), "texelblocks");
+    buffers.blocks.clear();
+    buffers.textures.pop_back();
+    EXPECT_EQ(write(buffers).head.version, 4U);
+    EXPECT_EQ(test::nameOf(write(buffers).sections.back()), "origin");
 }
 
 TEST(BspVersions, ElementsShorterThanAnybodyWroteAreRefused) {

@@ -35,7 +35,7 @@ std::string difference(const ModelBuffers& a, const ModelBuffers& b) {
     if (a.alphas != b.alphas) return "alphas";
     if (a.materials != b.materials) return "materials";
     if (a.textures != b.textures) return "textures";
-    if (a.texels.size() != b.texels.size()) return "texels";
+    if (a.texels.size() != b.texels.size() || a.blocks.size() != b.blocks.size()) return "texels";
     if (a.lights != b.lights) return "lights";
     if (a.cameras != b.cameras) return "cameras";
     if (a.parts != b.parts) return "parts";

@@ -147,6 +147,7 @@ ModelBuffers buffersOf(const Model& model) {
     copy(model.materials, buffers.materials);
     copy(model.textures, buffers.textures);
     copy(model.texels, buffers.texels);
+    copy(model.blocks, buffers.blocks);
     copy(model.parts, buffers.parts);
     copy(model.strings, buffers.strings);
     return buffers;
@@ -241,6 +242,7 @@ TEST(LightKey, DiffersWithTheLight) {
         expectOther(keyOf(other));
     };
     expectOtherModel([](ModelBuffers& b) { b.texels[1].g = 254; });
+    expectOtherModel([](ModelBuffers& b) { b.blocks.resize(1); });
     expectOtherModel([](ModelBuffers& b) { b.textures[0].wrapU = TextureWrap::ClampToEdge; });
     expectOtherModel([](ModelBuffers& b) { b.shading[3].material = 1; });
     expectOtherModel([](ModelBuffers& b) { b.normals[3] = {0, 1, 0}; });

@@ -108,7 +108,25 @@ TEST(TextureWraps, EachAxisHasItsOwn) {
     EXPECT_FLOAT_EQ(greyAt(1.375F, TextureWrap::MirroredRepeat, TextureWrap::ClampToEdge), 2);
 }
 
-TEST(TextureWraps, AreTheSameInVectorCode) {
+/// Replaces the last texture's texels by blocks of any bytes, the first of which belongs to no texture.
+void putInBlocks(ModelBuffers& buffers, test::Random& random) {
+    Texture& texture = buffers.textures.back();
+    texture.storage = TextureStorage::Blocks;
+    if (buffers.blocks.empty()) buffers.blocks.emplace_back();
+    texture.firstTexel = buffers.blocks.size();
+    const std::size_t count = std::size_t{blocksOf(texture.width)} * blocksOf(texture.height);
+    for (std::size_t i = 0; i < count; ++i) {
+        TexelBlock& block = buffers.blocks.emplace_back();
+        for (std::uint64_t& row : block.rows)
+            row = std::uint64_t{random.index(std::size_t{1} << 32U)} << 32U |
+                  random.index(std::size_t{1} << 32U);
+    }
+}
+
+constexpr std::array kWraps{TextureWrap::Repeat, TextureWrap::ClampToEdge, TextureWrap::MirroredRepeat};
+
+/// The textures of the scene are 7 x 5 texels; `inBlocks`: which of the nine are in blocks, of any bytes.
+void expectTheSameInVectorCode(std::uint32_t inBlocks) {
     test::Random random(3);
     test::SceneBuilder b;
     std::vector<Rgba8> texels;
@@ -116,13 +134,13 @@ TEST(TextureWraps, AreTheSameInVectorCode) {
         const auto code = [&] { return static_cast<std::uint8_t>(random.index(256)); };
         texels.push_back({code(), code(), code(), 255});
     }
-    constexpr std::array kWraps{TextureWrap::Repeat, TextureWrap::ClampToEdge, TextureWrap::MirroredRepeat};
     for (const TextureWrap u : kWraps) {
         for (const TextureWrap v : kWraps) {
             Material m = test::matte(0.7F);
             m.diffuseTexture = b.texture(7, 5, texels);
             b.buffers.textures.back().wrapU = u;
             b.buffers.textures.back().wrapV = v;
+            if ((inBlocks >> m.diffuseTexture & 1U) != 0) putInBlocks(b.buffers, random);
             b.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, b.material(m));
         }
     }
@@ -145,6 +163,36 @@ TEST(TextureWraps, AreTheSameInVectorCode) {
         for (std::size_t i = 0; i < kWaveBlock; ++i) {
             ASSERT_EQ(albedo[i], diffuseAt(scene, true, hits.hit(points[i]))) << points[i];
         }
+    }
+}
+
+TEST(TextureWraps, AreTheSameInVectorCode) { expectTheSameInVectorCode(0); }
+
+TEST(TextureBlocks, AreTheSameInVectorCode) {
+    expectTheSameInVectorCode(0x1FF);
+    expectTheSameInVectorCode(0x155);
+}
+
+TEST(TextureBlocks, AreLookedUpAsTheirTexels) {
+    test::Random random(9);
+    constexpr std::uint32_t kWidth = 11, kHeight = 6;
+    ModelBuffers buffers;
+    buffers.materials.resize(1);
+    buffers.textures = {{0, kWidth, kHeight}};
+    putInBlocks(buffers, random);
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+        for (std::uint32_t x = 0; x < kWidth; ++x)
+            buffers.texels.push_back(texelOf(buffers.blocks[1 + y / 4 * 3 + x / 4], y % 4 * 4 + x % 4));
+    buffers.textures.push_back({0, kWidth, kHeight});
+    const Model model = makeModel(std::move(buffers));
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 uv{random.number(-2, 2), random.number(-2, 2)};
+        const TextureSample a = sampleTexture(model, model.textures[0], uv);
+        const TextureSample b = sampleTexture(model, model.textures[1], uv);
+        ASSERT_EQ(a.colour, b.colour);
+        ASSERT_EQ(a.stored, b.stored);
+        ASSERT_EQ(a.alpha, 1);
+        ASSERT_EQ(sampleColour(model, model.textures[0], uv), a.colour);
     }
 }
 

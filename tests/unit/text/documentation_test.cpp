@@ -148,6 +148,16 @@ TEST(FormatsDocument, DescribesTheBspThatIsWritten) {
         says("\n| " + std::string(kind.name) + " | " + std::to_string(kind.elementSize) + " | ");
 }
 
+TEST(FormatsDocument, NamesTheModesOfBlocks) {
+    for (std::size_t i = 0; i < rtcore::kBlockModes.size(); ++i) {
+        const rtcore::BlockMode& mode = rtcore::kBlockModes[i];
+        std::string row = "| " + std::to_string(i) + " |";
+        for (const std::uint8_t bits : mode.bits) row += " " + std::to_string(bits);
+        row += mode.lumaChroma ? " | YCoCg |" : " | RGB |";
+        EXPECT_NE(document().find(row), std::string::npos) << row;
+    }
+}
+
 TEST(FormatsDocument, NamesTheRangesOfMaterials) {
     const auto taken = [](const std::string& key, const std::string& value) {
         const std::string text = "version = 2\nmodel = 'a'\n[[material]]\nname = 'b'\n" + key + " = " + value;

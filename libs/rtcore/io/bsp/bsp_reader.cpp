@@ -90,6 +90,7 @@ class Reader {
         model.materials = view<Material>(BspSection::Materials);
         model.textures = view<Texture>(BspSection::Textures);
         model.texels = view<Rgba8>(BspSection::Texels);
+        model.blocks = view<TexelBlock>(BspSection::TexelBlocks);
         model.lights = view<Light>(BspSection::Lights);
         model.cameras = view<Camera>(BspSection::Cameras);
         model.parts = view<ModelPart>(BspSection::Parts);

@@ -18,31 +18,33 @@ using Bytes = std::span<const std::byte>;
 
 constexpr std::array<std::byte, kBspAlignment> kZeros{};
 
-/// In the order of BspSection.
-std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree, std::string_view warnings,
-                                          std::string_view origin) {
+/// In the order of BspSection; without blocks as they were written before there were any.
+std::vector<Bytes> contentOf(const Model& model, const KdTree* tree, std::string_view warnings,
+                             std::string_view origin) {
     const Mesh& mesh = model.mesh;
     const auto nodes = tree != nullptr ? tree->nodes : std::span<const KdNode>();
     const auto references = tree != nullptr ? tree->references : std::span<const std::uint32_t>();
-    return {std::as_bytes(nodes),
-            std::as_bytes(references),
-            std::as_bytes(mesh.vertices),
-            std::as_bytes(mesh.triangles),
-            std::as_bytes(mesh.shading),
-            std::as_bytes(mesh.normals),
-            std::as_bytes(mesh.texcoords),
-            std::as_bytes(mesh.colours),
-            std::as_bytes(mesh.alphas),
-            std::as_bytes(mesh.furtherTexcoords),
-            std::as_bytes(model.materials),
-            std::as_bytes(model.textures),
-            std::as_bytes(model.texels),
-            std::as_bytes(model.lights),
-            std::as_bytes(model.cameras),
-            std::as_bytes(model.parts),
-            std::as_bytes(model.strings),
-            std::as_bytes(std::span(warnings)),
-            std::as_bytes(std::span(origin))};
+    std::vector<Bytes> content{std::as_bytes(nodes),
+                               std::as_bytes(references),
+                               std::as_bytes(mesh.vertices),
+                               std::as_bytes(mesh.triangles),
+                               std::as_bytes(mesh.shading),
+                               std::as_bytes(mesh.normals),
+                               std::as_bytes(mesh.texcoords),
+                               std::as_bytes(mesh.colours),
+                               std::as_bytes(mesh.alphas),
+                               std::as_bytes(mesh.furtherTexcoords),
+                               std::as_bytes(model.materials),
+                               std::as_bytes(model.textures),
+                               std::as_bytes(model.texels),
+                               std::as_bytes(model.lights),
+                               std::as_bytes(model.cameras),
+                               std::as_bytes(model.parts),
+                               std::as_bytes(model.strings),
+                               std::as_bytes(std::span(warnings)),
+                               std::as_bytes(std::span(origin))};
+    if (!model.blocks.empty()) content.push_back(std::as_bytes(model.blocks));
+    return content;
 }
 
 /// One line each, whatever they hold.
@@ -83,9 +85,8 @@ BspHead headOf(const Model& model, const KdTree* tree, const BspIdentity& identi
     BspHead head{};
     head.magic = kBspMagic;
     head.byteOrder = kBspByteOrder;
-    head.version = kBspVersion;
+    head.version = model.blocks.empty() ? kBspVersionWithoutBlocks : kBspVersion;
     head.headSize = sizeof(BspHead);
-    head.sectionCount = kBspSections;
     head.sourceSize = identity.sourceSize;
     head.sourceCrc = identity.sourceCrc;
     head.buildOptionsHash = identity.buildOptionsHash;
@@ -95,13 +96,11 @@ BspHead headOf(const Model& model, const KdTree* tree, const BspIdentity& identi
     return head;
 }
 
-using Table = std::array<BspSectionEntry, kBspSections>;
-
 /// Where each section comes to lie.
-Table tableOf(const std::array<Bytes, kBspSections>& sections) {
-    Table table{};
-    std::uint64_t end = sizeof(BspHead) + sizeof(Table);
-    for (std::size_t i = 0; i < kBspSections; ++i) {
+std::vector<BspSectionEntry> tableOf(std::span<const Bytes> sections) {
+    std::vector<BspSectionEntry> table(sections.size());
+    std::uint64_t end = sizeof(BspHead) + std::span(table).size_bytes();
+    for (std::size_t i = 0; i < sections.size(); ++i) {
         const BspSectionKind& kind = kBspSectionKinds[i];
         std::copy(kind.name.begin(), kind.name.end(), table[i].name.begin());
         table[i].elementSize = kind.elementSize;
@@ -118,9 +117,10 @@ void writeBsp(const std::filesystem::path& path, const Model& model, const KdTre
               const BspIdentity& identity, std::span<const std::string> warnings, const ModelOrigin& origin) {
     refuseBadContent(path, model, tree);
     const std::string lines = linesOf(warnings), origins = writeOrigin(origin);
-    const auto sections = contentOf(model, tree, lines, origins);
-    const Table table = tableOf(sections);
+    const std::vector<Bytes> sections = contentOf(model, tree, lines, origins);
+    const std::vector<BspSectionEntry> table = tableOf(sections);
     BspHead head = headOf(model, tree, identity);
+    head.sectionCount = static_cast<std::uint32_t>(sections.size());
 
     std::vector<Bytes> pieces{std::as_bytes(std::span(&head, 1))};
     std::uint64_t end = sizeof(BspHead);
@@ -130,7 +130,7 @@ void writeBsp(const std::filesystem::path& path, const Model& model, const KdTre
         pieces.push_back(bytes);
     };
     append(std::as_bytes(std::span(table)));
-    for (std::size_t i = 0; i < kBspSections; ++i) {
+    for (std::size_t i = 0; i < sections.size(); ++i) {
         append(Bytes(kZeros).first(table[i].offset - end));
         append(sections[i]);
     }

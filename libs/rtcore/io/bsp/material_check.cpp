@@ -78,10 +78,13 @@ Finding problemOf(const Texture& t, const Model& model) {
     if (t.wrapU > TextureWrap::MirroredRepeat || t.wrapV > TextureWrap::MirroredRepeat)
         return form("it wraps in no known way");
     if (t.filter > TextureFilter::Nearest) return form("it is filtered in no known way");
+    if (t.storage > TextureStorage::Blocks) return form("it is stored in no known way");
     if (t.texcoordSet > model.mesh.furtherSets())
         return form("it lies by texture coordinates that do not exist");
-    const std::uint64_t available = model.texels.size();
-    if (t.firstTexel > available || texels > available - t.firstTexel)
+    const std::uint64_t available = t.inBlocks() ? model.blocks.size() : model.texels.size();
+    const std::uint64_t needed =
+        t.inBlocks() ? std::uint64_t{blocksOf(t.width)} * blocksOf(t.height) : texels;
+    if (t.firstTexel > available || needed > available - t.firstTexel)
         return form("it ends outside of the texels");
     return {};
 }

@@ -45,6 +45,7 @@ void addMaterials(const Scene& scene, ContentHash& to) {
     for (const Material& material : scene.materials) addNameless(material, to);
     to.add(scene.model.textures);
     to.add(scene.model.texels);
+    if (!scene.model.blocks.empty()) to.add(scene.model.blocks);
 }
 
 void addGround(const Scene& scene, ContentHash& to) {

@@ -57,6 +57,18 @@ HWY_INLINE Taps<F> sharpened(Taps<F> taps, M nearest) {
             select(nearest, F(0.0F), taps.fraction)};
 }
 
+/// Texels in blocks are numbered block by block, 16 each: a texel's number is that of its column plus that of
+/// its row. U: std::uint32_t or Uint.
+template <typename U>
+HWY_INLINE U columnInBlocks(U x) {
+    return shiftLeft<2>(x) - U(3U) * (x & U(3U));
+}
+template <typename U>
+HWY_INLINE U rowInBlocks(U y, U width) {
+    const U whole = shiftLeft<2>(shiftRight<2>(width + U(3U)));
+    return shiftLeft<2>(shiftRight<2>(y) * whole + (y & U(3U)));
+}
+
 /// Exact where both are equal, so that what is solid all over has no hole.
 template <typename V, typename F>
 HWY_INLINE V mix(V a, V b, F fraction) {

@@ -40,17 +40,36 @@ TextureSample mix(const TextureSample& a, const TextureSample& b, float fraction
             plain::mix(a.stored, b.stored, fraction)};
 }
 
+/// Texels of one row, by columns.
+struct PlainRow {
+    const Rgba8* texels;
+    PlainRow(const Model& model, const Texture& texture, std::uint32_t y)
+        : texels(model.texels.data() + texture.firstTexel + std::uint64_t{y} * texture.width) {}
+    Rgba8 operator[](std::uint32_t x) const { return texels[x]; }
+};
+struct BlockRow {
+    const TexelBlock* blocks;
+    std::uint32_t row;
+    BlockRow(const Model& model, const Texture& texture, std::uint32_t y)
+        : blocks(model.blocks.data() + texture.firstTexel), row(plain::rowInBlocks(y, texture.width)) {}
+    Rgba8 operator[](std::uint32_t x) const { return texelIn(blocks, row + plain::columnInBlocks(x)); }
+};
+
 /// `valueOf` a texel, bilinear.
-template <typename ValueOf>
-auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
+template <typename Row, typename ValueOf>
+auto lookUpIn(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
     const plain::Taps<float> x = tapsAt(uv.x, texture.width, texture.wrapU, texture.filter);
     const plain::Taps<float> y = tapsAt(1 - uv.y, texture.height, texture.wrapV, texture.filter);
-    const Rgba8* const texels = model.texels.data() + texture.firstTexel;
-    const Rgba8* const upperRow = texels + std::uint64_t{y.first} * texture.width;
-    const Rgba8* const lowerRow = texels + std::uint64_t{y.second} * texture.width;
+    const Row upperRow(model, texture, y.first), lowerRow(model, texture, y.second);
     const auto upper = mix(valueOf(upperRow[x.first]), valueOf(upperRow[x.second]), x.fraction);
     const auto lower = mix(valueOf(lowerRow[x.first]), valueOf(lowerRow[x.second]), x.fraction);
     return mix(upper, lower, y.fraction);
+}
+
+template <typename ValueOf>
+auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
+    return texture.inBlocks() ? lookUpIn<BlockRow>(model, texture, uv, valueOf)
+                              : lookUpIn<PlainRow>(model, texture, uv, valueOf);
 }
 
 } // namespace

@@ -24,10 +24,13 @@ struct TextureBlock {
     bool flips = false;                                  ///< any of them is
     alignas(64) std::uint32_t filter[kWaveBlock] = {};   ///< TextureFilter
     bool linear = true;                                  ///< all of them are
-    alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
-    alignas(64) float fraction[2][kWaveBlock] = {};      ///< of the right ones, of the lower ones
-    alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
-    alignas(64) float albedo[3][kWaveBlock] = {};        ///< first that without texture
+    alignas(64) std::uint32_t inBlocks[kWaveBlock] = {}; ///< not 0: TextureStorage::Blocks
+    bool plain = true;                                   ///< none of them is
+    alignas(64)
+        std::uint32_t texel[4][kWaveBlock] = {};    ///< numbers of four: upper left, right, lower left, right
+    alignas(64) float fraction[2][kWaveBlock] = {}; ///< of the right ones, of the lower ones
+    alignas(64) float light[4][3][kWaveBlock] = {}; ///< of the four texels
+    alignas(64) float albedo[3][kWaveBlock] = {};   ///< first that without texture
 };
 
 } // namespace rtcore
@@ -57,7 +60,14 @@ HWY_INLINE void findTexelsOf(TextureBlock& block) {
             x = sharpened<Float>(x, nearest);
             y = sharpened<Float>(y, nearest);
         }
-        const Uint upper = y.first * width, lower = y.second * width;
+        Uint upper = y.first * width, lower = y.second * width;
+        if (!block.plain) {
+            const Mask inBlocks = load(block.inBlocks + i) != Uint(0U);
+            upper = select(inBlocks, rowInBlocks(y.first, width), upper);
+            lower = select(inBlocks, rowInBlocks(y.second, width), lower);
+            x.first = select(inBlocks, columnInBlocks(x.first), x.first);
+            x.second = select(inBlocks, columnInBlocks(x.second), x.second);
+        }
         store(upper + x.first, block.texel[0] + i);
         store(upper + x.second, block.texel[1] + i);
         store(lower + x.first, block.texel[2] + i);
@@ -96,13 +106,17 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
                      Colour* albedo) {
     const Mesh& mesh = scene.mesh();
     TextureBlock block;
-    const Rgba8* texels[kWaveBlock];
+    const void* texels[kWaveBlock]; // or blocks
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::uint32_t hit = points[i];
         const ShadingTriangle& shading = mesh.shading[hits.triangle[hit]];
         const Material& material = scene.material(shading.material);
         const Texture& texture = scene.model.textures[material.diffuseTexture];
-        texels[i] = scene.model.texels.data() + texture.firstTexel;
+        block.inBlocks[i] = texture.inBlocks() ? 1 : 0;
+        block.plain = block.plain && !texture.inBlocks();
+        texels[i] = texture.inBlocks()
+                        ? static_cast<const void*>(scene.model.blocks.data() + texture.firstTexel)
+                        : scene.model.texels.data() + texture.firstTexel;
         block.size[0][i] = texture.width;
         block.size[1][i] = texture.height;
         block.wrap[0][i] = static_cast<std::uint32_t>(texture.wrapU);
@@ -130,7 +144,10 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
     const float* const linear = linearOfCodes();
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t t = 0; t < 4; ++t) {
-            const Rgba8 texel = texels[i][block.texel[t][i]];
+            const std::uint32_t number = block.texel[t][i];
+            const Rgba8 texel = block.inBlocks[i] != 0
+                                    ? texelIn(static_cast<const TexelBlock*>(texels[i]), number)
+                                    : static_cast<const Rgba8*>(texels[i])[number];
             block.light[t][0][i] = linear[texel.r];
             block.light[t][1][i] = linear[texel.g];
             block.light[t][2][i] = linear[texel.b];

@@ -2,6 +2,7 @@
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/materials/image_storage.h"
 #include "rtcore/io/import/materials/relief.h"
 #include "rtcore/io/import/materials/texture_files.h"
 #include "rtcore/platform/error.h"
@@ -49,7 +50,7 @@ TextureStore::Picture& TextureStore::lookUp(const std::string& name, bool keep) 
     const bool complete = picture.summary && (!keep || picture.stored.width != 0);
     if (key.empty() || complete || !load(name, key, picture)) return picture;
     if (!picture.summary) picture.summary = summarise(last_.pixels);
-    if (keep) append(last_, picture);
+    if (keep) picture.stored = stored(last_);
     return picture;
 }
 
@@ -57,6 +58,8 @@ TextureStore::Picture& TextureStore::lookUp(const std::string& name, bool keep) 
 bool TextureStore::load(const std::string& name, const std::string& key, Picture& picture) {
     if (picture.unreadable) return false;
     if (lastKey_ == key) return true;
+    last_ = {}; // two large images at once would need twice the memory
+    lastKey_.clear();
     auto image = read(name, key);
     picture.unreadable = !image;
     if (!image) return false;
@@ -76,7 +79,7 @@ Relief TextureStore::relief(const SourceMap& map, float scale) {
         known.isNormals = holdsNormals(last_);
         if (!known.isNormals) {
             const NormalImage normals = normalsOfHeights(last_, {map.wrapU, map.wrapV, scale});
-            append(normals.image, known.picture);
+            known.picture.stored = stored(normals.image);
             known.scale = normals.scale;
         }
     }
@@ -99,10 +102,10 @@ std::optional<LdrImage> TextureStore::read(const std::string& name, const std::s
     return {};
 }
 
-void TextureStore::append(const LdrImage& image, Picture& picture) {
-    picture.stored = {model_.texels.size(), static_cast<std::uint32_t>(image.width),
-                      static_cast<std::uint32_t>(image.height)};
-    model_.texels.insert(model_.texels.end(), image.pixels.begin(), image.pixels.end());
+/// Making blocks of a large image takes as long as reading it.
+Texture TextureStore::stored(const LdrImage& image) {
+    alive_();
+    return storeImage(image, model_);
 }
 
 std::uint32_t TextureStore::used(Picture& picture, const SourceMap& map) {

@@ -53,7 +53,7 @@ class NoEmbeddedPictures : public EmbeddedPictures {
 class TextureStore {
   public:
     /// `model` gets textures and texels; `report` a warning for each image that is broken. `alive` is
-    /// called before each image is read.
+    /// called before each image is read, and before it is stored.
     TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
                  const EmbeddedPictures& embedded, std::function<void()> alive);
 
@@ -80,7 +80,7 @@ class TextureStore {
     bool load(const std::string& name, const std::string& key, Picture& picture);
     const std::string& keyOf(const std::string& name);
     std::optional<LdrImage> read(const std::string& name, const std::string& key);
-    void append(const LdrImage& image, Picture& picture);
+    Texture stored(const LdrImage& image);
     std::uint32_t used(Picture& picture, const SourceMap& map);
 
     ModelBuffers& model_;
