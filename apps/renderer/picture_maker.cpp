@@ -24,6 +24,7 @@
 #include "rtcore/render/shown_tracer.h"
 #include "rtcore/render/steady_image.h"
 #include "rtcore/render/visible_scene.h"
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>
@@ -32,7 +33,9 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace renderer {
 
@@ -360,6 +363,15 @@ void PictureMaker::tell(const std::vector<rtcore::ImageRemark>& remarks) {
     toldOfScene_ = true;
 }
 
+void PictureMaker::tellOfOpenParts() {
+    const std::vector<std::string> open = caps_.openParts(loaded_.scene);
+    if (open.empty() || std::exchange(toldOfOpenParts_, true)) return;
+    progress_.tell(rtcore::say(
+        "{0} parts that a section cuts are not closed, so that they have no caps and one looks into "
+        "them; the first is {1}",
+        open.size(), rtcore::inQuotes(open[0])));
+}
+
 float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcore::HdrImage& radiance) {
     const rtcore::RenderSettings& settings = shot.settings;
     const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
@@ -369,6 +381,7 @@ float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcor
     const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
     developer_.develop(radiance, settings, exposure, options_.threads, developed_);
     caps_.paint(loaded_.scene, shot.camera, developed_);
+    tellOfOpenParts();
     return exposure;
 }
 

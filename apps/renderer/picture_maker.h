@@ -101,6 +101,8 @@ class PictureMaker {
     /// The frame with its effects, which take long where a net is among them.
     const rtcore::HdrImage& finish(const rtcore::RenderSettings& settings, int index, int count);
     void tell(const std::vector<rtcore::ImageRemark>& remarks);
+    /// Once: of parts that have no caps.
+    void tellOfOpenParts();
     /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const Shot& shot, const rtcore::HdrImage& radiance);
     void write(const FrameTask& task, const rtcore::HdrImage& radiance,
@@ -116,13 +118,14 @@ class PictureMaker {
     std::vector<std::filesystem::path> list_;
     std::filesystem::path firstOfList_;
     SharedLight sharedLight_;
-    std::optional<float> white_;  ///< the light on what the frame shows, where its exposure is by that
-    std::optional<float> scale_;  ///< of recorded exposures, once it is known
-    bool toldOfScene_ = false;    ///< what there is to tell in detail
-    bool toldOfNet_ = false;      ///< that there is none
-    bool warned_ = false;         ///< that a .cam is of another scene
-    bool warnedOfUnused_ = false; ///< of settings
-    rtcore::KdTree tree_;         ///< of what is shown
+    std::optional<float> white_;   ///< the light on what the frame shows, where its exposure is by that
+    std::optional<float> scale_;   ///< of recorded exposures, once it is known
+    bool toldOfScene_ = false;     ///< what there is to tell in detail
+    bool toldOfNet_ = false;       ///< that there is none
+    bool warned_ = false;          ///< that a .cam is of another scene
+    bool warnedOfUnused_ = false;  ///< of settings
+    bool toldOfOpenParts_ = false; ///< that sections cut
+    rtcore::KdTree tree_;          ///< of what is shown
     std::shared_ptr<const rtcore::KdRayTracer> surfaces_;
     // Kept, so that their memory is reused.
     rtcore::ImageRenderers images_;

@@ -76,6 +76,15 @@ TEST_F(Cuts, PathsKnowWhetherLightFallsIn) {
     EXPECT_GT(middle(picture({"cut.scn", open, paths, "--section-light=cut"})).second, 50);
 }
 
+TEST_F(Cuts, PartsThatAreNotClosedAreNamed) {
+    test::writeText(folder / "boxes.obj", "o lid\nv -1 1 -1\nv 1 1 -1\nv 0 -1 1\nf 1 2 3\n");
+    const test::ProgramResult result = render({"whole.scn", "--section=0,0,0,0,1,0"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.error.find("not closed, so that they have no caps"), std::string::npos) << result.error;
+    EXPECT_NE(result.error.find("'lid'"), std::string::npos) << result.error;
+    EXPECT_EQ(render({"whole.scn", "--section=0,3,0,0,1,0"}).error.find("not closed"), std::string::npos);
+}
+
 // The cut at 0.75 goes through the red box alone, one at 0.25 through both.
 TEST_F(Cuts, SolidsAreClosed) {
     using Codes = std::pair<int, int>;

@@ -3356,6 +3356,10 @@
         <translation>{0} nebo {1}</translation>
     </message>
     <message>
+        <source>{0} parts that a section cuts are not closed, so that they have no caps and one looks into them; the first is {1}</source>
+        <translation>částí ({0}), které řez protíná, není uzavřených, takže nemají plochu řezu a je do nich vidět; první je {1}</translation>
+    </message>
+    <message>
         <source>{0} samples are brighter than {1} and count as that: the image has less light than the scene</source>
         <translation>některé vzorky ({0}) jsou jasnější než {1} a počítají se jako to: v obrazu je méně světla než ve scéně</translation>
     </message>
