@@ -123,7 +123,7 @@ LightKey keyOf(const Scene& scene, const RenderSettings& settings = {},
 TEST(LightKey, DiffersWithSectionsThatLetLightIn) {
     Scene scene = lively();
     const LightKey whole = keyOf(scene);
-    scene.sections = {{{{1, 0, 0}, {1, 0, 0}}}, SectionLight::Whole};
+    scene.sections = {{{{1, 0, 0}, {1, 0, 0}}}, SectionLight::Whole, {}};
     EXPECT_EQ(keyOf(scene), whole);
     scene.sections.light = SectionLight::Cut;
     const LightKey cut = keyOf(scene);
