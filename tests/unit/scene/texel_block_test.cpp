@@ -7,7 +7,9 @@
 #include "rtcore/scene/image_summary.h"
 
 #include <gtest/gtest.h>
+#ifdef _OPENMP
 #include <omp.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -146,6 +148,7 @@ LdrImage wavy(int width, int height) {
     return image;
 }
 
+#ifdef _OPENMP
 TEST(BlockEncoder, OfAnyNumberOfThreadsGivesTheSameBits) {
     const LdrImage image = wavy(203, 118);
     const int threads = omp_get_max_threads();
@@ -158,6 +161,7 @@ TEST(BlockEncoder, OfAnyNumberOfThreadsGivesTheSameBits) {
     EXPECT_EQ(one, many);
     EXPECT_GT(error, 0);
 }
+#endif
 
 TEST(BlockEncoder, StoresRowsOfBlocksBehindWhatIsThere) {
     const LdrImage image = wavy(10, 7);
