@@ -18,6 +18,7 @@
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/operations/save_operations.h"
+#include "gui/operations/section_operations.h"
 #include "gui/operations/share_operations.h"
 #include "gui/operations/surroundings_operations.h"
 #include "gui/operations/up_and_unit_operations.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new LightOperations(context, this);
     surroundings_ = new SurroundingsOperations(context, this);
     new ModelOperations(context, this);
+    new SectionOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
     save_ = new SaveOperations(context, this);
     connection_->askBeforeLeaving([this](const auto& go) { save_->beforeLeaving(go); });

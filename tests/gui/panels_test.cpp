@@ -165,10 +165,12 @@ TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
 // Whichever panel, beside others or as a tab before them, by its key or by its own button.
 TEST_F(PanelsTest, AClosedPanelGivesTheKeysBackToTheImage) {
     open();
-    const std::array keys{
-        std::pair{Qt::Key_F5, Qt::KeyboardModifiers()}, std::pair{Qt::Key_F6, Qt::KeyboardModifiers()},
-        std::pair{Qt::Key_F7, Qt::KeyboardModifiers()}, std::pair{Qt::Key_F8, Qt::KeyboardModifiers()},
-        std::pair{Qt::Key_J, Qt::KeyboardModifiers(Qt::ControlModifier)}};
+    const std::array keys{std::pair{Qt::Key_F5, Qt::KeyboardModifiers()},
+                          std::pair{Qt::Key_F6, Qt::KeyboardModifiers()},
+                          std::pair{Qt::Key_F7, Qt::KeyboardModifiers()},
+                          std::pair{Qt::Key_F8, Qt::KeyboardModifiers()},
+                          std::pair{Qt::Key_F8, Qt::KeyboardModifiers(Qt::ShiftModifier)},
+                          std::pair{Qt::Key_J, Qt::KeyboardModifiers(Qt::ControlModifier)}};
     const auto focusIsInImage = [&] { return QApplication::focusWidget() == &window->view(); };
     for (const bool others : {false, true}) {
         for (const auto& [key, modifiers] : keys) {
@@ -200,8 +202,9 @@ TEST_F(PanelsTest, OneKeyHidesAllPanelsAndBringsThemBack) {
         return names;
     };
     QTest::keyClick(&*window, Qt::Key_F4);
-    EXPECT_EQ(shown(), (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"),
-                                    QStringLiteral("model"), QStringLiteral("settings")}));
+    EXPECT_EQ(shown(),
+              (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"), QStringLiteral("model"),
+                           QStringLiteral("sections"), QStringLiteral("settings")}));
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(), QStringList());
     QTest::keyClick(&*window, Qt::Key_F6);

@@ -162,6 +162,19 @@ std::string mask(bool ofMaterial, int number) {
     return line(CommandId::Mask, ofMaterial ? "material" : "part", number);
 }
 
+std::string sectionHere(double right, double down) { return line(CommandId::SectionHere, right, down); }
+std::string sectionThrough(const std::string& axis) { return line(CommandId::SectionThrough, axis); }
+std::string sectionAt(int number, const Position& point) { return line(CommandId::SectionAt, number, point); }
+std::string sectionTurn(int number) { return line(CommandId::SectionTurn, number); }
+std::string sectionRemove(int number) { return line(CommandId::SectionRemove, number); }
+std::string sectionClear() { return line(CommandId::SectionClear); }
+std::string sectionLight(const std::string& name) { return line(CommandId::SectionLight, name); }
+std::string sectionCaps(const std::string& colours) { return line(CommandId::SectionCaps, colours); }
+std::string sectionColour(const std::array<float, 3>& linear) {
+    return line(CommandId::SectionColour, linear);
+}
+std::string sectionHatching(bool on) { return line(CommandId::SectionHatching, on ? "on" : "off"); }
+
 std::string camera(const View& view) {
     const CommandId id = view.orthographic ? CommandId::CameraOrthographic : CommandId::CameraSet;
     if (view.aspect > 0) return line(id, view.eye, view.forward, view.width, view.up, view.aspect);

@@ -107,6 +107,18 @@ std::string materialReset(const std::string& pattern);
 std::string seen(double right, double down);   ///< 0..1
 std::string mask(bool ofMaterial, int number); ///< of a part, else
 
+// Sections, counted from 1.
+std::string sectionHere(double right, double down);  ///< 0..1
+std::string sectionThrough(const std::string& axis); ///< "-z"
+std::string sectionAt(int number, const Position& point);
+std::string sectionTurn(int number);
+std::string sectionRemove(int number);
+std::string sectionClear();
+std::string sectionLight(const std::string& name);   ///< of rtcore::kSectionLights
+std::string sectionCaps(const std::string& colours); ///< of rtcore::kCapColours
+std::string sectionColour(const std::array<float, 3>& linear);
+std::string sectionHatching(bool on);
+
 /// All of the camera.
 std::string camera(const View& view);
 /// Where it is and looks to; what is up, as the scene has it. Without a field of view that stays as it is.

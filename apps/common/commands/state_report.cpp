@@ -90,6 +90,11 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
     writer.add("origin", state.origin);
+    if (!state.bounds.empty()) {
+        writer.add("boundsMin", state.bounds.lo);
+        writer.add("boundsMax", state.bounds.hi);
+    }
+    rtcore::writeSectionStyle(writer, state.sections);
     writeLights(writer, state, extent);
     write(writer, "environments", state.environments, extent);
     if (state.map) {
@@ -98,6 +103,7 @@ std::string format(const StateReport& state, const Extent& extent) {
         writer.add("strength", state.map->strength);
     }
     if (state.sky) rtcore::writeSky(writer, *state.sky);
+    for (const rtcore::SectionPlane& plane : state.sections.planes) rtcore::writeSectionPlane(writer, plane);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
     rtcore::writeSettingsSection(writer, "settings", state.settings);
@@ -146,6 +152,11 @@ void readLights(rtcore::StrictTable& root, StateReport& state) {
     }
 }
 
+rtcore::Box3 readBounds(rtcore::StrictTable& root) {
+    const auto lo = root.vector("boundsMin"), hi = root.vector("boundsMax");
+    return lo && hi ? rtcore::Box3{*lo, *hi} : rtcore::Box3();
+}
+
 ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
     const std::vector<int> pair = root.require(key, root.integers(key, 0, kMax));
     if (pair.size() != 2) root.fail(key, "it takes an edit's number and its person");
@@ -188,6 +199,8 @@ StateReport parseStateReport(std::string_view text) {
     state.environments = read(root, "environments");
     state.map = readMap(root);
     if (auto sky = root.table("sky")) state.sky = rtcore::readSky(*sky);
+    state.bounds = readBounds(root);
+    state.sections = rtcore::readSectionPlanes(root);
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));
     state.camera = rtcore::readCamera(camera, rtcore::Vec3{0, 1, 0}, false);
     state.settings = rtcore::readSettingsSection(root, "settings");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/io/text/scn.h"
+#include "rtcore/math/box.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/settings/settings_table.h"
 
@@ -55,6 +56,8 @@ struct StateReport {
     std::vector<NamedSwitch> environments; ///< at most one is on; the last one is the sky, if any
     std::optional<ReportedMap> map = {};   ///< nothing where none of a file is shown
     std::optional<rtcore::Sky> sky = {};
+    rtcore::Box3 bounds = {}; ///< of the model, all parts of it
+    rtcore::SectionPlanes sections = {};
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing

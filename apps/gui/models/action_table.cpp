@@ -125,6 +125,8 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::ModelPanel, MenuId::Window, TEXT("&Model panel"),
               TEXT("Parts and materials of the model; a right click on the image selects them"), "F8",
               Checkable},
+    ActionRow{ActionId::SectionsPanel, MenuId::Window, TEXT("Sect&ions panel"),
+              TEXT("Planes that cut the model open"), "Shift+F8", Checkable},
     ActionRow{ActionId::BookmarksPanel, MenuId::Window, TEXT("&Bookmarks panel"), TEXT("Views that you keep"),
               "F7", Checkable},
     ActionRow{ActionId::AllPanels, MenuId::Window, TEXT("All &panels"),

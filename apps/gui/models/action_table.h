@@ -67,6 +67,7 @@ enum class ActionId {
     SettingsPanel,
     LightsPanel,
     ModelPanel,
+    SectionsPanel,
     BookmarksPanel,
     AllPanels,
     ShowBar,

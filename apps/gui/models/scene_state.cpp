@@ -52,6 +52,8 @@ std::optional<StateAnswer> readState(const QString& answer) {
         result.state.environments = switchesOf(report.environments);
         if (report.map) result.state.map = ShownMap{report.map->rotation, report.map->strength};
         result.state.sky = report.sky;
+        result.state.bounds = report.bounds;
+        result.state.sections = report.sections;
         result.state.undo = QString::fromStdString(report.undo);
         result.state.redo = QString::fromStdString(report.redo);
         for (const std::string& name : report.bookmarks)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/io/text/scn.h"
+#include "rtcore/math/box.h"
 
 #include <QList>
 #include <QMap>
@@ -44,6 +45,8 @@ struct SceneState {
     QList<NamedSwitch> environments; ///< at most one is on; the last one is the sky, if any
     std::optional<ShownMap> map;     ///< nothing where none of a file is shown
     std::optional<rtcore::Sky> sky;
+    rtcore::Box3 bounds; ///< of the model; empty: it has none
+    rtcore::SectionPlanes sections;
     QString undo, redo;    ///< the steps that these would make (editLabel()); empty: none
     QStringList bookmarks; ///< names of the scene's own
     bool modified = false; ///< there is something to save, other than the camera

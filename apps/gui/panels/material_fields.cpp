@@ -1,44 +1,23 @@
 #include "gui/panels/material_fields.h"
 
-#include "gui/models/plain_text.h"
+#include "gui/panels/colour_button.h"
 #include "gui/panels/value_box.h"
 
-#include "rtcore/math/colour.h"
 #include "rtcore/scene/material.h"
 
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QFormLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
-
-#include <algorithm>
 
 namespace gui {
 
 namespace {
 
-QColor colourOf(const std::array<float, 3>& linear) {
-    const auto code = [](float value) { return rtcore::srgbEncode(std::clamp(value, 0.0F, 1.0F)); };
-    return QColor::fromRgbF(code(linear[0]), code(linear[1]), code(linear[2]));
-}
-
-std::array<float, 3> linearOf(const QColor& colour) {
-    const auto light = [](double code) { return rtcore::srgbDecode(static_cast<float>(code)); };
-    return {light(colour.redF()), light(colour.greenF()), light(colour.blueF())};
-}
-
 /// Without the digits that a float does not have.
 double rounded(float value) {
     constexpr int kDigits = 6;
     return QString::number(static_cast<double>(value), 'g', kDigits).toDouble();
-}
-
-void paint(QPushButton& button, const std::array<float, 3>& linear) {
-    QPixmap swatch(48, 16);
-    swatch.fill(colourOf(linear));
-    button.setIcon(QIcon(swatch));
-    button.setText(colourOf(linear).name());
 }
 
 } // namespace
@@ -48,14 +27,14 @@ MaterialFields::MaterialFields(QWidget* parent)
       reset_(new QPushButton(tr("As in the file"))) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
-    colour_ = addColour(QStringLiteral("diffuse"), tr("Colour"), &MaterialState::diffuse);
+    colour_ = addColour(QStringLiteral("diffuse"), tr("Colour"));
     addNumber(QStringLiteral("roughness"), tr("Roughness"), &MaterialState::roughness, 0, 1);
     addNumber(QStringLiteral("metallic"), tr("Metal"), &MaterialState::metallic, 0, 1);
     addNumber(QStringLiteral("coat"), tr("Varnish"), &MaterialState::coat, 0, 1);
     addNumber(QStringLiteral("coatRoughness"), tr("Its roughness"), &MaterialState::coatRoughness, 0, 1);
     addNumber(QStringLiteral("reflectivity"), tr("Mirror"), &MaterialState::reflectivity, 0, 1);
     addNumber(QStringLiteral("opacity"), tr("Opacity"), &MaterialState::opacity, 0, 1);
-    tint_ = addColour(QStringLiteral("transmission"), tr("Glass colour"), &MaterialState::transmission);
+    tint_ = addColour(QStringLiteral("transmission"), tr("Glass colour"));
     addNumber(QStringLiteral("indexOfRefraction"), tr("Refraction"), &MaterialState::indexOfRefraction, 1, 5);
     addNumber(QStringLiteral("priority"), tr("Priority"), &MaterialState::priority, 0,
               static_cast<double>(rtcore::kMaxPriority));
@@ -83,21 +62,11 @@ void MaterialFields::addNumber(const QString& key, const QString& text, float Ma
     numbers_.append({key, box, value});
 }
 
-QPushButton* MaterialFields::addColour(const QString& key, const QString& text,
-                                       std::array<float, 3> MaterialState::*value) {
-    auto* button = new QPushButton;
-    button->setAccessibleName(text);
+ColourButton* MaterialFields::addColour(const QString& key, const QString& text) {
+    auto* button = new ColourButton(text);
     qobject_cast<QFormLayout*>(layout())->addRow(text, button);
-    connect(button, &QPushButton::clicked, this, [this, key, text, value] {
-        auto* dialog = new QColorDialog(colourOf(state_.*value), window());
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setWindowTitle(plainTitle(text));
-        connect(dialog, &QColorDialog::currentColorChanged, this,
-                [this, key](const QColor& colour) { emit colourEdited(key, linearOf(colour)); });
-        const std::array<float, 3> before = state_.*value;
-        connect(dialog, &QDialog::rejected, this, [this, key, before] { emit colourEdited(key, before); });
-        dialog->open();
-    });
+    connect(button, &ColourButton::edited, this,
+            [this, key](const std::array<float, 3>& linear) { emit colourEdited(key, linear); });
     return button;
 }
 
@@ -115,8 +84,8 @@ void MaterialFields::show(const std::optional<MaterialState>& material) {
         const QSignalBlocker quiet(each.box);
         each.box->setValue(rounded(state_.*each.value));
     }
-    paint(*colour_, state_.diffuse);
-    paint(*tint_, state_.transmission);
+    colour_->show(state_.diffuse);
+    tint_->show(state_.transmission);
     textures_->setEnabled(state_.textures.has_value());
     textures_->setChecked(state_.textures.value_or(false));
     flip_->setEnabled(state_.textures.value_or(false));

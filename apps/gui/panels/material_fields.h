@@ -11,6 +11,7 @@ class QPushButton;
 
 namespace gui {
 
+class ColourButton;
 class ValueBox;
 
 class MaterialFields : public QWidget {
@@ -41,11 +42,10 @@ class MaterialFields : public QWidget {
     };
     void addNumber(const QString& key, const QString& text, float MaterialState::*value, double minimum,
                    double maximum);
-    QPushButton* addColour(const QString& key, const QString& text,
-                           std::array<float, 3> MaterialState::*value);
+    ColourButton* addColour(const QString& key, const QString& text);
 
     QList<Number> numbers_;
-    QPushButton *colour_, *tint_;
+    ColourButton *colour_, *tint_;
     QCheckBox *textures_, *flip_;
     QPushButton* reset_;
     MaterialState state_;

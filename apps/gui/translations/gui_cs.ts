@@ -1079,6 +1079,14 @@
         <source>indirect light ±%1 %</source>
         <translation>nepřímé světlo ±%1 %</translation>
     </message>
+    <message>
+        <source>Sect&amp;ions panel</source>
+        <translation>Panel ř&amp;ezů</translation>
+    </message>
+    <message>
+        <source>Planes that cut the model open</source>
+        <translation>Roviny, které model rozříznou</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -3129,6 +3137,176 @@ Alt+%2</translation>
     <message>
         <source>&apos;, a link to &apos;</source>
         <translation>&apos;, odkaz na &apos;</translation>
+    </message>
+</context>
+<context>
+    <name>gui::SectionOperations</name>
+    <message>
+        <source>Sections</source>
+        <translation>Řezy</translation>
+    </message>
+</context>
+<context>
+    <name>gui::SectionsPanel</name>
+    <message>
+        <source>above %1</source>
+        <translation>nad %1</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>pod %1</translation>
+    </message>
+    <message>
+        <source>in front of %1</source>
+        <translation>před %1</translation>
+    </message>
+    <message>
+        <source>behind %1</source>
+        <translation>za %1</translation>
+    </message>
+    <message>
+        <source>right of %1</source>
+        <translation>vpravo od %1</translation>
+    </message>
+    <message>
+        <source>left of %1</source>
+        <translation>vlevo od %1</translation>
+    </message>
+    <message>
+        <source>beyond %1</source>
+        <translation>dále než %1</translation>
+    </message>
+    <message>
+        <source>Cut the model open</source>
+        <translation>Rozříznout model</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Řezy</translation>
+    </message>
+    <message>
+        <source>Light and caps</source>
+        <translation>Světlo a plochy řezu</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Shora</translation>
+    </message>
+    <message>
+        <source>Take the upper half of the model away</source>
+        <translation>Odebrat horní polovinu modelu</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Zepředu</translation>
+    </message>
+    <message>
+        <source>Take the front half of the model away</source>
+        <translation>Odebrat přední polovinu modelu</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Zprava</translation>
+    </message>
+    <message>
+        <source>Take the right half of the model away</source>
+        <translation>Odebrat pravou polovinu modelu</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Zde</translation>
+    </message>
+    <message>
+        <source>Cut along the face in the middle of the image: what lies before it is taken away</source>
+        <translation>Řez podél plochy uprostřed obrazu: co leží před ní, se odebere</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Obrátit</translation>
+    </message>
+    <message>
+        <source>Take the other side away</source>
+        <translation>Odebrat druhou stranu</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+    <message>
+        <source>Remove the selected section</source>
+        <translation>Odebrat vybraný řez</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Odebrat vše</translation>
+    </message>
+    <message>
+        <source>The model is whole again</source>
+        <translation>Model bude opět celý</translation>
+    </message>
+    <message>
+        <source>Section through the model</source>
+        <translation>Řez modelem</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Poloha řezu</translation>
+    </message>
+    <message>
+        <source>In the coordinates of the model&apos;s file</source>
+        <translation>V souřadnicích souboru modelu</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Světlo</translation>
+    </message>
+    <message>
+        <source>Rooms keep their light</source>
+        <translation>Místnosti si ponechají světlo</translation>
+    </message>
+    <message>
+        <source>Light falls in</source>
+        <translation>Světlo dopadá dovnitř</translation>
+    </message>
+    <message>
+        <source>Whether light, too, passes where the model is taken away</source>
+        <translation>Zda i světlo prochází tam, kde je model odebrán</translation>
+    </message>
+    <message>
+        <source>Caps</source>
+        <translation>Plochy řezu</translation>
+    </message>
+    <message>
+        <source>Colours of materials</source>
+        <translation>Barvy materiálů</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Jedna barva</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Žádné</translation>
+    </message>
+    <message>
+        <source>Areas that close the solids that are cut</source>
+        <translation>Plochy, které uzavírají rozříznutá tělesa</translation>
+    </message>
+    <message>
+        <source>Colour of caps</source>
+        <translation>Barva ploch řezu</translation>
+    </message>
+    <message>
+        <source>Hatching</source>
+        <translation>Šrafování</translation>
+    </message>
+    <message>
+        <source>Lines across caps</source>
+        <translation>Čáry přes plochy řezu</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Barva</translation>
     </message>
 </context>
 <context>

@@ -6,8 +6,10 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/platform/sentence.h"
+#include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/settings_table.h"
+#include "rtcore/survey/subject.h"
 
 #include <fmt/format.h>
 
@@ -73,6 +75,14 @@ Result sectionHere(const Call& call) {
     return {};
 }
 
+Result sectionThrough(const Call& call) {
+    const rtcore::Scene& scene = *call.document().scene();
+    const bool below = call[0].starts_with('-');
+    const Vec3 normal = rtcore::axisNamed(below ? call[0] : '+' + call[0]).value();
+    add(call, {subjectOf(scene.model.mesh, rtcore::axesOf(scene)).bounds.centre(), normal});
+    return {};
+}
+
 Result sectionBox(const Call& call) {
     const Vec3 a = positionAt(call, 0), b = positionAt(call, 3);
     Vec3 lo, hi;
@@ -100,6 +110,14 @@ std::pair<SectionPlanes, std::size_t> chosen(const Call& call) {
 Result sectionMove(const Call& call) {
     auto [all, i] = chosen(call);
     all.planes[i].point = all.planes[i].point + normalize(all.planes[i].normal) * number(call[1]);
+    refuseUseless(all.planes[i]);
+    cutOpen(call.document(), std::move(all));
+    return {};
+}
+
+Result sectionAt(const Call& call) {
+    auto [all, i] = chosen(call);
+    all.planes[i].point = positionAt(call, 1);
     refuseUseless(all.planes[i]);
     cutOpen(call.document(), std::move(all));
     return {};
@@ -158,8 +176,10 @@ constexpr std::array kSectionFunctions{
     CommandFunction{app::CommandId::Sections, sections},
     CommandFunction{app::CommandId::SectionAdd, sectionAdd},
     CommandFunction{app::CommandId::SectionHere, sectionHere},
+    CommandFunction{app::CommandId::SectionThrough, sectionThrough},
     CommandFunction{app::CommandId::SectionBox, sectionBox},
     CommandFunction{app::CommandId::SectionMove, sectionMove},
+    CommandFunction{app::CommandId::SectionAt, sectionAt},
     CommandFunction{app::CommandId::SectionTurn, sectionTurn},
     CommandFunction{app::CommandId::SectionRemove, sectionRemove},
     CommandFunction{app::CommandId::SectionClear, sectionClear},

@@ -76,6 +76,8 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
                             .environments = environmentsOf(document),
                             .map = mapOf(document),
                             .sky = document.scene()->sky,
+                            .bounds = document.world().loaded.tree.bounds,
+                            .sections = document.scene()->sections,
                             .camera = document.camera(),
                             .settings = rtcore::settingAssignments(document.settings(), true)};
     if (const auto sun = rtcore::sunOf(*document.scene()))

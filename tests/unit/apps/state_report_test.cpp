@@ -51,6 +51,17 @@ TEST(StateReport, HasTheSkyAndTheMap) {
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
 }
 
+TEST(StateReport, HasTheSectionsAndTheBounds) {
+    app::StateReport state = sampleReport();
+    state.origin.at = {500'000, 0, -3};
+    state.bounds = {{-1, 0.1F, -3}, {1, 2, 1.0F / 3}};
+    state.sections.planes = {{{0, 1.2F, 0}, {0, 1, 0}}, {{1.0F / 3, 0, 0}, {-1, 2, 0}}};
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+    state.sections.light = rtcore::SectionLight::Cut;
+    state.sections.caps = {rtcore::CapColours::One, {1, 0.5F, 0}, true};
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+}
+
 app::ReportedLight describedLight(int id) {
     app::ReportedLight light{id, true, "spot", rtcore::LightDescription()};
     light.description->name = light.name;

@@ -55,6 +55,23 @@ TEST_F(SectionCommands, AreToldAndEdited) {
     EXPECT_FALSE(sections().caps.hatched);
 }
 
+TEST_F(SectionCommands, GoThroughTheMiddleAndThroughAPoint) {
+    answer("section through y");
+    answer("section through -x");
+    ASSERT_EQ(sections().planes.size(), 2U);
+    EXPECT_EQ(sections().planes[0].normal, (Vec3{0, 1, 0}));
+    EXPECT_FLOAT_EQ(sections().planes[0].point.y, 0.5F);
+    EXPECT_EQ(sections().planes[1].normal, (Vec3{-1, 0, 0}));
+    EXPECT_FLOAT_EQ(sections().planes[1].point.x, 0);
+    EXPECT_EQ(document.history().last()->label, "section through");
+    answer("section at 2 0.25 0 0");
+    answer("also section at 2 0.5 0 0");
+    EXPECT_EQ(sections().planes[1], (rtcore::SectionPlane{{0.5F, 0, 0}, {-1, 0, 0}}));
+    EXPECT_EQ(document.history().last()->label, "section at 2");
+    answer("undo");
+    EXPECT_FLOAT_EQ(sections().planes[1].point.x, 0) << "one step";
+}
+
 TEST_F(SectionCommands, ThatCannotBeAreRefused) {
     EXPECT_EQ(refusal("section add 0 0 0 0 0 0").code, 2);
     EXPECT_EQ(refusal("section add 0 0 0 0 1").code, 2);
@@ -67,6 +84,8 @@ TEST_F(SectionCommands, ThatCannotBeAreRefused) {
     EXPECT_EQ(refusal("section colour 1 2 0").code, 2);
     answer("section box 0 0 0 1 1 1");
     EXPECT_EQ(refusal("section move 1 1e20").code, 2);
+    EXPECT_EQ(refusal("section at 1 1e20 0 0").code, 2);
+    EXPECT_EQ(refusal("section through y").code, refusal("section add 0 0 0 0 1 0").code);
     EXPECT_NE(refusal("section add 0 0 0 0 1 0").code, 0);
     EXPECT_EQ(sections().planes.size(), 6U);
 }
