@@ -170,7 +170,7 @@ TEST_F(SectionsOfAServer, AreMadeMovedAndTakenBack) {
 
 TEST_F(SectionsOfAServer, ThatAreRefusedAreTold) {
     ASSERT_NO_FATAL_FAILURE(open());
-    ASSERT_TRUE(ask(window->session(), "camera set 0 50 0 0 1 -1").done); // nothing is there
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 0 50 0 0 1 -1")).done); // nothing is there
     panel().here().click();
     EXPECT_TRUE(
         comes([&] { return window->notice().text().contains(QStringLiteral("nothing of the model")); }));
