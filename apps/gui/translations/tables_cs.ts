@@ -1241,6 +1241,14 @@
         <translation>whole: rozříznuté místnosti si ponechají světlo, jako by se nic neřízlo; cut: světlo dopadá dovnitř [whole]</translation>
     </message>
     <message>
+        <source>Section caps</source>
+        <translation>Plochy řezu</translation>
+    </message>
+    <message>
+        <source>close solids that are cut: own: in the colours of their materials; one: all in the scene's sectionColour; none: one looks into them [own]</source>
+        <translation>uzavře proříznutá tělesa: own: v barvách jejich materiálů; one: všechna v barvě sectionColour scény; none: je vidět do nich [own]</translation>
+    </message>
+    <message>
         <source>Lights</source>
         <translation>Světla</translation>
     </message>
