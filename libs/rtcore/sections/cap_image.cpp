@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace rtcore {
 
@@ -15,11 +14,11 @@ namespace {
 
 using Codes = std::array<float, 3>;
 
-/// Points of one plane in pixels of an image.
+/// Points of one plane in pixels of an image from its row `top` on.
 class FlatView {
   public:
-    FlatView(const CutPlane& plane, const CameraRays& rays)
-        : plane_(plane), eye_(exact(rays.eye())), right_(exact(rays.plane().right)),
+    FlatView(const CutPlane& plane, const CameraRays& rays, int top)
+        : plane_(plane), top_(top), eye_(exact(rays.eye())), right_(exact(rays.plane().right)),
           down_(exact(rays.plane().down)), corner_(exact(rays.plane().corner)), parallel_(rays.parallel()),
           facing_(parallel_ ? dot(plane.normal, exact(rays.forward())) < 0 : plane.above(eye_) > 0),
           axis_(exact(rays.forward())) {
@@ -51,10 +50,11 @@ class FlatView {
     /// `p` from the eye.
     FlatPoint pixel(Vec3d p) const {
         const Vec3d seen = (parallel_ ? p : p * (1 / dot(axis_, p))) - corner_;
-        return {dot(seen, right_) / dot(right_, right_), dot(seen, down_) / dot(down_, down_)};
+        return {dot(seen, right_) / dot(right_, right_), dot(seen, down_) / dot(down_, down_) - top_};
     }
 
     CutPlane plane_;
+    double top_;
     Vec3d eye_, right_, down_, corner_;
     bool parallel_, facing_;
     Vec3d axis_;
@@ -93,32 +93,57 @@ void addLine(const FlatPoint& a, const FlatPoint& b, double width, Coverage& cov
     coverage.add(around);
 }
 
+/// Of a shape, and of its edges.
+struct CapCodes {
+    Codes area, edge;
+
+    explicit CapCodes(Colour linear) : area(codesOf(linear)) {
+        constexpr float kDark = 0.2F;
+        for (std::size_t c = 0; c < area.size(); ++c) edge[c] = area[c] * kDark;
+    }
+};
+
+/// The rows of an image from `top` on that `coverage` has.
+struct CapBand {
+    LdrImage& image;
+    int top;
+    Coverage& coverage;
+
+    void paint(const CapShape& shape, const FlatView& view, const CapCodes& codes, bool hatched) const {
+        constexpr double kEdge = 1.5; // pixels
+        for (const FlatLoop& loop : shape.loops) coverage.add(view.pixels(loop));
+        coverage.take([&](int x, int y, float part) {
+            Rgba8& pixel = image.at(x, top + y);
+            blend(pixel, codes.area, part);
+            if (hatched) blend(pixel, codes.edge, part * hatchAt(x, top + y));
+        });
+        for (const FlatLine& edge : shape.edges) {
+            const FlatLoop seen = view.pixels({edge.a, edge.b});
+            if (seen.size() > 1) addLine(seen[0], seen[1], kEdge, coverage);
+        }
+        coverage.take([&](int x, int y, float part) { blend(image.at(x, top + y), codes.edge, part); });
+    }
+};
+
 } // namespace
 
 void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const Material> materials,
                const Camera& camera, LdrImage& image) {
     if (caps.empty() || style.colours == CapColours::None || image.pixels.empty()) return;
-    constexpr double kEdge = 1.5; // pixels
-    constexpr float kDark = 0.2F; // of the shape's colour
+    constexpr int kPixelsAtOnce = 1 << 24; // of 4 bytes
+    const int rows = std::max(kPixelsAtOnce / image.width, 1);
     const CameraRays rays(camera, image.width, image.height);
-    Coverage coverage(image.width, image.height);
-    for (const PlaneCaps& cut : caps.planes) {
-        const FlatView view(cut.plane, rays);
-        if (!view.facing()) continue;
-        for (const CapShape& shape : cut.shapes) {
-            const Codes codes =
-                codesOf(style.colours == CapColours::One ? style.colour : materials[shape.material].diffuse);
-            const Codes dark{codes[0] * kDark, codes[1] * kDark, codes[2] * kDark};
-            for (const FlatLoop& loop : shape.loops) coverage.add(view.pixels(loop));
-            coverage.take([&](int x, int y, float part) {
-                blend(image.at(x, y), codes, part);
-                if (style.hatched) blend(image.at(x, y), dark, part * hatchAt(x, y));
-            });
-            for (const FlatLine& edge : shape.edges) {
-                const FlatLoop seen = view.pixels({edge.a, edge.b});
-                if (seen.size() > 1) addLine(seen[0], seen[1], kEdge, coverage);
+    for (int top = 0; top < image.height; top += rows) {
+        Coverage coverage(image.width, std::min(rows, image.height - top));
+        const CapBand band{image, top, coverage};
+        for (const PlaneCaps& cut : caps.planes) {
+            const FlatView view(cut.plane, rays, top);
+            if (!view.facing()) continue;
+            for (const CapShape& shape : cut.shapes) {
+                const bool own = style.colours == CapColours::Own;
+                band.paint(shape, view, CapCodes(own ? materials[shape.material].diffuse : style.colour),
+                           style.hatched);
             }
-            coverage.take([&](int x, int y, float part) { blend(image.at(x, y), dark, part); });
         }
     }
 }

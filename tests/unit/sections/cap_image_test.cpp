@@ -147,6 +147,19 @@ TEST(CapImage, OfAFloorReachesBehindTheCamera) {
     compareWithRays(scene, camera, [](Vec3 p) { return std::fabs(p.x) < 100 && std::fabs(p.y) < 100; });
 }
 
+// Of more pixels than are painted at once.
+TEST(CapImage, OfALargeImageIsWhole) {
+    constexpr int kLarge = 4200;
+    const Scene scene = nested();
+    LdrImage image(kLarge, kLarge, kBefore);
+    CapPainter().paint(scene, cameraAt({0, 0, 1.6F}, {0, 0, 0}), image);
+    const int joint = (1 << 24) / kLarge, middle = kLarge / 2;
+    for (int y = 10; y < kLarge - 10; ++y) ASSERT_NE(image.at(middle, y), kBefore) << y;
+    EXPECT_EQ(image.at(middle, joint - 1), image.at(middle, joint));
+    EXPECT_EQ(image.at(middle, joint), (Rgba8{255, 0, 0, 255}));
+    EXPECT_EQ(image.at(middle, joint + 1), (Rgba8{255, 0, 0, 255}));
+}
+
 TEST(CapPainter, SeesWhatChanges) {
     CapPainter painter;
     Scene scene = nested();
