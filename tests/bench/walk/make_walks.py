@@ -122,8 +122,9 @@ def write_night(folder, name):
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        print(__doc__)
+        sys.exit(0 if sys.argv[1:2] in (["-h"], ["--help"]) else 2)
     folder = pathlib.Path(sys.argv[1])
     for name in sys.argv[2:] or WALKS:
         cameras = folder / f"{name}.cams"
