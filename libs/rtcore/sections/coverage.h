@@ -11,7 +11,8 @@ namespace rtcore {
 
 /// Sums the signed areas between lines and the left edge of the image, pixel by pixel: exact for any
 /// polygons, and in time of their lines' lengths. Anticlockwise ones count once, clockwise ones -1 times, in
-/// pixels whose y grows downwards. (R. Levien 2016, "Inside the fastest font renderer in the world")
+/// pixels whose y grows downwards. One thread. (R. Levien 2016, "Inside the fastest font renderer in the
+/// world")
 class Coverage {
   public:
     Coverage(int width, int height);
