@@ -45,6 +45,10 @@ PictureErrors errorsOfPair(const PicturePair& pair) {
         errors.blocks = pair.light->blocks;
         errors.bias = pair.light->bias;
     }
+    if (pair.uncovered) {
+        errors.uncoveredBlocks = pair.uncovered->blocks;
+        errors.uncoveredBias = pair.uncovered->bias;
+    }
     return errors;
 }
 
@@ -113,6 +117,8 @@ class Comparison {
                 1000 * (static_cast<double>(camera + 1) / options_.framesPerSecond - picture.seconds);
         moment.scale = static_cast<double>(picture.image.width) / options_.width;
         moment.errors = errorsOfPair(truth_.pairOf(picture, camera));
+        if (index > 0 && !picture.light.empty() && !published_[index - 1].light.empty())
+            moment.errors.change = changeOfLight(published_[index - 1].light, picture.light);
         return moment;
     }
 

@@ -16,12 +16,29 @@ using Channels = std::array<double, 3>;
 
 Channels channels(rtcore::Colour c) { return {c.r, c.g, c.b}; }
 
-double meanOf(const rtcore::HdrImage& image) {
-    double sum = 0;
-    for (const rtcore::Colour& pixel : image.pixels) {
-        for (const double channel : channels(pixel)) sum += channel;
+double meanOf(const rtcore::HdrImage& image, const std::vector<bool>& pixels) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        if (!pixels[i]) continue;
+        for (const double channel : channels(image.pixels[i])) sum += channel;
+        ++count;
     }
-    return sum / (3 * static_cast<double>(image.pixels.size()));
+    return count > 0 ? sum / (3 * count) : 0;
+}
+
+std::vector<bool> allOf(const rtcore::HdrImage& image) {
+    return std::vector<bool>(image.pixels.size(), true);
+}
+
+bool areAll(const std::vector<bool>& pixels, int width, int x, int y, int side) {
+    for (int v = y; v < y + side; ++v) {
+        for (int u = x; u < x + side; ++u) {
+            if (!pixels[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(u)])
+                return false;
+        }
+    }
+    return true;
 }
 
 /// The product of what x differs from a and from b, over the square of r: mean of the channels.
@@ -55,8 +72,8 @@ double lightOf(const rtcore::HdrImage& image, int x, int y, int side) {
     return sum;
 }
 
-double errorOfBlocks(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
-                     const rtcore::HdrImage& other) {
+double errorOfBlocks(const std::vector<bool>& pixels, const rtcore::HdrImage& image,
+                     const rtcore::HdrImage& one, const rtcore::HdrImage& other) {
     constexpr int kSide = 8;
     const auto wanted = [&](int x, int y, int side) {
         return (lightOf(one, x, y, side) + lightOf(other, x, y, side)) / 2;
@@ -64,7 +81,8 @@ double errorOfBlocks(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
     double mean = 0, count = 0;
     const auto forEachBlock = [&](const auto& use) {
         for (int y = 0; y + kSide <= image.height; y += kSide)
-            for (int x = 0; x + kSide <= image.width; x += kSide) use(x, y);
+            for (int x = 0; x + kSide <= image.width; x += kSide)
+                if (areAll(pixels, image.width, x, y, kSide)) use(x, y);
     };
     forEachBlock([&](int x, int y) {
         mean += wanted(x, y, kSide);
@@ -84,15 +102,34 @@ double errorOfBlocks(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
 
 LightErrors lightErrors(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
                         const rtcore::HdrImage& other) {
-    const double mean = (meanOf(one) + meanOf(other)) / 2, floor = 0.01 * mean * mean;
+    const std::vector<bool> all = allOf(image);
+    const double mean = (meanOf(one, all) + meanOf(other, all)) / 2, floor = 0.01 * mean * mean;
     std::vector<double> errors, noise;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const Channels a = channels(one.pixels[i]), b = channels(other.pixels[i]);
         errors.push_back(relativeError(channels(image.pixels[i]), a, b, floor));
         noise.push_back(-relativeError(channels(0.5F * (one.pixels[i] + other.pixels[i])), a, b, floor));
     }
-    return {meanWithoutWorst(errors, noise), errorOfBlocks(image, one, other),
-            mean > 0 ? meanOf(image) / mean - 1 : 0};
+    LightErrors result = lightErrorsOf(all, image, one, other);
+    result.relMse = meanWithoutWorst(errors, noise);
+    return result;
+}
+
+LightErrors lightErrorsOf(const std::vector<bool>& pixels, const rtcore::HdrImage& image,
+                          const rtcore::HdrImage& one, const rtcore::HdrImage& other) {
+    const double mean = (meanOf(one, pixels) + meanOf(other, pixels)) / 2;
+    return {.blocks = errorOfBlocks(pixels, image, one, other),
+            .bias = mean > 0 ? meanOf(image, pixels) / mean - 1 : 0};
+}
+
+double changeOfLight(const rtcore::HdrImage& before, const rtcore::HdrImage& now) {
+    double difference = 0, sum = 0;
+    for (std::size_t i = 0; i < now.pixels.size(); ++i) {
+        const double was = rtcore::luminance(before.pixels[i]);
+        difference += std::fabs(rtcore::luminance(now.pixels[i]) - was);
+        sum += was;
+    }
+    return sum > 0 ? difference / sum : 0;
 }
 
 } // namespace bench

@@ -3,6 +3,8 @@
 
 #include "rtcore/scene/image.h"
 
+#include <vector>
+
 namespace bench {
 
 struct LightErrors {
@@ -20,5 +22,14 @@ struct LightErrors {
 /// All have one size. Rendered from one camera by samples of their own, `one` and `other` are independent.
 LightErrors lightErrors(const rtcore::HdrImage& image, const rtcore::HdrImage& one,
                         const rtcore::HdrImage& other);
+
+/// `bias` and `blocks` of those pixels alone, and of those squares of which all pixels are among them; relMse
+/// is 0. `pixels` has one entry for each.
+LightErrors lightErrorsOf(const std::vector<bool>& pixels, const rtcore::HdrImage& image,
+                          const rtcore::HdrImage& one, const rtcore::HdrImage& other);
+
+/// How much luminance changes from one image to the next, which has its size: mean over pixels of the
+/// absolute difference, in parts of the mean of `before`.
+double changeOfLight(const rtcore::HdrImage& before, const rtcore::HdrImage& now);
 
 } // namespace bench

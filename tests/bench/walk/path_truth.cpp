@@ -1,5 +1,7 @@
 #include "bench/walk/path_truth.h"
 
+#include "bench/walk/uncovered.h"
+
 #include <fmt/format.h>
 
 #include <optional>
@@ -46,7 +48,12 @@ PicturePair PathTruth::pairOf(const Published& picture, std::size_t camera) {
             .wanted = develop(mean.radiance, settings_, exposure),
             .pixelsPerDegree = test::Flip::kPixelsPerDegree * static_cast<float>(options_.truthWidth) /
                                static_cast<float>(options_.width),
-            .light = lightErrors(picture.light, truth.one, truth.other)};
+            .light = lightErrors(picture.light, truth.one, truth.other),
+            .uncovered = camera > 0
+                             ? lightErrorsOf(uncoveredByTurn(cameras_[camera - 1], cameras_[camera],
+                                                             picture.light.width, picture.light.height),
+                                             picture.light, truth.one, truth.other)
+                             : std::optional<LightErrors>()};
 }
 
 /// Bloom, which the walk's light has as well; it is linear, so references stay independent and unbiased.

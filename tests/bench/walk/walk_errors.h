@@ -13,6 +13,9 @@ struct PictureErrors {
     double relMse = 0;
     double blocks = 0; ///< LightErrors::blocks, beside paths
     double bias = 0;   ///< the same: mean of x - r in parts of the mean of r
+    /// Both of what a turn from the camera before brought into view (uncoveredByTurn()); 0 if nothing.
+    double uncoveredBlocks = 0, uncoveredBias = 0;
+    double change = 0; ///< changeOfLight() from the picture before, beside paths; 0 of the first one
 };
 
 /// A frame smaller than the window, as the window draws it: interpolated linearly.

@@ -34,12 +34,14 @@ std::string lineOf(const char* name, const char* form, const std::vector<Moment>
 } // namespace
 
 std::string tableOf(const std::vector<Moment>& moments) {
-    std::string text = fmt::format("{:>6}{:>10}{:>10}{:>10}{:>16}{:>10}\n", "camera", "relMSE", "blocks",
-                                   "mean FLIP", "mean error, %", "PSNR, dB");
+    std::string text =
+        fmt::format("{:>6}{:>10}{:>10}{:>10}{:>16}{:>10}{:>11}{:>22}{:>10}\n", "camera", "relMSE", "blocks",
+                    "mean FLIP", "mean error, %", "PSNR, dB", "change, %", "uncovered: error, %", "blocks");
     for (const Moment& m : moments) {
-        text +=
-            fmt::format("{:>6}{:>10.4f}{:>10.4f}{:>10.4f}{:>+16.2f}{:>10.2f}\n", m.camera, m.errors.relMse,
-                        m.errors.blocks, m.errors.flip, 100 * m.errors.bias, m.errors.psnr);
+        text += fmt::format(
+            "{:>6}{:>10.4f}{:>10.4f}{:>10.4f}{:>+16.2f}{:>10.2f}{:>11.3f}{:>+22.2f}{:>10.4f}\n", m.camera,
+            m.errors.relMse, m.errors.blocks, m.errors.flip, 100 * m.errors.bias, m.errors.psnr,
+            100 * m.errors.change, 100 * m.errors.uncoveredBias, m.errors.uncoveredBlocks);
     }
     return text;
 }
@@ -67,11 +69,14 @@ std::string summaryOf(const std::vector<Moment>& moments) {
 }
 
 void writeCsv(const std::filesystem::path& path, const std::vector<Moment>& moments) {
-    std::string text = "camera,milliseconds,drawn,age,scale,flip,psnr,relmse,bias,blocks\n";
+    std::string text = "camera,milliseconds,drawn,age,scale,flip,psnr,relmse,bias,blocks,change,"
+                       "uncoveredbias,uncoveredblocks\n";
     for (const Moment& m : moments) {
-        text += fmt::format("{},{:.2f},{:.2f},{:.2f},{:.4f},{:.5f},{:.3f},{:.5f},{:.5f},{:.5f}\n", m.camera,
-                            m.milliseconds, m.drawn, m.age, m.scale, m.errors.flip, m.errors.psnr,
-                            m.errors.relMse, m.errors.bias, m.errors.blocks);
+        text += fmt::format(
+            "{},{:.2f},{:.2f},{:.2f},{:.4f},{:.5f},{:.3f},{:.5f},{:.5f},{:.5f},{:.6f},{:.5f},{:.5f}\n",
+            m.camera, m.milliseconds, m.drawn, m.age, m.scale, m.errors.flip, m.errors.psnr, m.errors.relMse,
+            m.errors.bias, m.errors.blocks, m.errors.change, m.errors.uncoveredBias,
+            m.errors.uncoveredBlocks);
     }
     const std::span<const std::byte> piece = std::as_bytes(std::span(text));
     rtcore::writeFileAtomically(path, std::span(&piece, 1));

@@ -31,9 +31,8 @@ class RayTruth : public WalkTruth {
     PicturePair pairOf(const Published& picture, std::size_t camera) override {
         const rtserver::Document& document = server_.document();
         return {.shown = upsampled(picture.image, options_.width, options_.height),
-                .wanted =
-                    references_.picture({*document.scene(), *document.tracer(), cameras_[camera], settings_}),
-                .light = {}};
+                .wanted = references_.picture(
+                    {*document.scene(), *document.tracer(), cameras_[camera], settings_})};
     }
 
   private:

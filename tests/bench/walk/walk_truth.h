@@ -20,7 +20,8 @@ namespace bench {
 struct PicturePair {
     rtcore::LdrImage shown, wanted;
     float pixelsPerDegree = test::Flip::kPixelsPerDegree; ///< where both fill the window
-    std::optional<LightErrors> light;                     ///< of radiance, where it is known
+    std::optional<LightErrors> light = {};                ///< of radiance, where it is known
+    std::optional<LightErrors> uncovered = {}; ///< of what a turn from the camera before brought into view
 };
 
 class WalkTruth {

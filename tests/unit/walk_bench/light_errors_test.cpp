@@ -1,5 +1,6 @@
 // The errors by two references: closed values, and what becomes of the references' noise.
 #include "bench/walk/light_errors.h"
+#include "bench/walk/uncovered.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@ namespace {
 
 using bench::LightErrors;
 using bench::lightErrors;
+using bench::lightErrorsOf;
 using rtcore::Colour;
 using rtcore::HdrImage;
 
@@ -49,6 +51,42 @@ TEST(LightErrors, TellBlotchesFromNoise) {
         for (int x = 8; x < 16; ++x) blotch.at(x, y) = {0, 0, 0};
     EXPECT_NEAR(lightErrors(blotch, wanted, wanted).blocks, 1 / 1.1 / (25 * 25), 1e-6);
     EXPECT_EQ(lightErrors(wanted, uniform(0), uniform(0)).blocks, 0);
+}
+
+TEST(LightErrors, OfSomePixelsAreNotThoseOfOthers) {
+    HdrImage image = uniform(1);
+    std::vector<bool> left(image.pixels.size());
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            left[static_cast<std::size_t>(y * kSide + x)] = x < 20;
+            const float value = x < 20 ? 1.5F : 4.0F;
+            image.at(x, y) = {value, value, value};
+        }
+    }
+    const LightErrors errors = lightErrorsOf(left, image, uniform(1), uniform(1));
+    EXPECT_NEAR(errors.bias, 0.5, 1e-6);
+    EXPECT_NEAR(errors.blocks, 0.5 / 1.1, 1e-5);
+    EXPECT_EQ(lightErrorsOf(std::vector<bool>(left.size()), image, uniform(1), uniform(1)).bias, 0);
+}
+
+TEST(LightErrors, ChangeIsOfBothSigns) {
+    HdrImage now = uniform(2);
+    for (std::size_t i = 0; i < now.pixels.size(); ++i)
+        now.pixels[i] = (i % 2 != 0 ? 0.9F : 1.1F) * now.pixels[i];
+    EXPECT_NEAR(bench::changeOfLight(uniform(2), now), 0.1, 1e-6);
+    EXPECT_EQ(bench::changeOfLight(uniform(0), now), 0);
+}
+
+// By 45 of 90 degrees to the right: half of the columns are new.
+TEST(UncoveredByTurn, IsWhatTheCameraBeforeDidNotSee) {
+    rtcore::Camera before, now;
+    before.horizontalFov = now.horizontalFov = 90;
+    now.forward = {1, 0, -1};
+    const std::vector<bool> uncovered = bench::uncoveredByTurn(before, now, kSide, 2);
+    for (int x = 0; x < kSide; ++x) EXPECT_EQ(uncovered[static_cast<std::size_t>(x)], x >= kSide / 2) << x;
+    now.forward = {0, 0, 1};
+    for (const bool pixel : bench::uncoveredByTurn(before, now, kSide, 2)) EXPECT_TRUE(pixel);
+    for (const bool pixel : bench::uncoveredByTurn(before, before, kSide, kSide)) EXPECT_FALSE(pixel);
 }
 
 // The square of what it differs from the mean of both would have half of their variance, 0.00125, as well.
