@@ -2,14 +2,14 @@
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
 #                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [strangers] [sanitizers] [mutants]
-#                         [bridge] [web] [farm] [arm64]
+#                         [bridge] [web] [farm] [plans] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
-        walks tutorial models strangers sanitizers mutants bridge web farm arm64
+        walks tutorial models strangers sanitizers mutants bridge web farm plans arm64
 release=build/release/bin
 # Builds these targets with all checks of the sanitizers, of which test.sh leaves some out.
 sanitized() {
@@ -33,6 +33,10 @@ for check in "$@"; do
             export RT_CENSUS_PLAIN
         fi
         RT_MODEL_CENSUS=1 $release/test_model_census
+        ;;
+    plans)
+        # Drawings to scale, opened and measured by other programs.
+        scripts/check-plans.py $release
         ;;
     models)
         # Up axis and unit of 45 real models; what is not there is made by the programs that are installed.

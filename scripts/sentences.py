@@ -16,7 +16,7 @@ from xml.sax.saxutils import escape
 FILE = "apps/gui/translations/sentences_cs.ts"
 # Whose refusals and messages reach people through clients.
 SERVERS = ("apps/rtserver/commands", "apps/rtserver/document", "apps/rtserver/frames", "apps/rtserver/loop", "apps/rtserver/walk",
-           "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/settings/settings_merge.cpp", "apps/common/settings/guess_text.cpp", "apps/bridge/control", "apps/bridge/room")
+           "apps/rtserver/failure.cpp", "apps/rtserver/messages.cpp", "apps/common/commands", "apps/common/plans", "apps/common/settings/settings_merge.cpp", "apps/common/settings/guess_text.cpp", "apps/bridge/control", "apps/bridge/room")
 LIBRARIES = ("libs/rtcore", "libs/ipc")
 # Programs whose messages the window shows in the logs of its jobs.
 JOBS = ("apps/renderer", "apps/bspbuilder", "apps/common/cli/import_options.cpp", "apps/common/cli/run_program.cpp")

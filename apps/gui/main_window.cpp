@@ -16,6 +16,7 @@
 #include "gui/operations/model_operations.h"
 #include "gui/operations/motion_operations.h"
 #include "gui/operations/panel_operations.h"
+#include "gui/operations/plan_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/operations/save_operations.h"
 #include "gui/operations/section_operations.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     surroundings_ = new SurroundingsOperations(context, this);
     new ModelOperations(context, this);
     new SectionOperations(context, this);
+    new PlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
     save_ = new SaveOperations(context, this);
     connection_->askBeforeLeaving([this](const auto& go) { save_->beforeLeaving(go); });

@@ -7,11 +7,15 @@
 #include "common/settings/lighting_options.h"
 #include "common/settings/setting_option.h"
 
+#include "rtcore/io/drawings/drawing_file.h"
 #include "rtcore/neural/net_files.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -124,6 +128,52 @@ void checkLight(const RendererOptions& options, const app::Arguments& arguments)
     }
 }
 
+template <std::size_t N>
+std::size_t indexIn(const std::array<std::string_view, N>& names, std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+std::optional<app::PlanOrder> readPlan(const app::Arguments& arguments) {
+    const auto file = readPath(arguments, "plan");
+    if (!file) return std::nullopt;
+    app::PlanOrder order{.file = *file};
+    order.choice.side = static_cast<rtcore::PlanSide>(
+        indexIn(rtcore::kPlanSides, arguments.text("plan-from").value_or("above")));
+    if (const auto storey = arguments.integer("plan-storey")) order.choice.storey = static_cast<int>(*storey);
+    order.choice.floor = arguments.number("plan-floor");
+    order.choice.height = arguments.number("plan-height").value_or(order.choice.height);
+    order.scale = arguments.number("plan-scale").value_or(order.scale);
+    order.options.door = arguments.number("plan-door").value_or(order.options.door);
+    if (const auto name = arguments.text("plan-paper"))
+        order.paper = *std::ranges::find(rtcore::kPaperSizes, *name, &rtcore::PaperSize::name);
+    return order;
+}
+
+void checkPlan(const RendererOptions& options, const app::Arguments& arguments) {
+    for (const char* ofPlans :
+         {"plan-from", "plan-storey", "plan-floor", "plan-height", "plan-scale", "plan-paper", "plan-door"}) {
+        if (!options.plan && arguments.has(ofPlans))
+            throw app::UsageError("--" + std::string(ofPlans) + " needs --plan");
+    }
+    if (!options.plan) return;
+    if (!rtcore::drawingFormatOf(options.plan->file))
+        throw app::UsageError("--plan writes a drawing; give a name that ends in .svg, .pdf or .dxf");
+    for (const char* ofImages :
+         {"output", "list", "make-light", "video", "verify", "preview", "report", "debug-scene"}) {
+        if (arguments.has(ofImages))
+            throw app::UsageError("--plan draws lines and renders nothing; leave out --" +
+                                  std::string(ofImages));
+    }
+    if (options.plan->choice.side != rtcore::PlanSide::Above) {
+        for (const char* ofStoreys : {"plan-storey", "plan-floor", "plan-height", "plan-door"}) {
+            if (arguments.has(ofStoreys))
+                throw app::UsageError("--" + std::string(ofStoreys) + " is of plans from above");
+        }
+    }
+    if (arguments.has("plan-storey") && arguments.has("plan-floor"))
+        throw app::UsageError("--plan-storey and --plan-floor exclude each other");
+}
+
 void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
@@ -171,6 +221,7 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
         throw app::UsageError("--debug-scene writes Wavefront OBJ; give a name that ends in .obj");
     }
     checkLight(options, arguments);
+    checkPlan(options, arguments);
     const bool toStandardOutput =
         std::any_of(options.outputs.begin(), options.outputs.end(), isStandardOutput);
     if (arguments.has("format") && !toStandardOutput) {
@@ -219,11 +270,13 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.makeLight = readPath(arguments, "make-light");
     options.lightBounds.seconds = arguments.number("light-time").value_or(options.lightBounds.seconds);
     options.lightBounds.megabytes = arguments.number("light-size").value_or(options.lightBounds.megabytes);
+    options.plan = readPlan(arguments);
     checkCombinations(options, arguments);
     for (const std::filesystem::path& output : options.outputs) checkOutput(output, options.missingFolder());
     if (options.video) checkFilm(*options.video);
     if (options.report) checkPlace(*options.report);
     if (options.makeLight) checkPlace(*options.makeLight);
+    if (options.plan) checkPlace(options.plan->file);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;
 }

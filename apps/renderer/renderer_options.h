@@ -7,6 +7,7 @@
 #include "renderer/renderer_spec.h"
 
 #include "common/cli/command_line.h"
+#include "common/plans/plan_order.h"
 #include "common/progress/progress.h"
 #include "common/settings/selection_options.h"
 
@@ -54,6 +55,7 @@ struct RendererOptions {
     std::optional<std::filesystem::path> light;      ///< a file of indirect light that images begin with
     std::optional<std::filesystem::path> makeLight;  ///< such a file to make; nothing is rendered
     LightBounds lightBounds;                         ///< of that
+    std::optional<app::PlanOrder> plan;              ///< a drawing to make; nothing is rendered
     app::ProgressStyle progress = app::ProgressStyle::None;
 
     /// Frames of a list may go into a folder that is not there yet.

@@ -6,6 +6,7 @@
 #include "renderer/load_phases.h"
 #include "renderer/output_patterns.h"
 #include "renderer/picture_maker.h"
+#include "renderer/plan_making.h"
 #include "renderer/preview.h"
 #include "renderer/renderer_options.h"
 #include "renderer/settings_list.h"
@@ -82,6 +83,11 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     const app::InputFiles inputs = inputsOf(options, loaded, cameras);
+    if (options.plan) {
+        inputs.refuse(options.plan->file);
+        makePlan(*options.plan, loaded, options.threads, progress);
+        return app::ExitCode::Done;
+    }
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.debugScene) {
         drawDebugScene(*options.debugScene, camera, inputs, maker);

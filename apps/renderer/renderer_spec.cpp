@@ -260,6 +260,63 @@ OptionGroup lightOptions() {
               .maximum = 1000}}};
 }
 
+OptionGroup planOptions() {
+    return {
+        "Plans",
+        {{.name = "plan",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "draw a plan to scale, write it to this .svg, .pdf or .dxf file, and exit: what is cut, "
+                  "visible edges beyond, and the areas of rooms",
+          .more = "See [plans.md](plans.md). A `.dxf` is in metres, at the coordinates of the model's file",
+          .files = {"svg", "pdf", "dxf"}},
+         {.name = "plan-from",
+          .value = ValueKind::Choice,
+          .argument = "SIDE",
+          .help =
+              "with --plan: above, a plan of a storey; front, back, left or right, an elevation; section, "
+              "what the scene's section leaves [above]",
+          .choices = {"above", "front", "back", "left", "right", "section"}},
+         {.name = "plan-storey",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "with --plan: the N-th storey from below [that of a camera indoors, else the lowest]",
+          .minimum = 1,
+          .maximum = 1000},
+         {.name = "plan-floor",
+          .value = ValueKind::Number,
+          .argument = "M",
+          .help = "with --plan: a floor at M metres, in the coordinates of the model's file, in place of a "
+                  "storey that is found",
+          .minimum = -1e7,
+          .maximum = 1e7},
+         {.name = "plan-height",
+          .value = ValueKind::Number,
+          .argument = "M",
+          .help = "with --plan: cut M metres above the floor [1.2]",
+          .minimum = 0,
+          .maximum = 1e4},
+         {.name = "plan-scale",
+          .value = ValueKind::Number,
+          .argument = "N",
+          .help = "with --plan: 1 to N [100]",
+          .minimum = 0.01,
+          .maximum = 1e6},
+         {.name = "plan-paper",
+          .value = ValueKind::Choice,
+          .argument = "SIZE",
+          .help = "with --plan: A4, A3, A2, A1 or A0, lying; a .pdf takes as many sheets as it needs [one as "
+                  "large as it must be]",
+          .choices = {"A4", "A3", "A2", "A1", "A0"}},
+         {.name = "plan-door",
+          .value = ValueKind::Number,
+          .argument = "M",
+          .help = "with --plan: openings of up to M metres part rooms, wider ones join them [1.2]",
+          .more = "What has an opening of more than 3 m to the outside is no room",
+          .minimum = 0,
+          .maximum = 100}}};
+}
+
 OptionGroup runOptions() {
     return {
         "Running",
@@ -300,8 +357,8 @@ const app::ProgramSpec& rendererSpec() {
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
-        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), lightOptions(), previewOptions(),
-                   runOptions(), app::lightingOptionGroup(), app::selectionOptionGroup(),
+        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), lightOptions(), planOptions(),
+                   previewOptions(), runOptions(), app::lightingOptionGroup(), app::selectionOptionGroup(),
                    app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
                       "one image, 3 x 3 samples per pixel"},
@@ -310,6 +367,8 @@ const app::ProgramSpec& rendererSpec() {
                      {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
                       "a part of a video; frames that are there already are skipped"},
                      {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"},
+                     {"Renderer house.glb --plan plan.pdf --plan-scale 50 --plan-paper A3",
+                      "a plan on sheets of A3, 1:50"},
                      {"Renderer house.glb --make-light house.light",
                       "its indirect light, for --light and for walks"}},
         .environment = app::importEnvironmentNotes(app::HelpWord{

@@ -175,6 +175,13 @@ std::string sectionColour(const std::array<float, 3>& linear) {
 }
 std::string sectionHatching(bool on) { return line(CommandId::SectionHatching, on ? "on" : "off"); }
 
+std::string plan(const std::string& file, const std::string& side, double scale, const std::string& paper,
+                 int storey, double height) {
+    return line(CommandId::Plan, file, side, scale, paper, storey, height);
+}
+std::string storeys() { return line(CommandId::Storeys); }
+std::string storeyGo(int number) { return line(CommandId::StoreyGo, number); }
+
 std::string camera(const View& view) {
     const CommandId id = view.orthographic ? CommandId::CameraOrthographic : CommandId::CameraSet;
     if (view.aspect > 0) return line(id, view.eye, view.forward, view.width, view.up, view.aspect);

@@ -119,6 +119,12 @@ std::string sectionCaps(const std::string& colours); ///< of rtcore::kCapColours
 std::string sectionColour(const std::array<float, 3>& linear);
 std::string sectionHatching(bool on);
 
+/// `storey` 0: that of the camera; `paper`: "sheet", or a size.
+std::string plan(const std::string& file, const std::string& side, double scale, const std::string& paper,
+                 int storey, double height);
+std::string storeys();
+std::string storeyGo(int number);
+
 /// All of the camera.
 std::string camera(const View& view);
 /// Where it is and looks to; what is up, as the scene has it. Without a field of view that stays as it is.

@@ -23,6 +23,8 @@ constexpr ActionRow kRows[]{
               NeedsServer},
     ActionRow{ActionId::Pack, MenuId::File, TEXT("Pac&k with its files…"),
               TEXT("Copy the scene and all that it needs to a folder that can be moved"), "", NeedsServer},
+    ActionRow{ActionId::Plan, MenuId::File, TEXT("P&lan…"),
+              TEXT("Draw a plan, a section or an elevation to scale"), "", NeedsServer | SeparatorBefore},
     ActionRow{ActionId::ShareInBrowser, MenuId::File, TEXT("Share in a &browser…"),
               TEXT("Let others look at it, and walk in it, in web pages"), "",
               NeedsServer | Checkable | SeparatorBefore},

@@ -13,6 +13,7 @@ enum class ActionId {
     Save,
     SaveAs,
     Pack,
+    Plan,
     ImportCamera,
     Exit,
     Connect,

@@ -55,10 +55,14 @@ inline const Preference<QString> sceneFolder{"files/sceneFolder", QString()};
 inline const Preference<QString> cameraFolder{"files/cameraFolder", QString()};
 inline const Preference<int> modelCacheMegabytes{"files/keptModels",
                                                  2048}; ///< size of the model cache; 0 = none
+inline const Preference<QString> planFolder{"files/planFolder", QString()};
 inline const Preference<QStringList> recentFiles{"files/recent", QStringList()};
 inline const Preference<QSize> exportSize{"export/size", QSize()};
 inline const Preference<int> exportAntialiasing{"export/antialiasing", 1};
 inline const Preference<int> exportBloom{"export/bloom", 0};
+inline const Preference<double> planScale{"export/planScale", 100}; ///< 1 to that
+inline const Preference<QString> planPaper{"export/planPaper", QStringLiteral("sheet")};
+inline const Preference<double> planHeight{"export/planHeight", 1.2}; ///< metres above the floor
 inline const Preference<QSize> highQualitySize{"export/highQualitySize", QSize(1920, 1080)};
 inline const Preference<int> highQualityAntialiasing{"export/highQualityAntialiasing", 4};
 inline const Preference<int> highQualityBloom{"export/highQualityBloom", 0};

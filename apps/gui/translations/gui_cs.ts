@@ -1087,6 +1087,14 @@
         <source>Planes that cut the model open</source>
         <translation>Roviny, které model rozříznou</translation>
     </message>
+    <message>
+        <source>P&amp;lan…</source>
+        <translation>P&amp;lán…</translation>
+    </message>
+    <message>
+        <source>Draw a plan, a section or an elevation to scale</source>
+        <translation>Nakreslí půdorys, řez nebo pohled v měřítku</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2641,6 +2649,104 @@ Alt+%2</translation>
     <message>
         <source>%1 was not written: %2</source>
         <translation>%1 nešlo zapsat: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gui::PlanDialog</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plán</translation>
+    </message>
+    <message>
+        <source>Drawings (*.pdf *.svg *.dxf);;All files (*)</source>
+        <translation>Výkresy (*.pdf *.svg *.dxf);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Height of the cut</source>
+        <translation>Výška řezu</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Měřítko</translation>
+    </message>
+    <message>
+        <source>From above: plan of a storey</source>
+        <translation>Shora: půdorys podlaží</translation>
+    </message>
+    <message>
+        <source>From the front: elevation</source>
+        <translation>Zepředu: pohled</translation>
+    </message>
+    <message>
+        <source>From the back: elevation</source>
+        <translation>Zezadu: pohled</translation>
+    </message>
+    <message>
+        <source>From the left: elevation</source>
+        <translation>Zleva: pohled</translation>
+    </message>
+    <message>
+        <source>From the right: elevation</source>
+        <translation>Zprava: pohled</translation>
+    </message>
+    <message>
+        <source>Section of the scene</source>
+        <translation>Řez scény</translation>
+    </message>
+    <message>
+        <source>Of a camera indoors, else the lowest</source>
+        <translation>To, v němž je kamera uvnitř, jinak nejnižší</translation>
+    </message>
+    <message>
+        <source>One sheet, as large as needed</source>
+        <translation>Jeden list, tak velký, jak je třeba</translation>
+    </message>
+    <message>
+        <source> m above the floor</source>
+        <translation> m nad podlahou</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Nakreslit</translation>
+    </message>
+    <message>
+        <source>&amp;Path:</source>
+        <translation>&amp;Cesta:</translation>
+    </message>
+    <message>
+        <source>&amp;View:</source>
+        <translation>&amp;Pohled:</translation>
+    </message>
+    <message>
+        <source>&amp;Storey:</source>
+        <translation>P&amp;odlaží:</translation>
+    </message>
+    <message>
+        <source>&amp;Cut:</source>
+        <translation>Ř&amp;ez:</translation>
+    </message>
+    <message>
+        <source>S&amp;cale:</source>
+        <translation>&amp;Měřítko:</translation>
+    </message>
+    <message>
+        <source>P&amp;aper:</source>
+        <translation>P&amp;apír:</translation>
+    </message>
+    <message>
+        <source>%1: floor at %2 m</source>
+        <translation>%1: podlaha ve výšce %2 m</translation>
+    </message>
+</context>
+<context>
+    <name>gui::PlanOperations</name>
+    <message>
+        <source>Drawing the plan…</source>
+        <translation>Plán se kreslí…</translation>
+    </message>
+    <message>
+        <source>The plan was written to %1.</source>
+        <translation>Plán byl zapsán do %1.</translation>
     </message>
 </context>
 <context>

@@ -276,6 +276,10 @@
         <translation>směrové světlo má jeden úhel ve stupních, nejvýše 180</translation>
     </message>
     <message>
+        <source>a drawing of a section needs a scene with just one; this one has {0}</source>
+        <translation>výkres řezu potřebuje scénu právě s jedním; tato jich má {0}</translation>
+    </message>
+    <message>
         <source>a few vertices lie more than 100000 times as far off as all others, which are too small to be seen beside them; remove them or place the camera yourself</source>
         <translation>několik vrcholů leží víc než 100000krát dál než všechny ostatní, které vedle nich nejsou vidět; odstraňte je, nebo umístěte kameru sami</translation>
     </message>
@@ -416,6 +420,10 @@
         <translation>balíček se už vytváří; počkejte na něj, nebo ho zrušte příkazem 'pack stop'</translation>
     </message>
     <message>
+        <source>a page of a .pdf is at most 5.08 m wide and high; name a paper, or take a smaller scale</source>
+        <translation>stránka .pdf je nejvýš 5,08 m široká a vysoká; zvolte papír nebo menší měřítko</translation>
+    </message>
+    <message>
         <source>a page takes back its own last edit only</source>
         <translation>stránka může vrátit jen svou vlastní poslední úpravu</translation>
     </message>
@@ -426,6 +434,10 @@
     <message>
         <source>a plain bitmap holds only 0 and 1</source>
         <translation>textová bitmapa obsahuje jen 0 a 1</translation>
+    </message>
+    <message>
+        <source>a plan is a .svg, .pdf or .dxf file</source>
+        <translation>plán je soubor .svg, .pdf nebo .dxf</translation>
     </message>
     <message>
         <source>a plane's angle</source>
@@ -1948,6 +1960,10 @@
         <translation>dole nic není: chodíte po neviditelné podlaze v nejnižším bodě modelu</translation>
     </message>
     <message>
+        <source>nothing is cut there, and nothing is beyond: there is nothing to draw</source>
+        <translation>nic tam není rozříznuto a nic není za řezem: není co kreslit</translation>
+    </message>
+    <message>
         <source>nothing of the model is seen there</source>
         <translation>z modelu tam není nic vidět</translation>
     </message>
@@ -2080,6 +2096,10 @@
         <translation>right je nulový nebo podél direction; uveďte, kam míří šířka světla nebo C = 0 svítidla</translation>
     </message>
     <message>
+        <source>rooms: {0}, {1} m2 together</source>
+        <translation>místnosti: {0}, dohromady {1} m2</translation>
+    </message>
+    <message>
         <source>section nodes belongs to no tree</source>
         <translation>oddíl nodes nepatří k žádnému stromu</translation>
     </message>
@@ -2188,6 +2208,10 @@
         <translation>tolik světla nelze vyjádřit</translation>
     </message>
     <message>
+        <source>some parts that are cut are open: they have lines and no area</source>
+        <translation>některé rozříznuté části jsou otevřené: mají čáry, ale žádnou plochu</translation>
+    </message>
+    <message>
         <source>some settings are locked; reset others one by one</source>
         <translation>některá nastavení jsou zamčená; ostatní vraťte po jednom</translation>
     </message>
@@ -2210,6 +2234,10 @@
     <message>
         <source>stopped; what was learned is kept, and the same command goes on</source>
         <translation>zastaveno; co bylo zjištěno, zůstává uloženo a stejný příkaz pokračuje</translation>
+    </message>
+    <message>
+        <source>storey {0} of {1}: its floor is at {2}, the cut at {3}</source>
+        <translation>podlaží {0} z {1}: podlaha je ve výšce {2}, řez ve výšce {3}</translation>
     </message>
     <message>
         <source>strings: the first name must be empty</source>
@@ -2270,6 +2298,10 @@
     <message>
         <source>textures that are clamped or mirrored in this Collada file repeat instead</source>
         <translation>textury, které tento soubor Collada ořezává nebo zrcadlí, se místo toho opakují</translation>
+    </message>
+    <message>
+        <source>the .pdf cannot be made: error {0} of libharu</source>
+        <translation>.pdf nelze vytvořit: chyba {0} knihovny libharu</translation>
     </message>
     <message>
         <source>the angle {0} follows {1}; angles ascend, by a thousandth of a degree or more</source>
@@ -2350,6 +2382,14 @@
     <message>
         <source>the downward flux fraction</source>
         <translation>podíl toku dolů</translation>
+    </message>
+    <message>
+        <source>the drawing takes more than {0} sheets of {1}; take a smaller scale</source>
+        <translation>výkres zabere víc než {0} listů {1}; zvolte menší měřítko</translation>
+    </message>
+    <message>
+        <source>the drawing takes {0} sheets of {1}; write a .pdf, or take a larger paper or a smaller scale</source>
+        <translation>výkres zabere {0} listů {1}; zapište .pdf, nebo zvolte větší papír či menší měřítko</translation>
     </message>
     <message>
         <source>the drawn-out highlights of brushed metal</source>
@@ -2656,6 +2696,10 @@
         <translation>fotometrický typ</translation>
     </message>
     <message>
+        <source>the plan was given up</source>
+        <translation>kreslení plánu bylo zrušeno</translation>
+    </message>
+    <message>
         <source>the point of the section has a coordinate beyond 1e12; give one near the model</source>
         <translation>bod řezu má souřadnici větší než 1e12; uveďte bod poblíž modelu</translation>
     </message>
@@ -2750,6 +2794,10 @@
     <message>
         <source>the unit of lengths</source>
         <translation>jednotka délek</translation>
+    </message>
+    <message>
+        <source>the unit of {0} is not known, so a drawing would have no scale; say it: --units or the command 'units' with m, cm, mm, in or ft (a guess is {1} m)</source>
+        <translation>jednotka {0} není známa, takže by výkres neměl měřítko; určete ji: --units nebo příkaz 'units' s m, cm, mm, in nebo ft (odhad je {1} m)</translation>
     </message>
     <message>
         <source>the version is missing; begin the file with: version = {0}</source>
@@ -2858,6 +2906,10 @@
     <message>
         <source>there is no state yet</source>
         <translation>stav ještě není známý</translation>
+    </message>
+    <message>
+        <source>there is no storey {0}; {1} were found, of which 1 is the lowest</source>
+        <translation>podlaží {0} neexistuje; nalezeno jich bylo {1}, nejnižší má číslo 1</translation>
     </message>
     <message>
         <source>there is no such bookmark</source>
@@ -3486,6 +3538,10 @@
     <message>
         <source>{0}: a number of element {1} is not a number or out of range</source>
         <translation>{0}: některé číslo prvku {1} není číslo nebo je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>{0}: drawings are .svg, .pdf or .dxf files</source>
+        <translation>{0}: výkresy jsou soubory .svg, .pdf nebo .dxf</translation>
     </message>
     <message>
         <source>{0}: element {1}: {2}</source>

@@ -1061,6 +1061,74 @@
         <translation>s --make-light: dál nezjišťovat, jakmile má soubor tolik megabajtů [bez omezení]</translation>
     </message>
     <message>
+        <source>Plans</source>
+        <translation>Plány</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plán</translation>
+    </message>
+    <message>
+        <source>draw a plan to scale, write it to this .svg, .pdf or .dxf file, and exit: what is cut, visible edges beyond, and the areas of rooms</source>
+        <translation>nakreslí plán v měřítku, zapíše ho do tohoto souboru .svg, .pdf nebo .dxf a skončí: co je rozříznuto, viditelné hrany za tím a plochy místností</translation>
+    </message>
+    <message>
+        <source>Plan from</source>
+        <translation>Plán odkud</translation>
+    </message>
+    <message>
+        <source>with --plan: above, a plan of a storey; front, back, left or right, an elevation; section, what the scene's section leaves [above]</source>
+        <translation>s --plan: above, půdorys podlaží; front, back, left nebo right, pohled; section, co zbude z řezu scény [above]</translation>
+    </message>
+    <message>
+        <source>Plan storey</source>
+        <translation>Plán: podlaží</translation>
+    </message>
+    <message>
+        <source>with --plan: the N-th storey from below [that of a camera indoors, else the lowest]</source>
+        <translation>s --plan: N-té podlaží odspoda [to, v němž je kamera uvnitř, jinak nejnižší]</translation>
+    </message>
+    <message>
+        <source>Plan floor</source>
+        <translation>Plán: podlaha</translation>
+    </message>
+    <message>
+        <source>with --plan: a floor at M metres, in the coordinates of the model's file, in place of a storey that is found</source>
+        <translation>s --plan: podlaha ve výšce M metrů v souřadnicích souboru modelu namísto nalezeného podlaží</translation>
+    </message>
+    <message>
+        <source>Plan height</source>
+        <translation>Plán: výška</translation>
+    </message>
+    <message>
+        <source>with --plan: cut M metres above the floor [1.2]</source>
+        <translation>s --plan: řez M metrů nad podlahou [1,2]</translation>
+    </message>
+    <message>
+        <source>Plan scale</source>
+        <translation>Plán: měřítko</translation>
+    </message>
+    <message>
+        <source>with --plan: 1 to N [100]</source>
+        <translation>s --plan: 1 ku N [100]</translation>
+    </message>
+    <message>
+        <source>Plan paper</source>
+        <translation>Plán: papír</translation>
+    </message>
+    <message>
+        <source>with --plan: A4, A3, A2, A1 or A0, lying; a .pdf takes as many sheets as it needs [one as large as it must be]</source>
+        <translation>s --plan: A4, A3, A2, A1 nebo A0 na šířku; .pdf zabere tolik listů, kolik potřebuje [jeden tak velký, jak je třeba]</translation>
+    </message>
+    <message>
+        <source>Plan door</source>
+        <translation>Plán: dveře</translation>
+    </message>
+    <message>
+        <source>with --plan: openings of up to M metres part rooms, wider ones join them [1.2]</source>
+        <translation>s --plan: otvory do M metrů dělí místnosti, širší je spojují [1,2]</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Náhled</translation>
     </message>

@@ -24,6 +24,8 @@ class VisibleModel {
     void take(const rtcore::Scene& scene);
 
     const rtcore::KdTree& tree() const { return tree_; }
+    /// Meets the surfaces alone, whatever sections leave of them; to be kept as tracer() is.
+    const std::shared_ptr<const rtcore::KdRayTracer>& surfaces() const { return surfaces_; }
     /// A pruned tree is in use.
     bool pruned() const { return pruned_; }
     /// Meets the surfaces, as sections leave them, and the ground. A thread of its own that traces keeps it,

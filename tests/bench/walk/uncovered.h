@@ -1,4 +1,4 @@
-/// What a turn of the head brings into view.
+/// The pixels that a turn of the head brings into view.
 #pragma once
 
 #include "rtcore/scene/camera.h"

@@ -51,12 +51,12 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
-              (Names{"material get", "materials", "parts", "sections", "seen"}));
-    EXPECT_EQ(
-        commandsFor(app::BrowserUse::Move),
-        (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
-               "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",
-               "camera reset", "camera set", "camera view", "camera zoom", "fly", "focus", "speed", "walk"}));
+              (Names{"material get", "materials", "parts", "sections", "seen", "storeys"}));
+    EXPECT_EQ(commandsFor(app::BrowserUse::Move),
+              (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
+                     "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",
+                     "camera reset", "camera set", "camera view", "camera zoom", "fly", "focus", "speed",
+                     "storey go", "walk"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Edit), (Names{"bloom",
                                                          "defaults",
                                                          "environment",

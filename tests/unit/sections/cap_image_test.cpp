@@ -3,8 +3,8 @@
 
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/sections/cap_painter.h"
-#include "solids.h"
 #include "support/random_numbers.h"
+#include "support/solids.h"
 
 #include <gtest/gtest.h>
 

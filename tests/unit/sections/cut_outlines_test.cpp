@@ -1,8 +1,8 @@
 // Where a plane cuts solids: lengths, areas and windings against closed forms and against rays.
 #include "rtcore/sections/cut_outlines.h"
 #include "rtcore/sections/section_caps.h"
-#include "solids.h"
 #include "support/random_numbers.h"
+#include "support/solids.h"
 #include "windings.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,103 @@
+// Commands for storeys, and for drawings to scale.
+#include "rtserver/commands/command_call.h"
+
+#include "common/plans/plan_order.h"
+
+#include "rtcore/io/drawings/drawing_file.h"
+#include "rtcore/plans/file_metres.h"
+#include "rtcore/plans/storeys.h"
+#include "rtcore/survey/standing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+template <typename Names>
+std::size_t indexOf(const Names& names, std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+app::PlanOrder orderOf(const Call& call) {
+    app::PlanOrder order{.file = pathOf(call[0])};
+    if (!rtcore::drawingFormatOf(order.file)) throw app::UsageError("a plan is a .svg, .pdf or .dxf file");
+    if (call.size() > 1)
+        order.choice.side = static_cast<rtcore::PlanSide>(indexOf(rtcore::kPlanSides, call[1]));
+    if (call.size() > 2) order.scale = preciseNumber(call[2]);
+    if (call.size() > 3 && call[3] != "sheet")
+        order.paper = *std::ranges::find(rtcore::kPaperSizes, call[3], &rtcore::PaperSize::name);
+    if (call.size() > 4 && integer(call[4]) > 0) order.choice.storey = integer(call[4]);
+    if (call.size() > 5) order.choice.height = preciseNumber(call[5]);
+    return order;
+}
+
+std::string lines(const std::vector<rtcore::Sentence>& sentences) {
+    std::string text;
+    for (const rtcore::Sentence& sentence : sentences)
+        text += (text.empty() ? "" : "\n") + sentence.english();
+    return text;
+}
+
+Result plan(const Call& call) {
+    const Document& document = call.document();
+    const app::PlanOrder order = orderOf(call);
+    const std::filesystem::path model = document.world().loaded.modelPath;
+    app::refuseGuessedUnit(document.modelUnits(), model);
+    refuseInput(document.world().inputs, order.file, "");
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    return {.when = ReplyWhen::Apart,
+            .work = [order, model, scene = document.scene(), surfaces = document.visible().surfaces(),
+                     eye = document.camera().eye, stop]() -> Finish {
+                const app::DrawnPlan plan =
+                    app::drawPlan(order, *scene, *surfaces, model.filename().string(), eye, *stop);
+                if (stop->load()) throw rtcore::Refusal("the plan was given up");
+                rtcore::writeDrawing(order.file, plan.drawing, {order.scale, plan.title}, order.paper);
+                return [told = lines(plan.told)] { return told; };
+            },
+            .stop = stop};
+}
+
+Result storeys(const Call& call) {
+    const rtcore::Scene& scene = *call.document().scene();
+    const double unit = rtcore::exactMetresPerUnit(scene);
+    std::string text;
+    std::size_t number = 0;
+    for (const rtcore::Storey& storey : rtcore::storeysOf(scene))
+        text += fmt::format("{}{} {:.3f} {:.2f}", text.empty() ? "" : "\n", ++number,
+                            rtcore::heightInFile(scene, storey.height), storey.area * unit * unit);
+    return {.answer = text};
+}
+
+Result storeyGo(const Call& call) {
+    const rtcore::Scene& scene = *call.document().scene();
+    const std::vector<rtcore::Storey> all = rtcore::storeysOf(scene);
+    const auto number = static_cast<std::size_t>(integer(call[0]));
+    if (number > all.size())
+        throw rtcore::Refusal(rtcore::say("there is no storey {0}; {1} were found, of which 1 is the lowest",
+                                          number, all.size()));
+    rtcore::Camera camera = call.document().camera();
+    const double height = all[number - 1].height + rtcore::kEyeHeight / scene.metresPerUnit;
+    camera.eye = camera.eye + (static_cast<float>(height) - dot(camera.eye, scene.up)) * scene.up;
+    call.document().setCamera(camera);
+    return {};
+}
+
+constexpr std::array kPlanFunctions{
+    CommandFunction{app::CommandId::Plan, plan},
+    CommandFunction{app::CommandId::Storeys, storeys},
+    CommandFunction{app::CommandId::StoreyGo, storeyGo},
+};
+
+} // namespace
+
+std::span<const CommandFunction> planFunctions() { return kPlanFunctions; }
+
+} // namespace rtserver
