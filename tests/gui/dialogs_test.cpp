@@ -9,6 +9,7 @@
 #include "gui/dialogs/key_bindings_page.h"
 #include "gui/dialogs/keys_dialog.h"
 #include "gui/dialogs/log_dialog.h"
+#include "gui/dialogs/plan_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/share_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
@@ -17,6 +18,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -87,9 +89,10 @@ TEST_F(DialogsTest, EveryFieldHasANameAndEveryMnemonicAField) {
     KeysDialog keys(session);
     LogDialog log([] { return QStringLiteral("text"); });
     ShareDialog share(preferences, {});
+    PlanDialog plan(file("plan.pdf"), preferences);
     for (QDialog* dialog :
          std::initializer_list<QDialog*>{&start, &exporting, &recording, &statistics, &configure, &connecting,
-                                         &about, &keys, &log, &share})
+                                         &about, &keys, &log, &share, &plan})
         check(*dialog);
 }
 
@@ -137,6 +140,30 @@ TEST_F(DialogsTest, ExportCameraGivesAllFourNumbers) {
     EXPECT_EQ(camera.size, QSize(320, 200));
     EXPECT_EQ(camera.antialiasing, 1);
     EXPECT_EQ(camera.bloom, 0);
+}
+
+TEST_F(DialogsTest, PlanGivesWhatWasChosenAndKeepsIt) {
+    PlanDialog dialog(file("plan.pdf"), preferences);
+    dialog.setStoreys({0, 2.8});
+    const QList<QComboBox*> boxes = dialog.findChildren<QComboBox*>();
+    ASSERT_EQ(boxes.size(), 3);
+    EXPECT_EQ(boxes[1]->count(), 3) << "the camera's, and two";
+    boxes[1]->setCurrentIndex(2);
+    boxes[2]->setCurrentText(QStringLiteral("A3"));
+    field<QDoubleSpinBox>(dialog, "Scale")->setValue(50);
+    PlanWish plan;
+    QObject::connect(&dialog, &PlanDialog::wanted, &dialog, [&](const PlanWish& wish) { plan = wish; });
+    accept(dialog);
+    EXPECT_EQ(plan.path, file("plan.pdf"));
+    EXPECT_EQ(plan.side, QStringLiteral("above"));
+    EXPECT_EQ(plan.storey, 2);
+    EXPECT_EQ(plan.paper, QStringLiteral("A3"));
+    EXPECT_EQ(plan.scale, 50);
+    EXPECT_EQ(plan.height, 1.2);
+    PlanDialog next(file("plan.pdf"), preferences);
+    EXPECT_EQ(next.findChildren<QComboBox*>()[2]->currentText(), QStringLiteral("A3"));
+    next.findChildren<QComboBox*>()[0]->setCurrentIndex(1);
+    EXPECT_FALSE(next.findChildren<QComboBox*>()[1]->isEnabled()) << "an elevation has no storey";
 }
 
 TEST_F(DialogsTest, KeyBindingsSayWhatIsWrong) {

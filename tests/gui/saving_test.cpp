@@ -1,13 +1,16 @@
 /// Save, Save as and Pack in the window; the mark in its title; the question before changes are lost.
+#include "gui/dialog_support.h"
 #include "gui/lit_scene.h"
 #include "gui/window_support.h"
 
+#include "gui/dialogs/plan_dialog.h"
 #include "gui/models/bookmark_store.h"
 #include "gui/panels/bookmarks_panel.h"
 #include "gui/session/server_list.h"
 #include "rtcore/io/text/scn.h"
 
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -94,6 +97,27 @@ TEST_F(SavingTest, UndoBackToWhatWasSavedClearsTheMark) {
     EXPECT_TRUE(comes([&] { return window->isWindowModified(); }));
     ASSERT_TRUE(ask(window->session(), QStringLiteral("undo")).done);
     EXPECT_TRUE(comesUnmodified()) << "by another client, too";
+}
+
+TEST_F(SavingTest, APlanIsDrawnOnceTheUnitIsKnown) {
+    ASSERT_NO_FATAL_FAILURE(open("lit.scn"));
+    const auto draw = [&] {
+        action(ActionId::Plan)->trigger();
+        auto* dialog = window->findChild<PlanDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        dialog->findChild<QLineEdit*>()->setText(file("plan.svg"));
+        accept(*dialog);
+        dialog->setParent(nullptr);
+    };
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("units auto")).done);
+    ASSERT_NO_FATAL_FAILURE(draw());
+    ASSERT_TRUE(comes([&] {
+        return window->notice().text().contains(QStringLiteral("would have no scale"));
+    })) << window->notice().text().toStdString();
+    EXPECT_FALSE(std::filesystem::exists(folder() / "plan.svg"));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("units m")).done);
+    ASSERT_NO_FATAL_FAILURE(draw());
+    EXPECT_TRUE(comes([&] { return std::filesystem::exists(folder() / "plan.svg"); }));
 }
 
 TEST_F(SavingTest, AFileByHandIsAskedForAndKept) {

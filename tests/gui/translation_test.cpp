@@ -3,6 +3,7 @@
 #include "gui/dialogs/connect_dialog.h"
 #include "gui/dialogs/export_camera_dialog.h"
 #include "gui/dialogs/log_dialog.h"
+#include "gui/dialogs/plan_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/share_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
@@ -163,8 +164,9 @@ TEST_P(LanguageTest, EachDialogHasEachMnemonicOnce) {
     RecordingDialog recording(session, QStringLiteral("/tmp"));
     ConnectDialog connecting(name());
     LogDialog log([] { return QString(); });
+    PlanDialog plan(file("plan.pdf"), preferences);
     for (QDialog* dialog :
-         std::initializer_list<QDialog*>{&start, &exporting, &recording, &connecting, &log}) {
+         std::initializer_list<QDialog*>{&start, &exporting, &recording, &connecting, &log, &plan}) {
         dialog->setAttribute(Qt::WA_DeleteOnClose, false);
         checkPage(*dialog, {});
     }

@@ -87,6 +87,7 @@ std::vector<CommandSpec> bookmarkCommands();
 std::vector<CommandSpec> modelCommands();
 std::vector<CommandSpec> sectionCommands();
 std::vector<CommandSpec> planCommands();
+std::vector<CommandSpec> dimensionCommands();
 std::vector<CommandSpec> keyCommands();
 
 } // namespace app

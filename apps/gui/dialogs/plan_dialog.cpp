@@ -59,7 +59,7 @@ PlanDialog::PlanDialog(const QString& path, Preferences& preferences, QWidget* p
     form->addRow(tr("&View:"), side_);
     form->addRow(tr("&Storey:"), storey_);
     form->addRow(tr("&Cut:"), height_);
-    form->addRow(tr("S&cale:"), scale_);
+    form->addRow(tr("Sca&le:"), scale_);
     form->addRow(tr("P&aper:"), paper_);
     form->addRow(buttons);
     ok->setDefault(true); // once it is in the dialog

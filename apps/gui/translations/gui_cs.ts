@@ -2726,7 +2726,7 @@ Alt+%2</translation>
         <translation>Ř&amp;ez:</translation>
     </message>
     <message>
-        <source>S&amp;cale:</source>
+        <source>Sca&amp;le:</source>
         <translation>&amp;Měřítko:</translation>
     </message>
     <message>

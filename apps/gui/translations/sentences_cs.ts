@@ -664,6 +664,10 @@
         <translation>úhel</translation>
     </message>
     <message>
+        <source>an angle needs two points beside the one that it is at</source>
+        <translation>úhel potřebuje dva body vedle toho, v němž je</translation>
+    </message>
+    <message>
         <source>an angle of the axis</source>
         <translation>úhel od osy</translation>
     </message>
@@ -2944,6 +2948,10 @@
         <translation>není na co zaostřit; zaostření zůstává, jak bylo</translation>
     </message>
     <message>
+        <source>there is nothing to measure</source>
+        <translation>není tu co měřit</translation>
+    </message>
+    <message>
         <source>there is nothing to redo</source>
         <translation>není co provést znovu</translation>
     </message>
@@ -3278,6 +3286,10 @@
     <message>
         <source>{0} is of another scene or light; it is made anew</source>
         <translation>{0} patří k jiné scéně nebo osvětlení; vytváří se znovu</translation>
+    </message>
+    <message>
+        <source>{0} is open: it has no volume</source>
+        <translation>{0} není uzavřená: nemá objem</translation>
     </message>
     <message>
         <source>{0} is out of range</source>

@@ -23,8 +23,8 @@ const Functions& functions() {
     static const Functions all = [] {
         Functions table{};
         for (const auto group : {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(),
-                                 modelFunctions(), sectionFunctions(), planFunctions(), cameraFunctions(),
-                                 fileFunctions(), saveFunctions(), keyFunctions()}) {
+                                 modelFunctions(), sectionFunctions(), planFunctions(), dimensionFunctions(),
+                                 cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
             for (const CommandFunction& each : group) table[static_cast<std::size_t>(each.id)] = each.run;
         }
         return table;

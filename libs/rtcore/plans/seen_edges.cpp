@@ -2,7 +2,7 @@
 
 #include "rtcore/kernels/section_clip.h"
 #include "rtcore/plans/line_union.h"
-#include "rtcore/scene/half_edges.h"
+#include "rtcore/scene/sharp_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,25 +57,21 @@ class EdgeFinder {
                                    [&](std::uint32_t v) { return plane_.above(position(v)) < 0; });
     }
 
-    Vec3d normalOf(std::uint32_t t) const {
-        const auto& v = mesh_.triangles[t].v;
-        const Vec3d n = cross(position(v[1]) - position(v[0]), position(v[2]) - position(v[0]));
-        const double size = length(n);
-        return size > 0 ? n * (1 / size) : n;
+    bool isDrawn(std::span<const HalfEdge> sides, const Indices& triangles) const {
+        return isSharp(mesh_, sides, triangles) || turnsAway(sides, triangles);
     }
 
-    bool isDrawn(std::span<const HalfEdge> sides, const Indices& triangles) const {
-        constexpr double kBend = 0.94, kEdgeOn = 1e-3;
-        if (sides.size() == 1) return true;
-        const Vec3d first = normalOf(triangles[sides[0].triangle]);
-        const double facing = dot(first, plane_.normal);
-        return std::ranges::any_of(sides.subspan(1), [&](const HalfEdge& side) {
-            Vec3d normal = normalOf(triangles[side.triangle]);
-            if (side.forward == sides[0].forward) normal = normal * -1.0;
-            if (dot(first, normal) < kBend) return true;
-            const double other = dot(normal, plane_.normal);
-            return std::fabs(facing) > kEdgeOn && std::fabs(other) > kEdgeOn && (facing > 0) != (other > 0);
-        });
+    bool turnsAway(std::span<const HalfEdge> sides, const Indices& triangles) const {
+        constexpr double kEdgeOn = 1e-3;
+        bool towards = false, away = false;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const bool turned = i > 0 && sides[i].forward == sides[0].forward;
+            const double facing =
+                dot(exactNormal(mesh_, triangles[sides[i].triangle]), plane_.normal) * (turned ? -1 : 1);
+            towards |= facing > kEdgeOn;
+            away |= facing < -kEdgeOn;
+        }
+        return towards && away;
     }
 
     void addBelow(std::uint32_t low, std::uint32_t high, std::vector<SpaceLine>& lines) const {

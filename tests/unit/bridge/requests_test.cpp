@@ -50,8 +50,10 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
     using Names = std::set<std::string_view>;
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
-    EXPECT_EQ(commandsFor(app::BrowserUse::Look),
-              (Names{"material get", "materials", "parts", "sections", "seen", "storeys"}));
+    EXPECT_EQ(
+        commandsFor(app::BrowserUse::Look),
+        (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
+               "measure point", "measure seen", "measure volume", "parts", "sections", "seen", "storeys"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Move),
               (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
                      "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",
