@@ -86,6 +86,7 @@ std::vector<CommandSpec> skyCommands();
 std::vector<CommandSpec> bookmarkCommands();
 std::vector<CommandSpec> modelCommands();
 std::vector<CommandSpec> sectionCommands();
+std::vector<CommandSpec> measureCommands();
 std::vector<CommandSpec> keyCommands();
 
 } // namespace app

@@ -7,9 +7,10 @@ namespace app {
 std::span<const CommandSpec> commandTable() {
     static const std::vector<CommandSpec> table = [] {
         std::vector<CommandSpec> all;
-        for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), editCommands(),
-                                  cameraCommands(), fileCommands(), lightCommands(), skyCommands(),
-                                  bookmarkCommands(), modelCommands(), sectionCommands(), keyCommands()})
+        for (const auto& group :
+             {shellCommands(), serverCommands(), settingCommands(), editCommands(), cameraCommands(),
+              fileCommands(), lightCommands(), skyCommands(), bookmarkCommands(), modelCommands(),
+              sectionCommands(), measureCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;
     }();

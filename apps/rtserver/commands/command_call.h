@@ -41,6 +41,7 @@ std::span<const CommandFunction> cameraFunctions();
 std::span<const CommandFunction> fileFunctions();
 std::span<const CommandFunction> modelFunctions();
 std::span<const CommandFunction> sectionFunctions();
+std::span<const CommandFunction> measureFunctions();
 std::span<const CommandFunction> keyFunctions();
 std::span<const CommandFunction> saveFunctions();
 std::span<const CommandFunction> skyFunctions();

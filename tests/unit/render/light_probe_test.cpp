@@ -271,11 +271,11 @@ TEST(LightProbe, ThereIsNoLightInSolidsAndNothingOfNoPoints) {
 }
 
 TEST(LightProbe, PartsAddUpInUnitsOfTheirOwn) {
-    Scene sky = ground(), lamp = ground();
+    Scene sky = ground(), bulb = ground();
     sky.environments = {evenSky(1)};
-    lamp.lights = {test::pointLight({0, 2, 0}, 8)};
+    bulb.lights = {test::pointLight({0, 2, 0}, 8)};
     const test::TracedScene traced(std::move(sky));
-    const std::array<ProbedLight, 2> parts{{{&traced.scene, 20}, {&lamp, 600}}};
+    const std::array<ProbedLight, 2> parts{{{&traced.scene, 20}, {&bulb, 600}}};
     LightProbe probe;
     probe.begin(parts, traced.tracer, {});
     RenderControl control;
