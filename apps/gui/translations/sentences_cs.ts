@@ -2640,8 +2640,8 @@
         <translation>výrobce</translation>
     </message>
     <message>
-        <source>the measurement was given up</source>
-        <translation>měření bylo zrušeno</translation>
+        <source>the measurement was stopped</source>
+        <translation>měření bylo zastaveno</translation>
     </message>
     <message>
         <source>the model has no such material; 'materials' lists them</source>

@@ -1,5 +1,6 @@
 #include "rtserver/document/light_measuring.h"
 
+#include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 
 #include <fmt/core.h>
@@ -13,7 +14,8 @@ namespace rtserver {
 namespace {
 
 void refuseIfCancelled(const rtcore::RenderControl& control) {
-    if (control.cancel) throw rtcore::Refusal("the measurement was given up");
+    if (control.cancel)
+        throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "the measurement was stopped");
 }
 
 /// Decimals that show two digits of the number.

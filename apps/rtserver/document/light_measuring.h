@@ -32,7 +32,7 @@ class Photometer {
     Photometer(const Photometer&) = delete;
     Photometer& operator=(const Photometer&) = delete;
 
-    /// Of points off all surfaces; lx. Throws rtcore::Refusal when control.cancel was set.
+    /// Of points off all surfaces; lx. Throws rtcore::FileError Stopped when control.cancel was set.
     std::vector<rtcore::MeasuredLight> illuminance(std::span<const rtcore::WhitePoint> points,
                                                    const rtcore::ProbeEffort& effort,
                                                    rtcore::RenderControl& control);

@@ -4,7 +4,7 @@
 #include "rtserver/document/light_grid.h"
 #include "rtserver/document/measuring.h"
 
-#include "common/cli/command_line.h"
+#include "rtcore/platform/error.h"
 
 #include "support/rooms.h"
 
@@ -114,7 +114,7 @@ TEST_F(MeasureCommands, OneAtATimeWhichIsGivenUp) {
     answer("measure stop");
     EXPECT_TRUE(*first.stop);
     const Finish finish = first.work();
-    EXPECT_THROW(finish(), rtcore::Refusal);
+    EXPECT_THROW(finish(), rtcore::FileError);
     EXPECT_EQ(answer("measure progress"), "off");
     EXPECT_FALSE(answer("measure light at 0 0 0").empty()) << "the next one may begin";
     answer("measure stop");
@@ -155,7 +155,7 @@ TEST_F(MeasureCommands, AGridIsWrittenWhereItMay) {
     EXPECT_NE(refusal("measure light grid DIR/none/b.csv 0.85 4").code, 0);
     Result given = run("measure light grid DIR/c.csv 0.85 4");
     answer("measure stop");
-    EXPECT_THROW(given.work()(), rtcore::Refusal);
+    EXPECT_THROW(given.work()(), rtcore::FileError);
     EXPECT_FALSE(exists("c.csv"));
 }
 
