@@ -37,7 +37,7 @@ std::vector<CommandSpec> measureCommands() {
          .more = "Columns are `x,y,z,lux,standard_error`. HEIGHT and SPACING, 0.5 by default, are metres: a "
                  "unit that is only guessed is to be said first, by `units`. Points have that floor below "
                  "them, within 0.3 m, or what stands on it; they are under a roof if the viewpoint is, and "
-                 "not in closed solids. The answer has their number, mean, min, max and uniformity, min over "
+                 "not in solids. The answer has their number, mean, min, max and uniformity, min over "
                  "mean. Ctrl-C gives it up"},
         {.id = CommandId::MeasureProgress,
          .name = "measure progress",

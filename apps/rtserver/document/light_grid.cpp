@@ -31,7 +31,8 @@ constexpr rtcore::ProbeEffort kEffort{.relativeError = 0.02, .paths = 1U << 15};
 struct Met {
     bool any = false;
     float distance = 0;
-    bool fromInside = false; ///< the surface bounds a solid that the place is in
+    bool behind = false;     ///< the surface is seen from its back
+    bool fromInside = false; ///< it bounds a solid that the place is in
 };
 
 /// The pieces of the model that are closed, so that they have an inside.
@@ -64,26 +65,30 @@ std::vector<Met> lookAlong(const MeasuredScene& in, std::span<const Vec3> places
         if (!hits.isHit(i)) continue;
         const std::uint32_t triangle = hits.triangle[i];
         const bool behind = dot(in.scene->mesh().geometricNormal(triangle), direction) > 0;
-        met[i] = {true, hits.t[i], behind && solids.bounds(triangle)};
+        met[i] = {true, hits.t[i], behind, behind && solids.bounds(triangle)};
     }
     return met;
 }
 
 /// What lies around places. A wall that stands between two floors shares planes with them, so that rays
-/// upwards and downwards may meet these in its place.
+/// upwards and downwards may meet these in its place. In walls that are not closed all level rays meet backs.
 struct Around {
     std::vector<Met> below, above;
     std::vector<int> insides; ///< of six directions: in how many a solid is left
+    std::vector<int> backs;   ///< of the four level ones: in how many a back is seen
 
     Around(const MeasuredScene& in, std::span<const Vec3> places, const Axes& axes, Solids& solids)
         : below(lookAlong(in, places, -axes.up, solids)), above(lookAlong(in, places, axes.up, solids)),
-          insides(places.size()) {
+          insides(places.size()), backs(places.size()) {
         count(below);
         count(above);
-        for (const Vec3 level : {axes.right, -axes.right, axes.front, -axes.front})
-            count(lookAlong(in, places, level, solids));
+        for (const Vec3 level : {axes.right, -axes.right, axes.front, -axes.front}) {
+            const std::vector<Met> met = lookAlong(in, places, level, solids);
+            count(met);
+            for (std::size_t i = 0; i < met.size(); ++i) backs[i] += met[i].behind ? 1 : 0;
+        }
     }
-    bool inSolid(std::size_t i) const { return insides[i] >= 2; }
+    bool inSolid(std::size_t i) const { return insides[i] >= 2 || backs[i] == 4; }
 
   private:
     void count(const std::vector<Met>& met) {

@@ -20,7 +20,8 @@ struct GridRequest {
 
 /// Points over the model without its surroundings, whose middle is that of the grid, that look upwards: those
 /// with a floor below that lies within 0.3 m of the storey's, or something that stands on it; under a roof,
-/// if the eye is; and not in solids whose pieces are closed, unless the eye is in one. Row by row, along the
+/// if the eye is; and not in solids, whose surfaces are closed or
+/// show their backs to all four sides, unless the eye is in one. Row by row, along the
 /// first of the two level axes. Throws rtcore::Refusal where there is no such floor or no such point, or too
 /// many of them.
 std::vector<rtcore::WhitePoint> gridPoints(const MeasuredScene& measured, const GridRequest& request);
