@@ -21,7 +21,7 @@ using rtcore::Axes;
 using rtcore::Vec3;
 using rtcore::WhitePoint;
 
-constexpr float kStep = 0.3F; ///< metres by which floors of one storey differ
+constexpr float kFloorStep = 0.3F; ///< metres by which floors of one storey differ
 constexpr double kMaxPlaces = 250'000;
 constexpr std::size_t kMaxPoints = 20'000;
 constexpr std::size_t kAtOnce = 32; ///< points between two words of progress
@@ -137,7 +137,7 @@ std::vector<WhitePoint> gridPoints(const MeasuredScene& measured, const GridRequ
     std::vector<WhitePoint> points;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Met &below = around.below[i], &above = around.above[i];
-        const bool floor = below.any && below.distance <= over + kStep * axes.metre;
+        const bool floor = below.any && below.distance <= over + kFloorStep * axes.metre;
         const bool outside = eye.above[0].any && !above.any;
         const bool solid = around.inSolid(i) && !eye.inSolid(0);
         if (floor && !outside && !solid) points.push_back({places[i], axes.up});
