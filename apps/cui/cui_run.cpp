@@ -69,8 +69,7 @@ class Run {
         }
         const std::string text = app::joinWords(line);
         if (spec->id == CommandId::Exit || spec->id == CommandId::Quit) return conversation_.quit(text);
-        const std::string answer =
-            spec->id == CommandId::Pack ? packed(text) : conversation_.request(text, work);
+        const std::string answer = answerTo(spec->id, text, work);
         if (!answer.empty()) app::writeLines(answer + "\n");
     }
 
@@ -96,16 +95,26 @@ class Run {
             std::max<std::int64_t>(app::parseInteger(line[kTime]).value_or(1), 1));
     }
 
-    std::string packed(const std::string& command) {
+    std::string answerTo(CommandId id, const std::string& command, std::chrono::milliseconds work) {
+        if (id == CommandId::Pack)
+            return attended("packing", command, app::command::packProgress(), app::command::packStop());
+        if (id == CommandId::MeasureLightGrid)
+            return attended("measuring", command, app::command::measureProgress(),
+                            app::command::measureStop());
+        return conversation_.request(command, work);
+    }
+
+    /// Of long work, with its progress.
+    std::string attended(const char* what, const std::string& command, const std::string& progressOf,
+                         const std::string& stop) {
         std::atomic<double> fraction{0};
         const bool terminal = app::terminalColumns().has_value();
         app::Progress progress(std::string(cuiSpec().name),
                                terminal ? app::ProgressStyle::Bar : app::ProgressStyle::None);
-        const app::ProgressScope scope(progress, {"packing", [&] { return fraction.load(); }});
-        return conversation_.attend(
-            command, {app::command::packProgress(), app::command::packStop(), [&](const std::string& answer) {
-                          fraction = app::packedFraction(answer).value_or(fraction);
-                      }});
+        const app::ProgressScope scope(progress, {what, [&] { return fraction.load(); }});
+        return conversation_.attend(command, {progressOf, stop, [&](const std::string& answer) {
+                                                  fraction = app::packedFraction(answer).value_or(fraction);
+                                              }});
     }
 
     void runHere(const app::CommandSpec& spec, Words arguments) {

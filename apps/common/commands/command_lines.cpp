@@ -233,6 +233,8 @@ std::string pack(const std::string& folder, bool outside) {
 }
 std::string packProgress() { return line(CommandId::PackProgress); }
 std::string packStop() { return line(CommandId::PackStop); }
+std::string measureProgress() { return line(CommandId::MeasureProgress); }
+std::string measureStop() { return line(CommandId::MeasureStop); }
 std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
 
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {

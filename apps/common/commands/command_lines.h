@@ -158,6 +158,8 @@ std::string saveAs(const std::string& path, bool replace);
 std::string pack(const std::string& folder, bool outside = false);
 std::string packProgress();
 std::string packStop();
+std::string measureProgress();
+std::string measureStop();
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);

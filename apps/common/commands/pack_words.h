@@ -12,6 +12,7 @@
 namespace app {
 
 /// The answer to `pack progress`: of the pack that is being made `fraction`, 0..1, is done; nothing: none is.
+/// `measure progress` answers the same.
 std::string packProgressText(std::optional<double> fraction);
 /// The other way round.
 std::optional<double> packedFraction(std::string_view answer);

@@ -96,6 +96,10 @@
         <translation>soubor je příliš velký</translation>
     </message>
     <message>
+        <source>HEIGHT and SPACING are metres, but the unit of the model is a guess; say it first, as by 'units m'</source>
+        <translation>HEIGHT a SPACING jsou v metrech, ale jednotka modelu je jen odhad; nejprve ji zadejte, například příkazem 'units m'</translation>
+    </message>
+    <message>
         <source>ImageMagick cannot read {0} here; convert the file to PNG</source>
         <translation>ImageMagick tu neumí číst {0}; převeďte soubor na PNG</translation>
     </message>
@@ -504,12 +508,20 @@
         <translation>rozměr svítidla</translation>
     </message>
     <message>
+        <source>a sky of another strength than 1</source>
+        <translation>obloha jiné síly než 1</translation>
+    </message>
+    <message>
         <source>a sky that was modelled around it keeps the light out; make it a part of its own</source>
         <translation>obloha vymodelovaná kolem něj nepropouští světlo; udělejte z ní samostatnou část</translation>
     </message>
     <message>
         <source>a strip of cube faces has 6 x 1 or 1 x 6 squares</source>
         <translation>pás ze stěn krychle má 6 x 1 nebo 1 x 6 čtverců</translation>
+    </message>
+    <message>
+        <source>a sun that was edited</source>
+        <translation>upravené slunce</translation>
     </message>
     <message>
         <source>a switch is neither 0 nor 1</source>
@@ -648,6 +660,10 @@
         <translation>alphas: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
     <message>
+        <source>ambient light</source>
+        <translation>okolní světlo</translation>
+    </message>
+    <message>
         <source>an Alembic file, which is not read</source>
         <translation>soubor Alembic, který nelze načíst</translation>
     </message>
@@ -674,6 +690,10 @@
     <message>
         <source>an array</source>
         <translation>pole</translation>
+    </message>
+    <message>
+        <source>an environment</source>
+        <translation>prostředí</translation>
     </message>
     <message>
         <source>an environment has exactly one of the keys equirectangular, cross, strip, faces and parts</source>
@@ -1018,6 +1038,10 @@
     <message>
         <source>flying</source>
         <translation>let</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <translation>mlha</translation>
     </message>
     <message>
         <source>forward and up are parallel</source>
@@ -1684,6 +1708,10 @@
         <translation>libtiff nemůže zapsat adresář</translation>
     </message>
     <message>
+        <source>light is being measured already; wait for it, or give it up by 'measure stop'</source>
+        <translation>světlo se už měří; počkejte, nebo měření zrušte příkazem 'measure stop'</translation>
+    </message>
+    <message>
         <source>light that passes through leaves and paper</source>
         <translation>světlo, které prochází listím a papírem</translation>
     </message>
@@ -1702,6 +1730,14 @@
     <message>
         <source>light {0} on</source>
         <translation>světlo {0} rozsvíceno</translation>
+    </message>
+    <message>
+        <source>lights as the model's file brought them</source>
+        <translation>světla tak, jak je přinesl soubor modelu</translation>
+    </message>
+    <message>
+        <source>lights of a look</source>
+        <translation>světla vzhledu</translation>
     </message>
     <message>
         <source>line {0} of its part {1} is no XML ({2}); copy or export it again</source>
@@ -1842,6 +1878,10 @@
     <message>
         <source>no parts of the model that show an image are named "{0}"; that environment is black</source>
         <translation>žádné části modelu, které ukazují obraz, se nejmenují "{0}"; tato mapa okolí je černá</translation>
+    </message>
+    <message>
+        <source>no point of the grid lies over the floor below the viewpoint</source>
+        <translation>žádný bod mřížky neleží nad podlahou pod stanovištěm</translation>
     </message>
     <message>
         <source>no reason given</source>
@@ -2256,6 +2296,10 @@
         <translation>takové soubory</translation>
     </message>
     <message>
+        <source>surfaces that emit as the model's file says</source>
+        <translation>povrchy, které svítí podle souboru modelu</translation>
+    </message>
+    <message>
         <source>switches {0} light, but the scene has {1}</source>
         <translation>přepíná světla ({0}), ale scéna jich má {1}</translation>
     </message>
@@ -2310,6 +2354,10 @@
     <message>
         <source>the angle {0} follows {1}; angles ascend, by a thousandth of a degree or more</source>
         <translation>po úhlu {1} je {0}; úhly rostou aspoň o tisícinu stupně</translation>
+    </message>
+    <message>
+        <source>the background</source>
+        <translation>pozadí</translation>
     </message>
     <message>
         <source>the ballast factor</source>
@@ -2404,6 +2452,10 @@
         <translation>žádost dostal ten, kdo řídí</translation>
     </message>
     <message>
+        <source>the environment {0}</source>
+        <translation>prostředí {0}</translation>
+    </message>
+    <message>
         <source>the exact kd-tree is in use; it took {0} s</source>
         <translation>používá se přesný kd-strom; trval {0} s</translation>
     </message>
@@ -2474,6 +2526,10 @@
     <message>
         <source>the folder for temporary files: {0}</source>
         <translation>složka pro dočasné soubory: {0}</translation>
+    </message>
+    <message>
+        <source>the grid would have more than {0} points; give a larger SPACING</source>
+        <translation>mřížka by měla více než {0} bodů; zadejte větší SPACING</translation>
     </message>
     <message>
         <source>the image has {0} x {1} pixels; {2}</source>
@@ -2628,6 +2684,10 @@
         <translation>výrobce</translation>
     </message>
     <message>
+        <source>the measurement was stopped</source>
+        <translation>měření bylo zastaveno</translation>
+    </message>
+    <message>
         <source>the model has no such material; 'materials' lists them</source>
         <translation>model takový materiál nemá; vypíše je 'materials'</translation>
     </message>
@@ -2646,6 +2706,10 @@
     <message>
         <source>the net has {0} outputs, not 3</source>
         <translation>síť má {0} výstupů, ne 3</translation>
+    </message>
+    <message>
+        <source>the normal is not zero</source>
+        <translation>normála nesmí být nulová</translation>
     </message>
     <message>
         <source>the normal of the section is zero or too large; give the side that is taken away</source>
@@ -2874,6 +2938,10 @@
     <message>
         <source>there is no ffmpeg to make it; install it, or render the frames with -o frame_####.png and make the film of them where it is: {0}</source>
         <translation>chybí ffmpeg, který by ho vytvořil; nainstalujte ho, nebo vykreslete snímky s -o frame_####.png a film z nich vytvořte tam, kde je: {0}</translation>
+    </message>
+    <message>
+        <source>there is no floor below the viewpoint</source>
+        <translation>pod stanovištěm není podlaha</translation>
     </message>
     <message>
         <source>there is no folder {0}; make it first</source>

@@ -32,7 +32,8 @@ struct StudioLight {
 };
 constexpr StudioLight kStudioLights[] = {
     {"key", 45, 45, 2.2F, 2.5F}, {"fill", -60, 20, 2.4F, 0.6F}, {"rim", -160, 50, 1.8F, 1.5F}};
-constexpr float kStudioDistance = 3; ///< radii
+constexpr float kStudioDistance = 3;                  ///< radii
+constexpr std::string_view kCeilingName = "ceiling "; ///< and a number
 
 float cosineOf(float degrees) { return portableCos(degrees * (kPi / 180)); }
 float sineOf(float degrees) { return portableSin(degrees * (kPi / 180)); }
@@ -65,7 +66,7 @@ void addStudioLights(PresetLighting& preset, const Box3& bounds, Vec3 up, Vec3 f
 std::vector<SceneLight> namedRoomLights(const KdTree& tree, const Mesh& mesh, const Survey& survey) {
     std::vector<SceneLight> lights;
     for (const Light& light : roomLights(tree, mesh, survey))
-        lights.emplace_back(light, "ceiling " + std::to_string(lights.size() + 1));
+        lights.emplace_back(light, std::string(kCeilingName) + std::to_string(lights.size() + 1));
     return lights;
 }
 
@@ -96,6 +97,12 @@ std::optional<LightingPreset> lightingPresetNamed(std::string_view name) {
     const auto found = std::find(kLightingPresetNames.begin(), kLightingPresetNames.end(), name);
     if (found == kLightingPresetNames.end()) return std::nullopt;
     return static_cast<LightingPreset>(found - kLightingPresetNames.begin());
+}
+
+bool isPresetLightName(std::string_view name) {
+    const auto isName = [&](const StudioLight& each) { return name == each.name; };
+    return name == kHeadlightName || name.starts_with(kCeilingName) ||
+           std::ranges::any_of(kStudioLights, isName);
 }
 
 bool wantsGround(const Mesh& mesh, const Survey& survey) {

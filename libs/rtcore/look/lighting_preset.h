@@ -23,6 +23,9 @@ std::optional<LightingPreset> lightingPresetNamed(std::string_view name);
 /// Name of the point light of LightingPreset::Headlight.
 inline constexpr const char* kHeadlightName = "default";
 
+/// Whether lights of presets have that name: the headlight, those under ceilings and around objects.
+bool isPresetLightName(std::string_view name);
+
 /// Background and ambient light of a model without a scene file.
 inline constexpr Colour kPlainBackground{0.03F, 0.036F, 0.048F}, kPlainAmbient{0.15F, 0.15F, 0.15F};
 

@@ -62,6 +62,38 @@ void PathIntegrator::trace(const RayWave& rays, std::span<const SampleId> sample
     traceOnward();
 }
 
+void PathIntegrator::traceWhite(std::span<const WhitePoint> points, std::span<const SampleId> samples) {
+    nameSamples(samples);
+    sums_.resize(points.size());
+    wave_.samples = samples;
+    wave_.kind = RayKind::Primary;
+    paths_ = nullptr;
+    wave_.rays = &cameraRays_;
+    next_.clear();
+    kept_.start(points.size());
+    for (std::size_t first = 0; first < points.size() && !frame_.stopped(); first += PathBatches::kBatch) {
+        const std::size_t count = std::min(PathBatches::kBatch, points.size() - first);
+        startWhite(points.subspan(first, count));
+        startInMedia(static_cast<std::uint32_t>(first));
+        onward_ = &next_.roomFor(count);
+        setWeights();
+        scatter();
+    }
+    addKept();
+    traceOnward();
+}
+
+/// Rays of no length that look at the points.
+void PathIntegrator::startWhite(std::span<const WhitePoint> points) {
+    cameraRays_.clear();
+    wave_.hits.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        cameraRays_.push({points[i].position, 0, -points[i].normal, 0});
+        wave_.hits.set(i, {0, 0, 0, 0});
+    }
+    wave_.surfaces.fillWhite(points, *frame_.materials);
+}
+
 void PathIntegrator::traceGathering(const RayWave& rays, std::span<const SampleId> samples) {
     nameSamples(samples);
     sums_.startEmpty(rays.size());
@@ -164,7 +196,11 @@ void PathIntegrator::shade(std::size_t first, std::size_t count) {
     addFound();
     division_.divide({*frame_.scene, *frame_.materials, wave_.hits, Mirroring::Exact}, wave_.surfaces);
     clock_.lap(Stage::Surfaces);
-    if (frame_.stopped()) return;
+    if (!frame_.stopped()) scatter();
+}
+
+/// From the points of the wave, whose weights are known, to what follows.
+void PathIntegrator::scatter() {
     sampleLights();
     const ScatterTask task{*frame_.materials, *lights_,
                            limits_,           static_cast<std::uint32_t>(frame_.settings->maxDepth),

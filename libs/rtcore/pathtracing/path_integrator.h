@@ -54,6 +54,10 @@ class PathIntegrator {
     /// Traces camera rays (directions of unit length) to the ends of their paths. `samples` names each of
     /// them, and which of its pixel's samples it is.
     void trace(const RayWave& rays, std::span<const SampleId> samples);
+    /// In place of camera rays: the paths of light that comes to points of white matte paper, which nothing
+    /// else meets. The radiance of each, times pi, is the irradiance there. Solids of glass that a point is
+    /// in are known.
+    void traceWhite(std::span<const WhitePoint> points, std::span<const SampleId> samples);
     /// Traces rays that gather light for points which scatter it as matte surfaces do: what is left of the
     /// paths after their first bounce. Not with the light that such points sample themselves: of lights, and
     /// of what emits where the ray or its straight way through panes ends.
@@ -74,6 +78,7 @@ class PathIntegrator {
     void nameSamples(std::span<const SampleId> samples);
     void traceCamera(const RayWave& rays);
     void startInMedia(std::uint32_t first);
+    void startWhite(std::span<const WhitePoint> points);
     void tracePaths();
     void traceOnward();
     bool leavesLightsOut(std::size_t ray) const;
@@ -81,6 +86,7 @@ class PathIntegrator {
     void clipUnscattered(PathBatch& batch) const;
     void startStep(RayKind kind, const RayWave& rays);
     void shade(std::size_t first, std::size_t count);
+    void scatter();
     PathNames names() const;
     void setWeights();
     void addFound();

@@ -207,6 +207,8 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::Pack, command::pack("/a b", true)},
         {CommandId::PackProgress, command::packProgress()},
         {CommandId::PackStop, command::packStop()},
+        {CommandId::MeasureProgress, command::measureProgress()},
+        {CommandId::MeasureStop, command::measureStop()},
         {CommandId::BookmarkAdd, command::bookmarkAdd("by the \"door\"", path)},
         {CommandId::BookmarkGo, command::bookmarkGo("a b")},
         {CommandId::BookmarkRename, command::bookmarkRename("a b", "c d")},

@@ -2,6 +2,7 @@
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/render/camera_rays.h"
+#include "rtcore/render/light_probe.h"
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/simd/instruction_set.h"
 
@@ -13,6 +14,7 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace rtcore {
 namespace {
@@ -162,6 +164,29 @@ TEST_F(InstructionSets, BloomAlike) {
             EXPECT_EQ(Bloom().apply(image, {}, {.settings = settings, .threads = 1}).pixels, expected.pixels)
                 << name;
         }
+    }
+}
+
+TEST_F(InstructionSets, MeasureLightAlike) {
+    const test::TracedScene traced(test::softlyLitScene());
+    const ProbedLight whole{&traced.scene};
+    const Box3& bounds = traced.tree.bounds;
+    const WhitePoint above{bounds.centre() + Vec3{0, 0.3F * bounds.size().y, 0}, {0, 1, 0}};
+    const auto measure = [&] {
+        LightProbe probe;
+        probe.begin({&whole, 1}, traced.tracer, {});
+        RenderControl control;
+        control.threads = 1;
+        std::vector<MeasuredLight> measured;
+        EXPECT_TRUE(probe.irradiance({&above, 1}, {.relativeError = 0.05}, control, measured));
+        return measured.at(0);
+    };
+    ASSERT_TRUE(useInstructionSet("scalar"));
+    const MeasuredLight expected = measure();
+    EXPECT_GT(expected.error, 0) << "there is something to sample";
+    for (const std::string& name : instructionSets()) {
+        ASSERT_TRUE(useInstructionSet(name));
+        EXPECT_EQ(measure().colour, expected.colour) << name;
     }
 }
 

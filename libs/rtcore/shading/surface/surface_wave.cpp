@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numbers>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/surface/surface_wave.cpp"
@@ -223,13 +224,34 @@ void SurfaceWave::gather(const SurfaceWave& from, std::span<const std::uint32_t>
     std::fill_n(material + points.size(), kWaveBlock, 0U);
 }
 
+void SurfaceWave::clearTint(const MaterialTable& materials) {
+    if (!materials.anyTint()) return;
+    const std::size_t room = (size_ + kWaveBlock - 1) / kWaveBlock * kWaveBlock;
+    for (float* const values : {tint.x, tint.y, tint.z}) std::fill_n(values, room, 1.0F);
+}
+
+void SurfaceWave::fillWhite(std::span<const WhitePoint> points, const MaterialTable& materials) {
+    resize(points.size(), materials);
+    clearTint(materials);
+    notPlainCount_ = 0;
+    const Vec3 brdf = Vec3{1, 1, 1} * std::numbers::inv_pi_v<float>;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        traits[i] = traits::kPoint;
+        position.set(i, points[i].position);
+        clearance[i] = 0;
+        geometricNormal.set(i, points[i].normal);
+        shadingNormal.set(i, points[i].normal);
+        toViewer.set(i, points[i].normal);
+        diffuseBrdf.set(i, brdf);
+    }
+    std::fill_n(traits + points.size(), kWaveBlock, 0U);
+    std::fill_n(material, points.size() + kWaveBlock, 0U);
+}
+
 void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays,
                        const HitWave& hits) {
     resize(rays.size(), materials);
-    if (materials.anyTint()) {
-        const std::size_t room = (size_ + kWaveBlock - 1) / kWaveBlock * kWaveBlock;
-        for (float* const values : {tint.x, tint.y, tint.z}) std::fill_n(values, room, 1.0F);
-    }
+    clearTint(materials);
     const SurfaceSources sources{mesh.vertices.data(), mesh.triangles.data(), mesh.shading.data(),
                                  mesh.normals.data(), materials.rows()};
     notPlainCount_ = 0;

@@ -15,6 +15,12 @@
 
 namespace rtcore {
 
+/// A point off all surfaces, and the side of it that is looked at.
+struct WhitePoint {
+    Vec3 position;
+    Vec3 normal; ///< unit
+};
+
 /// One element for each ray of the wave, and room for whole blocks of kWaveBlock. One for each thread; keeps
 /// its memory.
 class SurfaceWave {
@@ -23,6 +29,10 @@ class SurfaceWave {
     /// with a trait of kNotPlain, `diffuseBrdf` and `shadingNormal` are those of the material and mesh
     /// without textures; `notPlain()` lists them in ascending order.
     void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
+
+    /// The same of points of white matte paper, of an albedo of 1, in place of hits: each is seen straight
+    /// on.
+    void fillWhite(std::span<const WhitePoint> points, const MaterialTable& materials);
 
     /// The points of another wave at these indices, without the list of those that are not plain, and without
     /// `specular` and `contribution`.
@@ -62,6 +72,7 @@ class SurfaceWave {
 
   private:
     void resize(std::size_t count, const MaterialTable& materials);
+    void clearTint(const MaterialTable& materials);
 
     std::size_t size_ = 0;
     WaveMemory memory_;
