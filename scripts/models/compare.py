@@ -33,8 +33,8 @@ AXES = "xyz"
 
 def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter, epilog=(
-        "verdicts: same; mask, colour, opacity (constants of materials): these differ; ours, theirs, both: that program does "
-        "not read it."))
+        "verdicts: same; mask, colour, opacity (constants of materials): these differ; ours, theirs, both: that "
+        "program does not read it."))
     parser.add_argument("models", help="folder of models, searched through")
     parser.add_argument("output", help="folder for the table and the images")
     parser.add_argument("--only", action="append", default=[], metavar="WORD", help="models whose path holds this")
@@ -66,13 +66,19 @@ def shrunk(mask):
     return result
 
 
+def apart(albedo, emitted, colours):
+    """The largest difference of a channel. What is black and emits may be unlit: then that is its base colour."""
+    difference, unlit = (abs(its - colours).max(axis=2) for its in (albedo, emitted))
+    return numpy.where(albedo.max(axis=2) > 0, difference, numpy.minimum(difference, unlit))
+
+
 def compare(mine, their_mask, their_colours, coloured):
-    mask, colours = mine
+    mask, albedo, emitted = mine
     both = (mask | their_mask).sum()
     found = {"iou": (mask & their_mask).sum() / both if both else 1.0}
     inside = shrunk(mask & coloured)
     if inside.sum() > 50:
-        differences = abs(colours - their_colours).max(axis=2)[inside]
+        differences = apart(albedo, emitted, their_colours)[inside]
         found["colour"], found["colour95"] = numpy.median(differences), numpy.quantile(differences, 0.95)
     wrong = [name for name, bad in (("mask", found["iou"] < ALIKE), ("colour", found.get("colour", 0) > NEAR)) if bad]
     return found, "+".join(wrong) or "same"
@@ -85,9 +91,10 @@ def opacities(mine, other):
 
 
 def picture(path, mine, their_mask, their_colours, coloured):
-    mask, colours = mine
+    mask, albedo, emitted = mine
+    our_colours = numpy.where(albedo.max(axis=2)[..., None] > 0, albedo, emitted)
     panes = []
-    for its, covered in ((colours, mask), (numpy.where(coloured[..., None], their_colours, 0.5), their_mask)):
+    for its, covered in ((our_colours, mask), (numpy.where(coloured[..., None], their_colours, 0.5), their_mask)):
         shown = numpy.clip(its, 0, 1) ** (1 / 2.2)
         panes.append(numpy.where(covered[..., None], shown, (0.15, 0.2, 0.3)))
     both = (mask & their_mask)[..., None] * numpy.ones(3)
@@ -180,10 +187,10 @@ def main():
             continue
         other = next(other for other in others if os.path.splitext(name)[1].lower() in other.endings)
         stem = os.path.join(os.path.abspath(chosen.output), name.replace(os.sep, "__"))
-        lines[name] = {"model": name, **judge(os.path.abspath(os.path.join(chosen.models, name)), stem, mine, other, chosen.side)}
-        line = lines[name]
-        print("%-11s %6s %6s  %s  %s" % (line["verdict"], line.get("iou", ""), line.get("colour", ""), name, line.get("reason", "")),
-              flush=True)
+        model = os.path.abspath(os.path.join(chosen.models, name))
+        line = lines[name] = {"model": name, **judge(model, stem, mine, other, chosen.side)}
+        told = [line.get(column, "") for column in ("verdict", "iou", "colour", "model", "reason")]
+        print("%-11s %6s %6s  %s  %s" % tuple(told), flush=True)
         write_table(table, lines)
     report(lines)
 

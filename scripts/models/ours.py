@@ -88,7 +88,7 @@ class Ours:
         return {**read_bsp(stem + ".bsp"), "zero": zero_of(stem + ".import.log")}
 
     def render(self, stem, view, side):
-        """(mask, colours) of a view; the model is STEM.bsp."""
+        """(mask, base colours, emitted light) of a view; the model is STEM.bsp."""
         with open(stem + ".scn", "w", encoding="utf-8") as file:
             file.write(PLAIN % (os.path.basename(stem) + ".bsp"))
         with open(stem + ".cam", "w", encoding="utf-8") as file:
@@ -99,7 +99,4 @@ class Ours:
         programs.run([self.renderer, stem + ".scn", "--camera=" + stem + ".cam", "-o", stem + ".ours.exr", "--aovs",
                       "-w", str(side), "-h", str(side), "--threads=1", "--progress=none"], stem + ".render.log")
         image = exr.Exr(stem + ".ours.exr")
-        albedo, emitted = image.colours("albedo."), image.colours()
-        unlit = (albedo.max(axis=2) <= 0) & (emitted.max(axis=2) > 0)
-        albedo[unlit] = emitted[unlit]
-        return image.channels["depth.Z"] < NOTHING, albedo
+        return image.channels["depth.Z"] < NOTHING, image.colours("albedo."), image.colours()

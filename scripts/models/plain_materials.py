@@ -82,7 +82,8 @@ def emit(material):
     surface = emission.outputs[0]
     alpha = node.inputs.get("Alpha") if node is not None else None
     if alpha is not None and alpha.is_linked:
-        surface = with_holes(tree, surface, alpha, material.alpha_threshold if material.blend_method == "CLIP" else HOLE)
+        cutoff = material.alpha_threshold if material.blend_method == "CLIP" else HOLE
+        surface = with_holes(tree, surface, alpha, cutoff)
     finish(tree, surface)
 
 

@@ -3,7 +3,8 @@
     blender --background --factory-startup --python render_blender.py -- JOB.json
 
 The job names `model`, `image` (an EXR of 32-bit floats that is written), `answer` (JSON that is written: turn, scale,
-view, bounds and counts), `side` in pixels, and of ours `low`, `high` and `zero`.
+view, bounds and counts), `side` in pixels, of ours `low`, `high` and `zero`, and
+the `usual` turn to our axes, or null for that of the format.
 """
 import json
 import os
@@ -56,6 +57,7 @@ def open_blend(path):
     bpy.ops.wm.open_mainfile(filepath=path, load_ui=False)
 
 
+X3D = ((0, -1), (2, 1), (1, 1))  # as Blender turns these
 # Reader, usual turn to our axes, usual scales.
 READERS = {
     ".gltf": (read_gltf, frames.Z_TO_Y, (1.0,)),
@@ -66,8 +68,8 @@ READERS = {
     ".obj": (lambda path: bpy.ops.wm.obj_import(filepath=path, validate_meshes=True), frames.Z_TO_Y, (1.0,)),
     ".ply": (lambda path: bpy.ops.import_mesh.ply(filepath=path), frames.AS_IS, (1.0,)),
     ".stl": (lambda path: bpy.ops.import_mesh.stl(filepath=path), frames.AS_IS, (1.0,)),
-    ".wrl": (read_x3d, frames.Z_TO_Y, (1.0,)),
-    ".x3d": (read_x3d, frames.Z_TO_Y, (1.0,)),
+    ".wrl": (read_x3d, X3D, (1.0,)),
+    ".x3d": (read_x3d, X3D, (1.0,)),
     ".dxf": (read_dxf, frames.Z_TO_Y, (1.0,)),
     ".blend": (open_blend, frames.AS_IS, (1.0,)),
 }
@@ -131,6 +133,7 @@ def main():
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as file:
         job = json.load(file)
     read, usual, scales = READERS[os.path.splitext(job["model"])[1].lower()]
+    usual = tuple(map(tuple, job["usual"] or usual))
     bpy.ops.wm.read_factory_settings(use_empty=True)
     read(job["model"])
     scene = bpy.context.scene

@@ -15,8 +15,9 @@ from ours import exr
 HERE = os.path.dirname(os.path.abspath(__file__))
 NO_COLOUR = 32  # above: plain_materials.NONE
 BLENDER = {".gltf", ".glb", ".vrm", ".fbx", ".dae", ".obj", ".ply", ".stl", ".wrl", ".x3d", ".dxf", ".blend"}
+OVER = ((0, 1), (1, -1), (2, -1))  # osgconv turns models of y up to z up, and Blender turns OBJ files again
 F3D = {".3ds": frames.Z_TO_Y, ".off": frames.AS_IS, ".pts": frames.AS_IS}
-OSG = {".x", ".ac", ".acc", ".lwo", ".lws"}
+OSG = {".x": OVER, ".ac": frames.Z_TO_Y, ".lwo": OVER, ".lws": OVER}
 ANGLE = 0.05    # degrees of f3d's view, which has no orthographic one: rays are parallel but for this
 
 
@@ -26,9 +27,9 @@ class Blender:
     def __init__(self, program):
         self.program = program
 
-    def render(self, model, stem, ours, side):
+    def render(self, model, stem, ours, side, usual=None):
         """(answer, mask, colours, where there are colours)."""
-        job = {"model": model, "image": stem + ".theirs.exr", "answer": stem + ".json", "side": side,
+        job = {"model": model, "usual": usual, "image": stem + ".theirs.exr", "answer": stem + ".json", "side": side,
                "low": ours["low"], "high": ours["high"], "zero": ours["zero"]}
         with open(stem + ".job", "w", encoding="utf-8") as file:
             json.dump(job, file)
@@ -49,7 +50,7 @@ class Blender:
 
 
 class OpenSceneGraph:
-    name, endings = "OpenSceneGraph", OSG
+    name, endings = "OpenSceneGraph", set(OSG)
 
     def __init__(self, program, blender):
         self.program, self.blender = program, blender
@@ -61,7 +62,7 @@ class OpenSceneGraph:
         programs.run([self.program, model, made], stem + ".theirs.log")
         if not os.path.exists(made):
             raise programs.Failed(programs.last_line(stem + ".theirs.log"))
-        return self.blender.render(made, stem, ours, side)
+        return self.blender.render(made, stem, ours, side, OSG[os.path.splitext(model)[1].lower()])
 
 
 class F3d:
@@ -78,13 +79,13 @@ class F3d:
         half = numpy.tan(numpy.radians(ANGLE / 2))
         eye = [e + f * (view["depth"] / 2 - view["width"] / 2 / half) for e, f in zip(view["eye"], view["forward"])]
         point = [e + f * view["depth"] / 2 for e, f in zip(view["eye"], view["forward"])]
-        place = {name: frames.turned_back(turn, [(v + z) / scale for v, z in zip(value, ours["zero"])])
+        camera = {name: frames.turned_back(turn, [(v + z) / scale for v, z in zip(value, ours["zero"])])
                  for name, value in (("position", eye), ("focal-point", point))}
-        place["view-up"] = frames.turned_back(turn, view["up"])
+        camera["view-up"] = frames.turned_back(turn, view["up"])
         image = stem + ".theirs.png"
+        looking = ["--camera-%s=%s" % (name, ",".join("%.9g" % v for v in value)) for name, value in camera.items()]
         self.start(["--no-background", "--output", image, "--resolution", "%d,%d" % (side, side),
-                    "--camera-view-angle", str(ANGLE), model]
-                   + ["--camera-%s=%s" % (name, ",".join("%.9g" % v for v in value)) for name, value in place.items()], stem)
+                    "--camera-view-angle", str(ANGLE), model] + looking, stem)
         mask = read_alpha(image) > 127
         return ({"turn": turn, "usual": turn == usual, "scale": scale, "apart": distance, "view": view,
                  "triangles": 0, "parts": 0}, mask, numpy.zeros((*mask.shape, 3)), numpy.zeros_like(mask))
@@ -98,7 +99,8 @@ class F3d:
         with open(stem + ".theirs.log", encoding="utf-8", errors="replace") as file:
             lines = dict(line.strip().split(": ", 1) for line in file if line.startswith("Camera ") and ": " in line)
         try:
-            eye, middle = (tuple(map(float, lines["Camera " + name].split(","))) for name in ("position", "focal point"))
+            eye, middle = ([float(word) for word in lines["Camera " + name].split(",")]
+                           for name in ("position", "focal point"))
         except (KeyError, ValueError):
             raise programs.Failed(programs.last_line(stem + ".theirs.log")) from None
         theirs = frames.around(middle, math.dist(eye, middle) * math.sin(math.radians(15)))
@@ -135,12 +137,14 @@ def unfiltered(data, width, height):
             continue
         for x in range(width):
             a, b, c = rows[y + 1, x], rows[y, x + 1], rows[y, x]
-            rows[y + 1, x + 1] = (values[x] + (a if line[0] == 1 else (a + b) // 2 if line[0] == 3 else paeth(a, b, c))) & 255
+            guess = a if line[0] == 1 else (a + b) // 2 if line[0] == 3 else paeth(a, b, c)
+            rows[y + 1, x + 1] = (values[x] + guess) & 255
     return rows[1:, 1:]
 
 
 def paeth(a, b, c):
     p = a + b - c
-    return numpy.where((abs(p - a) <= abs(p - b)) & (abs(p - a) <= abs(p - c)), a, numpy.where(abs(p - b) <= abs(p - c), b, c))
+    to_a, to_b, to_c = (abs(p - value) for value in (a, b, c))
+    return numpy.where((to_a <= to_b) & (to_a <= to_c), a, numpy.where(to_b <= to_c, b, c))
 
 
