@@ -43,7 +43,7 @@ def options():
     parser.add_argument("--programs", default="", metavar="FOLDER", help="of Renderer and rtimport [those in PATH]")
     parser.add_argument("--blender", default="blender", metavar="FILE", help="Blender 3.4")
     parser.add_argument("--f3d", default="f3d", metavar="FILE",
-                        help="f3d 1.3, for 3DS and OFF; without it these are left out")
+                        help="f3d 1.3, for 3DS; without it these are left out")
     parser.add_argument("--osgconv", default="osgconv", metavar="FILE",
                         help="of OpenSceneGraph 3.6, for further ones; without it these are left out")
     return parser.parse_args()

@@ -16,7 +16,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 NO_COLOUR = 32  # above: plain_materials.NONE
 BLENDER = {".gltf", ".glb", ".vrm", ".fbx", ".dae", ".obj", ".ply", ".stl", ".wrl", ".x3d", ".dxf", ".blend"}
 OVER = ((0, 1), (1, -1), (2, -1))  # osgconv turns models of y up to z up, and Blender turns OBJ files again
-F3D = {".3ds": frames.Z_TO_Y, ".off": frames.AS_IS, ".pts": frames.AS_IS}
+F3D = {".3ds": frames.Z_TO_Y}  # what else it reads is read by Blender, or by Assimp
 OSG = {".x": OVER, ".ac": frames.Z_TO_Y, ".lwo": OVER, ".lws": OVER}
 ANGLE = 0.05    # degrees of f3d's view, which has no orthographic one: rays are parallel but for this
 
