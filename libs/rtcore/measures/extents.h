@@ -15,8 +15,8 @@ namespace rtcore {
 /// its plane and hang together with it by corners. Hidden parts do not count. Takes time of all triangles.
 double areaOfFace(const Scene& scene, std::uint32_t triangle);
 
-/// What these parts (numbers in Model::parts) enclose, in cubic scene units: the sum of each, without its hollows; what
-/// two of them overlap counts twice. Nothing where one of them is open.
+/// What these parts (numbers in Model::parts) enclose, in cubic scene units: the sum of each, without its
+/// hollows; what two of them overlap counts twice. Nothing where one of them is open.
 std::optional<double> volumeOf(const Model& model, std::span<const std::uint32_t> parts,
                                ClosedPieces& pieces);
 
