@@ -12,9 +12,17 @@ namespace gui {
 
 namespace {
 
-QDoubleSpinBox* lengthField(double minimum, double maximum, double value, int decimals, const QString& name) {
-    auto* field = new QDoubleSpinBox;
-    field->setDecimals(decimals);
+/// Numbers without zeros behind them: 100, and 0.5 where something is drawn larger than it is.
+class ScaleBox : public QDoubleSpinBox {
+  protected:
+    QString textFromValue(double value) const override {
+        constexpr int kDigits = 8;
+        return locale().toString(value, 'g', kDigits);
+    }
+};
+
+QDoubleSpinBox* prepared(QDoubleSpinBox* field, double minimum, double maximum, double value,
+                         const QString& name) {
     field->setRange(minimum, maximum);
     field->setValue(value);
     field->setAccessibleName(name);
@@ -33,8 +41,9 @@ PlanDialog::PlanDialog(const QString& path, Preferences& preferences, QWidget* p
       path_(new FileField(FileField::Kind::Save, tr("Plan"),
                           tr("Drawings (*.pdf *.svg *.dxf);;All files (*)"))),
       side_(new QComboBox), storey_(new QComboBox), paper_(new QComboBox),
-      height_(lengthField(0, 10000, preferences.get(pref::planHeight), 2, tr("Height of the cut"))),
-      scale_(lengthField(0.01, 1e6, preferences.get(pref::planScale), 2, tr("Scale"))) {
+      height_(
+          prepared(new QDoubleSpinBox, 0, 10000, preferences.get(pref::planHeight), tr("Height of the cut"))),
+      scale_(prepared(new ScaleBox, 0.01, 1e6, preferences.get(pref::planScale), tr("Scale"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Plan"));
     path_->setPath(path);
