@@ -16,7 +16,7 @@ namespace rtcore {
 namespace white_paper {
 namespace {
 
-struct Setup {
+struct PaperCase {
     std::string name;
     std::function<void(test::SceneBuilder&)> furnish;
 };
@@ -107,22 +107,22 @@ test::PathMean onPaper(const test::PathScene& scene, std::uint32_t count) {
 
 TEST(WhitePaper, IsLitAsAWhiteSurface) {
     constexpr std::uint32_t kPaths = 16384;
-    const std::vector<Setup> setups{{"in the open", addLit}, {"below a pane", addPane},
-                                    {"by metal", addMetal},  {"in fog", addFog},
-                                    {"in water", addWater},  {"by many lights", addManyLights}};
-    for (const Setup& setup : setups) {
+    const std::vector<PaperCase> cases{{"in the open", addLit}, {"below a pane", addPane},
+                                       {"by metal", addMetal},  {"in fog", addFog},
+                                       {"in water", addWater},  {"by many lights", addManyLights}};
+    for (const PaperCase& each : cases) {
         test::SceneBuilder b;
-        setup.furnish(b);
+        each.furnish(b);
         b.square({0, 0, 0}, {0, 1, 0}, 0.02F, b.material(test::matte(1)));
         const test::PathScene scene(b.finish());
         const test::PathMean surface = scene.see({0, 1e-3F, 0}, {0, -1, 0}, kPaths);
         const test::PathMean paper = onPaper(scene, kPaths);
         for (std::size_t k = 0; k < 3; ++k) {
-            EXPECT_GT(surface.mean[k], 0.01) << setup.name;
+            EXPECT_GT(surface.mean[k], 0.01) << each.name;
             EXPECT_NEAR(paper.mean[k], surface.mean[k],
                         5 * std::hypot(paper.error[k], surface.error[k]) + 1e-3 * surface.mean[k])
-                << setup.name;
-            EXPECT_LT(surface.error[k], 0.03 * surface.mean[k]) << setup.name << ": it says little";
+                << each.name;
+            EXPECT_LT(surface.error[k], 0.03 * surface.mean[k]) << each.name << ": it says little";
         }
     }
 }
