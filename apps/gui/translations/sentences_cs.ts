@@ -1480,6 +1480,10 @@
         <translation>jeho kotouč je mimo rozsah</translation>
     </message>
     <message>
+        <source>its elements are nested more than {0} deep; export it again</source>
+        <translation>jeho prvky jsou vnořeny ve více než {0} úrovních; vyexportujte jej znovu</translation>
+    </message>
+    <message>
         <source>its face {0} claims to have {1} corners</source>
         <translation>stěna {0} má mít {1} vrcholů</translation>
     </message>
@@ -1510,6 +1514,10 @@
     <message>
         <source>its geometry is in {0}, which is missing; put it beside the model's file</source>
         <translation>jeho geometrie je v souboru {0}, který chybí; dejte ho vedle souboru modelu</translation>
+    </message>
+    <message>
+        <source>its group {0} uses itself (USE); export it again</source>
+        <translation>jeho skupina {0} používá sama sebe (USE); vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>its guess or its steps make no sense</source>
@@ -1966,6 +1974,10 @@
     <message>
         <source>of its {0} MB hardly any were ever written; copy or export it again</source>
         <translation>z jeho {0} MB skoro nic nebylo zapsáno; zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
+        <source>of levels of detail (LOD) the first is shown</source>
+        <translation>z úrovní detailu (LOD) se zobrazuje první</translation>
     </message>
     <message>
         <source>only a light of the kind ies has a file and lumens</source>
@@ -2430,6 +2442,10 @@
     <message>
         <source>the folder for temporary files: {0}</source>
         <translation>složka pro dočasné soubory: {0}</translation>
+    </message>
+    <message>
+        <source>the groups that it uses again (USE) come to more than {0} MB of text; export it with fewer of them</source>
+        <translation>skupiny, které používá opakovaně (USE), tvoří víc než {0} MB textu; vyexportujte jej s menším počtem</translation>
     </message>
     <message>
         <source>the image has {0} x {1} pixels; {2}</source>
@@ -3122,6 +3138,10 @@
     <message>
         <source>what stands in braces reads { key = value, key = value }, all on one line</source>
         <translation>obsah složených závorek má tvar { klíč = hodnota, klíč = hodnota }, celý na jednom řádku</translation>
+    </message>
+    <message>
+        <source>what these X3D nodes show is left out, as they are not read: {0}</source>
+        <translation>co zobrazují tyto uzly X3D, je vynecháno, protože se nečtou: {0}</translation>
     </message>
     <message>
         <source>whole numbers in brackets</source>

@@ -9,6 +9,7 @@
 #include "rtcore/io/import/assimp/mesh_poser.h"
 #include "rtcore/io/import/assimp/scene_pose.h"
 #include "rtcore/io/import/assimp/unread_content.h"
+#include "rtcore/io/import/assimp/x3d_text.h"
 #include "rtcore/io/import/gltf/gltf_damage.h"
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/inspection/cut_off.h"
@@ -309,12 +310,18 @@ std::string beginningOf(const std::string& reason) {
     return reason.substr(0, end) + " ...";
 }
 
+/// In place of the file's, where Assimp would not understand that.
+std::optional<std::string> textForAssimp(const std::filesystem::path& path) {
+    if (auto text = colladaWithoutMorphs(path)) return text;
+    return x3dForAssimp(path);
+}
+
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path, bool animations,
                          ImportReport& report) {
     const auto files = std::make_shared<std::vector<std::string>>();
     std::optional<ReplacedFile> replaced;
-    if (auto text = colladaWithoutMorphs(path)) replaced = {plainPath(path).string(), std::move(*text)};
+    if (auto text = textForAssimp(path)) replaced = {plainPath(path).string(), std::move(*text)};
     importer.SetIOHandler(filesForAssimp(files, std::move(replaced))); // which it owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -427,6 +434,7 @@ void warnOfFiles(const std::filesystem::path& path, const std::string& format, I
         addWarning(report, say("what modifiers make of its meshes, and some objects of its hierarchy, may "
                                "be missing; export it from Blender as glTF to be sure"));
     for (const char* const form : unreadInCollada(path)) addWarning(report, form);
+    for (const Sentence& sentence : unreadInX3d(path)) addWarning(report, sentence);
 }
 
 /// The names of the nodes from below the root on, with slashes between them.
