@@ -1,6 +1,7 @@
 // Texts of files of which Assimp alone would lose something.
 #include "rtcore/io/import/assimp/assimp_import.h"
 #include "rtcore/io/import/assimp/dxf_text.h"
+#include "rtcore/io/import/assimp/format_quirks.h"
 
 #include "import_support.h"
 
@@ -63,6 +64,11 @@ TEST(DxfText, OthersStay) {
     EXPECT_EQ(dxfForAssimp(folder / "m.txt"), std::nullopt);
     writeText(folder / "m.dxf", "  0\nVERTEX\n 70\n128\n 71\n-");
     EXPECT_EQ(dxfForAssimp(folder / "m.dxf"), "  0\nVERTEX\n 70\n128\n 71\n") << "cut off";
+}
+
+TEST(FormatQuirks, VertexColoursOfBlenderFilesAreIgnored) {
+    EXPECT_TRUE(quirksOf("Blender 3D Importer (http://www.blender3d.org)").ignoredColours);
+    EXPECT_FALSE(quirksOf("Collada Importer").ignoredColours);
 }
 
 } // namespace

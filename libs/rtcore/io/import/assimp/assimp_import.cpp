@@ -146,7 +146,7 @@ class MeshReader {
                 out.normals = readNormals(mesh, at.toWorld);
         }
         out.texcoords = readTexcoords(mesh, use);
-        if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
+        if (mesh.mColors[0] != nullptr && !quirks_.ignoredColours) out.colours = readColours(mesh);
         return out;
     }
 
