@@ -1612,6 +1612,10 @@
         <translation>jeho strany jsou mimo rozsah</translation>
     </message>
     <message>
+        <source>its surfaces are not subdivided, as that would smear their textures along seams; export them subdivided</source>
+        <translation>jeho plochy nejsou zjemněny, protože by se tím rozmazaly jejich textury podél švů; vyexportujte je zjemněné</translation>
+    </message>
+    <message>
         <source>its text is in UTF-16, which is not read; save it as UTF-8 in a text editor</source>
         <translation>jeho text je v UTF-16, které se nečte; uložte jej v textovém editoru jako UTF-8</translation>
     </message>

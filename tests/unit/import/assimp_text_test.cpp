@@ -66,6 +66,33 @@ TEST(DxfText, OthersStay) {
     EXPECT_EQ(dxfForAssimp(folder / "m.dxf"), "  0\nVERTEX\n 70\n128\n 71\n") << "cut off";
 }
 
+std::string acOf(const std::string& texture, const std::string& subdivision) {
+    return "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0\nOBJECT world\n"
+           "kids 1\nOBJECT poly\nname \"quad\"\n" +
+           subdivision + texture +
+           "numvert 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 4\n"
+           "0 0 0\n1 1 0\n2 1 1\n3 0 1\nkids 0\n";
+}
+
+TEST(Ac3dText, TexturedSurfacesAreNotSubdivided) {
+    const auto triangles = [](const std::string& texture, const std::string& subdivision) {
+        return assimpImport("m.ac", acOf(texture, subdivision)).model.triangles.size();
+    };
+    const std::string texture = "texture \"t.png\"\n", twice = "subdiv 2\n";
+    EXPECT_EQ(triangles("", ""), 2U);
+    EXPECT_EQ(triangles("", twice), 32U);
+    EXPECT_EQ(triangles(texture, twice), 2U);
+    EXPECT_EQ(triangles(texture, "subdiv 0\n"), 2U);
+    const auto told = [&](const std::string& subdivision) {
+        bool found = false;
+        for (const Sentence& warning : assimpImport("m.ac", acOf(texture, subdivision)).report.warnings)
+            found = found || warning.english().find("not subdivided") != std::string::npos;
+        return found;
+    };
+    EXPECT_TRUE(told(twice));
+    EXPECT_FALSE(told("subdiv 0\n"));
+}
+
 TEST(FormatQuirks, VertexColoursOfBlenderFilesAreIgnored) {
     EXPECT_TRUE(quirksOf("Blender 3D Importer (http://www.blender3d.org)").ignoredColours);
     EXPECT_FALSE(quirksOf("Collada Importer").ignoredColours);

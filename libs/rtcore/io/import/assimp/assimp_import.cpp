@@ -1,5 +1,6 @@
 #include "rtcore/io/import/assimp/assimp_import.h"
 
+#include "rtcore/io/import/assimp/ac3d_text.h"
 #include "rtcore/io/import/assimp/assimp_files.h"
 #include "rtcore/io/import/assimp/assimp_parts.h"
 #include "rtcore/io/import/assimp/collada_morphs.h"
@@ -329,6 +330,7 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, animations);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, !animations);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_AC_EVAL_SUBDIVISION, !subdividesTextures(path));
     refuseMisnamedFor(path, importer);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     for (const std::string& file : *files) addFile(report, file);
@@ -437,6 +439,9 @@ void warnOfFiles(const std::filesystem::path& path, const std::string& format, I
                                "be missing; export it from Blender as glTF to be sure"));
     for (const char* const form : unreadInCollada(path)) addWarning(report, form);
     for (const Sentence& sentence : unreadInX3d(path)) addWarning(report, sentence);
+    if (subdividesTextures(path))
+        addWarning(report, say("its surfaces are not subdivided, as that would smear their textures along "
+                               "seams; export them subdivided"));
 }
 
 /// The names of the nodes from below the root on, with slashes between them.
