@@ -66,6 +66,65 @@ TEST(DxfText, OthersStay) {
     EXPECT_EQ(dxfForAssimp(folder / "m.dxf"), "  0\nVERTEX\n 70\n128\n 71\n") << "cut off";
 }
 
+std::string daeOf(const std::string& colour) {
+    return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<library_effects><effect id="e"><profile_COMMON><technique sid="t"><lambert><diffuse>)" +
+           colour + R"(</diffuse></lambert></technique></profile_COMMON></effect></library_effects>
+<library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="1" material="s"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"><bind_material><technique_common>
+<instance_material symbol="s" target="#m"/></technique_common></bind_material></instance_geometry></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
+TEST(ColladaText, ColoursMayStandBehindBlanks) {
+    for (const char* const colour : {"<color>0.25 0.5 0.75 1</color>", "<color>  0.25 0.5 0.75 1 </color>",
+                                     "<color sid=\"diffuse\">\n\t0.25\n0.5 0.75 1\n</color>"}) {
+        const FileImport import = assimpImport("m.dae", daeOf(colour));
+        ASSERT_EQ(import.model.materials.size(), 1U) << colour;
+        EXPECT_TRUE(test::near(import.model.materials[0].diffuse, {0.25F, 0.5F, 0.75F})) << colour;
+    }
+}
+
+TEST(ColladaText, NumbersOfJointsMayStandBehindBlanks) {
+    const auto skinned = [](const std::string& blanks) {
+        std::string text = daeOf("<color>1 1 1 1</color>");
+        const auto insert = [&](const std::string& before, const std::string& piece) {
+            text.insert(text.find(before), piece);
+        };
+        insert("<library_visual_scenes>",
+               R"(<library_controllers><controller id="c"><skin source="#g">
+<bind_shape_matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix>
+<source id="j"><Name_array id="ja" count="1">bone</Name_array><technique_common><accessor source="#ja" count="1" stride="1">
+<param name="JOINT" type="name"/></accessor></technique_common></source>
+<source id="w"><float_array id="wa" count="1">1</float_array><technique_common><accessor source="#wa" count="1" stride="1">
+<param name="WEIGHT" type="float"/></accessor></technique_common></source>
+<source id="b"><float_array id="ba" count="16">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</float_array><technique_common>
+<accessor source="#ba" count="1" stride="16"><param name="TRANSFORM" type="float4x4"/></accessor></technique_common></source>
+<joints><input semantic="JOINT" source="#j"/><input semantic="INV_BIND_MATRIX" source="#b"/></joints>
+<vertex_weights count="3"><input semantic="JOINT" source="#j" offset="0"/><input semantic="WEIGHT" source="#w" offset="1"/>
+<vcount>)" + blanks +
+                   "1 1 1</vcount><v>" + blanks +
+                   "0 0 0 0 0 0</v></vertex_weights></skin></controller></library_controllers>\n");
+        insert("<node><instance_geometry",
+               R"(<node id="n" sid="bone" name="bone" type="JOINT"><translate>5 0 0</translate></node>)");
+        text.replace(text.find("<instance_geometry url=\"#g\">"), 28,
+                     "<instance_controller url=\"#c\"><skeleton>#n</skeleton>");
+        text.replace(text.find("</instance_geometry>"), 20, "</instance_controller>");
+        return assimpImport("m.dae", text);
+    };
+    for (const char* const blanks : {"", " ", "\n\t"}) {
+        const FileImport import = skinned(blanks);
+        ASSERT_EQ(import.model.vertices.size(), 3U);
+        for (const Vertex& v : import.model.vertices) EXPECT_GE(v.position().x, 5) << "moved by its joint";
+    }
+}
+
 std::string acOf(const std::string& texture, const std::string& subdivision) {
     return "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0 0 0 spec 0 0 0 shi 0 trans 0\nOBJECT world\n"
            "kids 1\nOBJECT poly\nname \"quad\"\n" +

@@ -3,7 +3,7 @@
 #include "rtcore/io/import/assimp/ac3d_text.h"
 #include "rtcore/io/import/assimp/assimp_files.h"
 #include "rtcore/io/import/assimp/assimp_parts.h"
-#include "rtcore/io/import/assimp/collada_morphs.h"
+#include "rtcore/io/import/assimp/collada_text.h"
 #include "rtcore/io/import/assimp/dxf_text.h"
 #include "rtcore/io/import/assimp/expanded_nodes.h"
 #include "rtcore/io/import/assimp/hidden_nodes.h"
@@ -314,7 +314,7 @@ std::string beginningOf(const std::string& reason) {
 
 /// In place of the file's, where Assimp would not understand that.
 std::optional<std::string> textForAssimp(const std::filesystem::path& path) {
-    if (auto text = colladaWithoutMorphs(path)) return text;
+    if (auto text = colladaForAssimp(path)) return text;
     if (auto text = dxfForAssimp(path)) return text;
     return x3dForAssimp(path);
 }

@@ -7,19 +7,19 @@
 namespace rtcore {
 
 struct FormatQuirks {
-    bool linearVertexColours = false; ///< else encoded as sRGB, as colours of one byte are
-    bool ignoredColours = false;  ///< of vertices: materials do not show them, and Assimp may make them black
-    bool facetNormals = false;    ///< the file's normals are those of triangles, not of vertices
-    bool physicalLights = false;  ///< candela and lux; else brightness of the image
-    bool halfSpotAngles = false;  ///< else the angle is that of the whole cone
-    bool oneSpotAngle = false;    ///< the outer angle is made up, the inner one is the cone
-    bool lightsInRoot = false;    ///< lights and cameras stand relative to the root, not to their node
-    bool cameraAtNode = false;    ///< the camera's own position repeats its node's
-    bool cameraBackwards = false; ///< cameras look along -z whatever is said
-    bool fovTimesAspect = false;  ///< the camera's angle is the vertical one times the aspect ratio
-    bool framedAspect = false;    ///< a camera has the aspect that its author framed; else a made up one
-    bool metresAndYUp = false;    ///< by the format, or made so by Assimp from what the file says
-    bool ownAxes = false;         ///< up axis and unit stand in the file; Assimp leaves both as they are
+    bool linearVertexColours = false;  ///< else encoded as sRGB, as colours of one byte are
+    bool ignoredColours = false;       ///< of vertices: materials do not show them
+    bool facetNormals = false;         ///< the file's normals are those of triangles, not of vertices
+    bool physicalLights = false;       ///< candela and lux; else brightness of the image
+    bool halfSpotAngles = false;       ///< else the angle is that of the whole cone
+    bool oneSpotAngle = false;         ///< the outer angle is made up, the inner one is the cone
+    bool lightsInRoot = false;         ///< lights and cameras stand relative to the root, not to their node
+    bool cameraAtNode = false;         ///< the camera's own position repeats its node's
+    bool cameraBackwards = false;      ///< cameras look along -z whatever is said
+    bool fovTimesAspect = false;       ///< the camera's angle is the vertical one times the aspect ratio
+    bool framedAspect = false;         ///< a camera has the aspect that its author framed; else a made up one
+    bool metresAndYUp = false;         ///< by the format, or made so by Assimp from what the file says
+    bool ownAxes = false;              ///< up axis and unit stand in the file; Assimp leaves both as they are
     bool mapReplacesDiffuse = false;   ///< a diffuse image stands in place of the diffuse colour
     bool indexByHabit = false;         ///< exporters write an index of refraction for every material
     bool gouraudIsMatte = false;       ///< shading model Gouraud stands for lambert, which has no highlight
