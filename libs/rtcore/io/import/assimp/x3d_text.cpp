@@ -43,18 +43,22 @@ bool isGroup(View name) { return isOneOf(kKeptGroups, name) || isOneOf(kPlainGro
 
 [[noreturn]] void refuseX3d(const Sentence& sentence) { throw FileError(FailureKind::BadData, "", sentence); }
 
-std::string replaced(std::string text, View from, View to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
+std::string replaced(View text, View from, View to) {
+    std::string result;
+    for (std::size_t at = text.find(from); at != View::npos; at = text.find(from)) {
+        result.append(text.substr(0, at)).append(to);
+        text.remove_prefix(at + from.size());
+    }
+    return result.append(text);
 }
 
-/// The strings of a list, which stand in quotes; a text without any is one.
+/// The first strings of a list, which stand in quotes; a text without any is one.
 std::vector<std::string> stringsOf(View value) {
-    const std::string text = replaced(std::string(value), "&quot;", "\"");
+    constexpr std::size_t kMaxStrings = 64; // each is looked for
+    const std::string text = replaced(value, "&quot;", "\"");
     if (text.find('"') == std::string::npos) return {text};
     std::vector<std::string> strings;
-    for (std::size_t open = text.find('"'); open != std::string::npos;) {
+    for (std::size_t open = text.find('"'); open != std::string::npos && strings.size() < kMaxStrings;) {
         const std::size_t close = text.find('"', open + 1);
         if (close == std::string::npos) break;
         strings.push_back(text.substr(open + 1, close - open - 1));
@@ -66,7 +70,7 @@ std::vector<std::string> stringsOf(View value) {
 std::string withoutEntities(std::string text) {
     constexpr std::array<std::pair<View, View>, 4> kEntities{
         {{"&apos;", "'"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}};
-    for (const auto& [entity, character] : kEntities) text = replaced(std::move(text), entity, character);
+    for (const auto& [entity, character] : kEntities) text = replaced(text, entity, character);
     return text;
 }
 
