@@ -187,7 +187,6 @@ constexpr Known kKnown[] = {
     {"BLEND/CubeHierarchy_248.blend", "Assimp loses three cubes of the hierarchy; there is a warning"},
     {"BLEND/MirroredCube_252.blend", "Assimp applies modifiers in part; there is a warning"},
     {"BLEND/SuzanneSubdiv_252.blend", "Assimp subdivides otherwise; there is a warning"},
-    {"Collada/library_animation_clips.dae", "no number for Assimp, whose sentence is shown; refused"},
     {"FBX/animation_with_skeleton.fbx", "Blender shows the first frame of its animation"},
     {"OBJ/box_UTF16BE.obj", "refused, with the remedy; Blender makes triangles without area of it"},
     {"OBJ/number_formats.obj", "its triangle has no area"},

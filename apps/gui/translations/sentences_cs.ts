@@ -1520,6 +1520,10 @@
         <translation>jeho kotouč je mimo rozsah</translation>
     </message>
     <message>
+        <source>its elements are nested more than {0} deep; export it again</source>
+        <translation>jeho prvky jsou vnořeny ve více než {0} úrovních; vyexportujte jej znovu</translation>
+    </message>
+    <message>
         <source>its face {0} claims to have {1} corners</source>
         <translation>stěna {0} má mít {1} vrcholů</translation>
     </message>
@@ -1550,6 +1554,10 @@
     <message>
         <source>its geometry is in {0}, which is missing; put it beside the model's file</source>
         <translation>jeho geometrie je v souboru {0}, který chybí; dejte ho vedle souboru modelu</translation>
+    </message>
+    <message>
+        <source>its group {0} uses itself (USE); export it again</source>
+        <translation>jeho skupina {0} používá sama sebe (USE); vyexportujte jej znovu</translation>
     </message>
     <message>
         <source>its guess or its steps make no sense</source>
@@ -1642,6 +1650,10 @@
     <message>
         <source>its sides are out of range</source>
         <translation>jeho strany jsou mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its surfaces are not subdivided, as that would smear their textures along seams; export them subdivided</source>
+        <translation>jeho plochy nejsou zjemněny, protože by se tím rozmazaly jejich textury podél švů; vyexportujte je zjemněné</translation>
     </message>
     <message>
         <source>its text is in UTF-16, which is not read; save it as UTF-8 in a text editor</source>
@@ -2026,6 +2038,10 @@
     <message>
         <source>of its {0} MB hardly any were ever written; copy or export it again</source>
         <translation>z jeho {0} MB skoro nic nebylo zapsáno; zkopírujte nebo exportujte ho znovu</translation>
+    </message>
+    <message>
+        <source>of levels of detail (LOD) the first is shown</source>
+        <translation>z úrovní detailu (LOD) se zobrazuje první</translation>
     </message>
     <message>
         <source>only a light of the kind ies has a file and lumens</source>
@@ -2530,6 +2546,10 @@
     <message>
         <source>the grid would have more than {0} points; give a larger SPACING</source>
         <translation>mřížka by měla více než {0} bodů; zadejte větší SPACING</translation>
+    </message>
+    <message>
+        <source>the groups that it uses again (USE) come to more than {0} MB of text; export it with fewer of them</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the image has {0} x {1} pixels; {2}</source>
@@ -3250,6 +3270,10 @@
     <message>
         <source>what stands in braces reads { key = value, key = value }, all on one line</source>
         <translation>obsah složených závorek má tvar { klíč = hodnota, klíč = hodnota }, celý na jednom řádku</translation>
+    </message>
+    <message>
+        <source>what these X3D nodes show is left out, as they are not read: {0}</source>
+        <translation>co zobrazují tyto uzly X3D, je vynecháno, protože se nečtou: {0}</translation>
     </message>
     <message>
         <source>whole numbers in brackets</source>

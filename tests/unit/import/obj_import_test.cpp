@@ -336,6 +336,23 @@ TEST(ObjImport, FacesBeforeAnyMaterialAreGrey) {
     EXPECT_TRUE(near(m.model.materials[m.model.mesh.shading[1].material].diffuse, {1, 0, 0}));
 }
 
+TEST(ObjImport, ColoursOfVerticesAreNotDarkenedWhereThereIsNoMaterial) {
+    const TemporaryFolder folder;
+    writeText(folder / "m.mtl", "newmtl half\nKd .5 .5 .5\n");
+    writeText(folder / "d.mtl", "newmtl DefaultMaterial\nKd .6 .6 .6\n");
+    const std::string coloured = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
+    writeText(folder / "m.obj", "mtllib m.mtl\n" + coloured + "usemtl half\nf 3 2 1\n");
+    writeText(folder / "d.obj", "mtllib d.mtl\n" + coloured);
+    const auto diffuseOf = [](const FileImport& import, std::size_t triangle) {
+        return import.model.materials[import.model.shading[triangle].material].diffuse;
+    };
+    const FileImport import = objOf(folder / "m.obj");
+    ASSERT_EQ(import.model.shading.size(), 2U);
+    EXPECT_TRUE(near(diffuseOf(import, 0), kWhite));
+    EXPECT_TRUE(near(diffuseOf(import, 1), {0.5F, 0.5F, 0.5F}));
+    EXPECT_TRUE(near(diffuseOf(objOf(folder / "d.obj"), 0), {0.6F, 0.6F, 0.6F})) << "described";
+}
+
 TEST(ObjImport, IsChosenByItsName) {
     const TemporaryFolder folder;
     writeText(folder / "m.txt", triangle());

@@ -1,14 +1,17 @@
 #include "rtcore/io/import/assimp/assimp_import.h"
 
+#include "rtcore/io/import/assimp/ac3d_text.h"
 #include "rtcore/io/import/assimp/assimp_files.h"
 #include "rtcore/io/import/assimp/assimp_parts.h"
-#include "rtcore/io/import/assimp/collada_morphs.h"
+#include "rtcore/io/import/assimp/collada_text.h"
+#include "rtcore/io/import/assimp/dxf_text.h"
 #include "rtcore/io/import/assimp/expanded_nodes.h"
 #include "rtcore/io/import/assimp/hidden_nodes.h"
 #include "rtcore/io/import/assimp/md5_frame_rate.h"
 #include "rtcore/io/import/assimp/mesh_poser.h"
 #include "rtcore/io/import/assimp/scene_pose.h"
 #include "rtcore/io/import/assimp/unread_content.h"
+#include "rtcore/io/import/assimp/x3d_text.h"
 #include "rtcore/io/import/gltf/gltf_damage.h"
 #include "rtcore/io/import/import_forms.h"
 #include "rtcore/io/import/inspection/cut_off.h"
@@ -144,7 +147,7 @@ class MeshReader {
                 out.normals = readNormals(mesh, at.toWorld);
         }
         out.texcoords = readTexcoords(mesh, use);
-        if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
+        if (mesh.mColors[0] != nullptr && !quirks_.ignoredColours) out.colours = readColours(mesh);
         return out;
     }
 
@@ -309,17 +312,25 @@ std::string beginningOf(const std::string& reason) {
     return reason.substr(0, end) + " ...";
 }
 
+/// In place of the file's, where Assimp would not understand that.
+std::optional<std::string> textForAssimp(const std::filesystem::path& path) {
+    if (auto text = colladaForAssimp(path)) return text;
+    if (auto text = dxfForAssimp(path)) return text;
+    return x3dForAssimp(path);
+}
+
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path, bool animations,
                          ImportReport& report) {
     const auto files = std::make_shared<std::vector<std::string>>();
     std::optional<ReplacedFile> replaced;
-    if (auto text = colladaWithoutMorphs(path)) replaced = {plainPath(path).string(), std::move(*text)};
+    if (auto text = textForAssimp(path)) replaced = {plainPath(path).string(), std::move(*text)};
     importer.SetIOHandler(filesForAssimp(files, std::move(replaced))); // which it owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, animations);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, !animations);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_AC_EVAL_SUBDIVISION, !subdividesTextures(path));
     refuseMisnamedFor(path, importer);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     for (const std::string& file : *files) addFile(report, file);
@@ -427,6 +438,10 @@ void warnOfFiles(const std::filesystem::path& path, const std::string& format, I
         addWarning(report, say("what modifiers make of its meshes, and some objects of its hierarchy, may "
                                "be missing; export it from Blender as glTF to be sure"));
     for (const char* const form : unreadInCollada(path)) addWarning(report, form);
+    for (const Sentence& sentence : unreadInX3d(path)) addWarning(report, sentence);
+    if (subdividesTextures(path))
+        addWarning(report, say("its surfaces are not subdivided, as that would smear their textures along "
+                               "seams; export them subdivided"));
 }
 
 /// The names of the nodes from below the root on, with slashes between them.

@@ -32,6 +32,7 @@ FormatQuirks quirksOf(const std::string& importer) {
     if (is("XFile")) q.ticksPerSecond = 4800;
     q.bindMatrices = std::ranges::any_of(kSkins, is);
     if (is("3DS")) q.lightsInRoot = true;
+    if (is("Blender")) q.ignoredColours = true;
     if (is("ASE")) q.cameraBackwards = true;
     q.mapScalesEmission = std::ranges::any_of(kFixedFunction, is);
     return q;

@@ -8,6 +8,7 @@ namespace rtcore {
 
 struct FormatQuirks {
     bool linearVertexColours = false;  ///< else encoded as sRGB, as colours of one byte are
+    bool ignoredColours = false;       ///< of vertices: materials do not show them
     bool facetNormals = false;         ///< the file's normals are those of triangles, not of vertices
     bool physicalLights = false;       ///< candela and lux; else brightness of the image
     bool halfSpotAngles = false;       ///< else the angle is that of the whole cone

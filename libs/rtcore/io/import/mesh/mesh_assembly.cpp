@@ -64,7 +64,7 @@ void addRun(std::vector<MeshLists::Run>& runs, std::size_t end, std::uint32_t va
     runs.back().end = static_cast<std::uint32_t>(end);
 }
 
-std::vector<std::uint32_t> verticesOf(std::span<const Triangle> triangles) {
+std::vector<std::uint32_t> namedVertices(std::span<const Triangle> triangles) {
     std::vector<std::uint32_t> list;
     list.reserve(triangles.size() * 3);
     for (const Triangle& t : triangles) list.insert(list.end(), t.v, t.v + 3);
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> verticesOf(std::span<const Triangle> triangles) {
 /// A mesh of the vertices that its triangles use, where these are few.
 class UsedVertices {
   public:
-    explicit UsedVertices(const SourceMesh& mesh) : used_(verticesOf(mesh.triangles)), mesh_(mesh) {
+    explicit UsedVertices(const SourceMesh& mesh) : used_(namedVertices(mesh.triangles)), mesh_(mesh) {
         for (const Triangle& t : mesh.triangles) triangles_.push_back({{at(t.v[0]), at(t.v[1]), at(t.v[2])}});
         mesh_.triangles = triangles_;
         mesh_.positions = pick(mesh.positions, positions_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/scene/mesh.h"
+#include "rtcore/scene/model.h"
 
 #include <cstdint>
 #include <span>

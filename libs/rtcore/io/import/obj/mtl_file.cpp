@@ -97,6 +97,7 @@ class MtlReader {
             const std::string name = text_.rest();
             material_ = materials_.numberOf(name.empty() ? "DefaultMaterial" : name);
             described_.insert(*material_);
+            materials_.all()[*material_].isDescribed = true;
             return true;
         }
         if (isOneOf(kSilent, keyword)) return true;

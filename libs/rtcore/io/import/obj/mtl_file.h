@@ -29,6 +29,7 @@ struct MtlLayout {
 
 struct MtlMaterial {
     SourceMaterial source;
+    bool isDescribed = false; ///< by a library; else a name alone
     std::array<MtlLayout, kMtlMaps> layouts;
 
     SourceMap& map(MtlMap which);

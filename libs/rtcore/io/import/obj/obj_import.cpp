@@ -60,6 +60,12 @@ std::uint32_t materialOf(const ObjMesh& mesh) {
     return mesh.material == kNoIndex ? MtlMaterials::kDefault : mesh.material;
 }
 
+/// Colours of vertices stand in place of the grey of faces without a material, which would darken them.
+void whitenColouredFaces(ObjFile& file) {
+    MtlMaterial& plain = file.materials.all()[MtlMaterials::kDefault];
+    if (!file.model.colours.empty() && !plain.isDescribed) plain.source.diffuse = kWhite;
+}
+
 std::vector<char> usedMaterials(ObjFile& file) {
     std::vector<char> used(file.materials.all().size(), 0);
     for (const ObjMesh& mesh : file.model.meshes)
@@ -131,6 +137,7 @@ std::optional<FileImport> objAsItLies(const std::filesystem::path& path, const F
         meshes = inOrder(file.model).size();
         if (meshes == 0 && !file.model.positions.empty()) refusePoints(file.model.positions.size());
         makeRoom(file.model, options.memoryLimit, assembler);
+        whitenColouredFaces(file);
         const ObjMaterials materials(file.materials.all(), usedMaterials(file), import, textures);
         addMeshes(file, materials, options, assembler, import);
     }

@@ -1,0 +1,59 @@
+#include "rtcore/io/import/assimp/collada_text.h"
+
+#include "rtcore/io/import/assimp/collada_morphs.h"
+#include "rtcore/io/import/assimp/xml_text.h"
+#include "rtcore/platform/files.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace rtcore {
+
+namespace {
+
+using View = std::string_view;
+
+constexpr View kSpaces = " \t\r\n";
+/// Assimp does not skip blanks at the beginning of these.
+constexpr std::array<View, 3> kTrimmed{"color", "vcount", "v"};
+
+/// Whether the head of such an element begins here, at its `<`.
+bool isTrimmed(View text) {
+    const View name = text.substr(1, std::min(text.find_first_of(" \t\r\n>", 1), text.size()) - 1);
+    return std::ranges::find(kTrimmed, name) != kTrimmed.end();
+}
+
+/// Nothing where no blanks stand there.
+std::optional<std::string> withoutLeadingBlanks(View text) {
+    std::string trimmed;
+    std::size_t from = 0;
+    for (std::size_t at = text.find('<'); at != View::npos; at = text.find('<', at + 1)) {
+        if (!isTrimmed(text.substr(at, 16))) continue;
+        const std::size_t close = text.find('>', at);
+        if (close == View::npos) break;
+        const std::size_t number = std::min(text.find_first_not_of(kSpaces, close + 1), text.size());
+        if (number == close + 1) continue;
+        trimmed += text.substr(from, close + 1 - from);
+        from = number;
+    }
+    if (from == 0) return std::nullopt;
+    trimmed += text.substr(from);
+    return trimmed;
+}
+
+} // namespace
+
+std::optional<std::string> colladaForAssimp(const std::filesystem::path& path) {
+    if (!xml::isCollada(path)) return std::nullopt;
+    std::optional<std::string> text = colladaWithoutMorphs(path);
+    if (text) {
+        auto trimmed = withoutLeadingBlanks(*text);
+        return trimmed ? trimmed : text;
+    }
+    const FileBytes file = openFileBytes(path);
+    return withoutLeadingBlanks({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
+}
+
+} // namespace rtcore
