@@ -2549,7 +2549,7 @@
     </message>
     <message>
         <source>the groups that it uses again (USE) come to more than {0} MB of text; export it with fewer of them</source>
-        <translation type="unfinished"></translation>
+        <translation>skupiny, které používá znovu (USE), mají dohromady víc než {0} MB textu; exportujte ho s menším počtem</translation>
     </message>
     <message>
         <source>the image has {0} x {1} pixels; {2}</source>

@@ -151,16 +151,16 @@ class Catcher {
 
     std::optional<Snap> nearest(SnapKind kind) const {
         std::optional<Snap> caught;
-        double least = reach_;
+        double limit = reach_;
         for (const Vec3d& candidate : candidates(kind)) {
             const Vec3 point = inFloat(candidate);
             const auto pixel = pixelOf(camera_, point);
             if (!pixel) continue;
             const double away = std::hypot((*pixel)[0] - pixel_[0], (*pixel)[1] - pixel_[1]);
-            if (away > least) continue;
+            if (away > limit) continue;
             const auto hit = surfaceAt(point);
             if (!hit || !isSeen(point)) continue;
-            least = away;
+            limit = away;
             caught = at(kind, point, *hit);
         }
         return caught;

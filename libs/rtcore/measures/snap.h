@@ -1,4 +1,4 @@
-/// What of a model a pointer catches: corners and edges before faces.
+/// Points of a model that a pointer catches: corners and edges before faces.
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"
