@@ -142,8 +142,8 @@ FlatRegion regionOf(const Paths& areas) {
 /// Rooms by closing wider and wider openings.
 class RoomFinder {
   public:
-    RoomFinder(Paths solids, Paths lines, const Openings& openings, double smallest)
-        : solids_(std::move(solids)), lines_(std::move(lines)), smallest_(smallest) {
+    RoomFinder(Paths solids, Paths lines, const Openings& openings, const RoomBounds& bounds)
+        : solids_(std::move(solids)), lines_(std::move(lines)), bounds_(bounds) {
         constexpr int kSteps = 12;
         constexpr double kCrack = 0.02; // of a step: what is open by less is closed
         const double step = std::max(openings.door, openings.window / kSteps) / 2 / kSteps;
@@ -205,10 +205,13 @@ class RoomFinder {
         }
         if (parts.size() > 1) return parts;
         std::vector<Piece> whole = widened(piece, level);
-        std::erase_if(whole,
-                      [&](const Piece& room) { return room.area() < smallest_ || !isWalled(room.outer); });
+        std::erase_if(whole, [&](const Piece& room) {
+            return room.area() < bounds_.area || isNarrow(room) || !isWalled(room.outer);
+        });
         return whole;
     }
+
+    bool isNarrow(const Piece& room) const { return grown(room.all(), {}, -bounds_.width / 2).empty(); }
 
     /// Most of its outline is at walls: what is free between posts is no room.
     bool isWalled(const Path& outline) const {
@@ -242,7 +245,7 @@ class RoomFinder {
 
     Paths solids_, lines_;
     FlatRegion obstacles_;
-    double smallest_;
+    RoomBounds bounds_;
     std::vector<double> radii_;
     std::size_t parting_ = 0; ///< the first of those that no longer part rooms
     std::vector<std::vector<Piece>> levels_;
@@ -300,14 +303,14 @@ std::vector<FlatLoop> coveredBy(const std::vector<CutOutline>& outlines) {
 }
 
 std::vector<RoomArea> roomsBetween(const std::vector<FlatLoop>& solids, const std::vector<FlatLoop>& lines,
-                                   Openings openings, double smallest) {
+                                   Openings openings, RoomBounds bounds) {
     const Grid grid({&solids, &lines});
     const double cell = grid.cell();
     openings.door /= cell;
     openings.window /= cell;
+    bounds = {bounds.area / (cell * cell), bounds.width / cell};
     std::vector<RoomArea> rooms;
-    for (const Piece& piece :
-         RoomFinder(grid.in(solids), grid.in(lines), openings, smallest / (cell * cell)).rooms()) {
+    for (const Piece& piece : RoomFinder(grid.in(solids), grid.in(lines), openings, bounds).rooms()) {
         RoomArea room{grid.out(piece.outer), {}, piece.area() * cell * cell, {}};
         std::vector<FlatLoop> loops{room.outline};
         for (const Path& hole : piece.holes) loops.push_back(room.islands.emplace_back(grid.out(hole)));

@@ -18,11 +18,17 @@ struct Openings {
     double window; ///< up to that width to the outside
 };
 
+/// Bounds of rooms, in the unit of their lines.
+struct RoomBounds {
+    double area;
+    double width; ///< at its widest: what is narrower lies between the skins of a wall
+};
+
 /// The rooms between solids and lines: what is left in one piece when all that is nearer to a wall than half
-/// of an opening's width is taken off it, and grown again. Those of less than `smallest` are left out, as are
+/// of an opening's width is taken off it, and grown again. Those of less than `bounds` are left out, as are
 /// such that are narrower than what leads from them outside. A line whose ends are one point is closed.
 /// Lengths in one unit, areas in its square; the largest first.
 std::vector<RoomArea> roomsBetween(const std::vector<FlatLoop>& solids, const std::vector<FlatLoop>& lines,
-                                   Openings openings, double smallest);
+                                   Openings openings, RoomBounds bounds);
 
 } // namespace rtcore

@@ -147,9 +147,10 @@ Drawing drawingOf(const Scene& scene, const RayTracer& tracer, ClosedPieces& pie
     const bool fromAbove = dot(normalize(plane.normal), scene.up) > kUpright;
     if (cancel.load()) return {};
     if (options.rooms && fromAbove)
-        drawing.rooms = roomsBetween(drawing.solids, linesOf(drawing),
-                                     {.door = options.door * metre, .window = options.window * metre},
-                                     options.smallest * metre * metre);
+        drawing.rooms =
+            roomsBetween(drawing.solids, linesOf(drawing),
+                         {.door = options.door * metre, .window = options.window * metre},
+                         {.area = options.smallest * metre * metre, .width = options.narrowest * metre});
     if (fromAbove && scene.sky) drawing.north = double{scene.sky->north} * std::numbers::pi / 180;
     const ToMetres toMetres(scene, cut);
     for (auto* loops : {&drawing.solids, &drawing.loops, &drawing.chains})

@@ -45,10 +45,11 @@ ChosenPlan choosePlan(const PlanChoice& choice, const Scene& scene, const Box3& 
                       std::optional<Vec3> eye);
 
 struct PlanOptions {
-    double step = 0.01;  ///< metres between points at which an edge is looked at
-    double door = 1.2;   ///< metres: wider openings join rooms
-    double window = 3;   ///< metres: what has wider openings to the outside is no room
-    double smallest = 1; ///< square metres of a room, at least
+    double step = 0.01;     ///< metres between points at which an edge is looked at
+    double door = 1.2;      ///< metres: wider openings join rooms
+    double window = 3;      ///< metres: what has wider openings to the outside is no room
+    double smallest = 1;    ///< square metres of a room, at least
+    double narrowest = 0.6; ///< metres: its width at its widest, at least
     bool rooms = true;
 };
 

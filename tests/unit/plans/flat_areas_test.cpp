@@ -11,6 +11,7 @@ namespace {
 using namespace rtcore;
 
 constexpr Openings kOpenings{.door = 1.2, .window = 3};
+constexpr RoomBounds kBounds{.area = 1, .width = 0.6};
 
 FlatLoop rectangle(double left, double low, double right, double high) {
     return {{left, low}, {right, low}, {right, high}, {left, high}};
@@ -29,7 +30,7 @@ double areaOfAll(const std::vector<FlatLoop>& loops) {
 }
 
 std::vector<RoomArea> roomsIn(const std::vector<FlatLoop>& walls, const std::vector<FlatLoop>& lines = {}) {
-    return roomsBetween(walls, lines, kOpenings, 1);
+    return roomsBetween(walls, lines, kOpenings, kBounds);
 }
 
 FlatLoop turned(FlatLoop loop, double angle, FlatPoint shift) {
@@ -69,7 +70,7 @@ TEST(RoomsBetween, ADoorPartsTwo) {
     EXPECT_NEAR(rooms[0].label[1], 2, 0.2);
     EXPECT_NEAR(areaOf(rooms[1].outline), 1.9 * 4, 1e-6) << "anticlockwise";
     // One where doors part nothing; the leaf of the door's width in the wall belongs to it.
-    const std::vector<RoomArea> one = roomsBetween(twoRooms(), {}, {.door = 0, .window = 3}, 1);
+    const std::vector<RoomArea> one = roomsBetween(twoRooms(), {}, {.door = 0, .window = 3}, kBounds);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_NEAR(one[0].area, 6 * 4 - .1 * 3.1, 1e-4);
 }
@@ -117,6 +118,18 @@ TEST(RoomsBetween, WhatStandsInARoomIsNoPartOfIt) {
     EXPECT_NEAR(rooms[0].area, 16 - .16, 1e-6);
     ASSERT_EQ(rooms[0].islands.size(), 1U);
     EXPECT_NEAR(areaOf(rooms[0].islands[0]), -.16, 1e-6);
+}
+
+// The skins of a wall of 8 x 0.3 m, and a small room of 1.2 x 0.9 m.
+TEST(RoomsBetween, TheInsideOfAWallIsNone) {
+    const auto closed = [](FlatLoop loop) {
+        loop.push_back(loop.front());
+        return loop;
+    };
+    const std::vector<RoomArea> rooms =
+        roomsIn({}, {closed(rectangle(0, 0, 8, .3)), closed(rectangle(0, 2, 1.2, 2.9))});
+    ASSERT_EQ(rooms.size(), 1U);
+    EXPECT_NEAR(rooms[0].area, 1.08, 1e-3);
 }
 
 // An L of 6 x 4 less 3 x 2, whose walls are lines; and a triangle.
