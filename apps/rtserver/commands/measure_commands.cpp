@@ -11,10 +11,8 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/sentence.h"
-#include "rtcore/platform/threads.h"
 #include "rtcore/render/camera_rays.h"
 
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <functional>
@@ -35,9 +33,6 @@ constexpr const char *kLux = "lx", *kCandela = "cd/m2";
 
 /// Returns the answer.
 using Measure = std::function<std::string(const MeasuredScene&, Measuring&)>;
-
-// Half of the processors: the walk goes on.
-int threadsBeside(int threads) { return std::max(1, rtcore::threadsFor(threads) / 2); }
 
 Result measureApart(const Call& call, Measure measure) {
     Workspace& state = call.state;

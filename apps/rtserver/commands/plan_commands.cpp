@@ -2,6 +2,7 @@
 #include "rtserver/commands/command_call.h"
 
 #include "common/plans/plan_order.h"
+#include "common/process/threads.h"
 
 #include "rtcore/io/drawings/drawing_file.h"
 #include "rtcore/plans/file_metres.h"
@@ -55,7 +56,9 @@ Result plan(const Call& call) {
     const auto stop = std::make_shared<std::atomic<bool>>(false);
     return {.when = ReplyWhen::Apart,
             .work = [order, model, scene = document.scene(), surfaces = document.visible().surfaces(),
-                     eye = document.camera().eye, stop]() -> Finish {
+                     eye = document.camera().eye, threads = threadsBeside(call.state.threads),
+                     stop]() -> Finish {
+                app::useThreads(threads);
                 const app::DrawnPlan plan =
                     app::drawPlan(order, *scene, *surfaces, model.filename().string(), eye, *stop);
                 if (stop->load()) throw rtcore::Refusal("the plan was given up");

@@ -1,6 +1,7 @@
 #include "rtserver/commands/side_work.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/threads.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,6 +21,8 @@ Finish resultOf(DetachedTask<Finish>& task) {
 }
 
 } // namespace
+
+int threadsBeside(int threads) { return std::max(1, rtcore::threadsFor(threads) / 2); }
 
 void SideWork::start(const ipc::Command& command, Work work, StopFlag stop) {
     if (jobs_.size() >= kMax) {

@@ -30,6 +30,9 @@ using Work = std::function<Finish()>;
 /// Set by the server's thread: the work is wanted no more, and ends soon. May be null.
 using StopFlag = std::shared_ptr<std::atomic<bool>>;
 
+/// How many of a server's threads (0: all cores) long work beside the walk takes: half of them.
+int threadsBeside(int threads);
+
 /// One thread.
 class SideWork {
   public:

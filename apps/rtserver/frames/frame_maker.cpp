@@ -254,7 +254,8 @@ std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool liv
 }
 
 void FrameMaker::requireMemory(const rtcore::RenderSettings& settings, bool live) {
-    void* trial = ::operator new(bytesOf(settings, live), std::nothrow);
+    constexpr std::size_t kForClients = std::size_t{4} << 20U; // their channels are mapped as they come
+    void* trial = ::operator new(bytesOf(settings, live) + kForClients, std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
     throw rtcore::FileError(

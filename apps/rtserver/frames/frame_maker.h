@@ -69,7 +69,8 @@ class FrameMaker {
     /// Bytes for whole frames of such settings, with their image and effects; `live`, where there is a frame
     /// time: also the least that coarse and live ones take. (docs/live.md)
     static std::size_t bytesOf(const rtcore::RenderSettings& settings, bool live);
-    /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
+    /// Throws rtcore::FileError TryAgain when there is no memory for such frames and for clients beside them,
+    /// to whom the server would not answer otherwise, as far as one can tell.
     static void requireMemory(const rtcore::RenderSettings& settings, bool live);
     /// The light that walks learn; null: none yet.
     const rtcore::IndirectLight* walkLight() const { return walkLight_->known(); }

@@ -22,7 +22,6 @@ using ClipperLib::Paths;
 class Grid {
   public:
     explicit Grid(std::initializer_list<const std::vector<FlatLoop>*> all) {
-        constexpr double kCells = 0x1p40;
         FlatPoint low{1e300, 1e300}, high{-1e300, -1e300};
         for (const std::vector<FlatLoop>* loops : all) {
             for (const FlatLoop& loop : *loops) {
@@ -41,6 +40,8 @@ class Grid {
     }
 
     double cell() const { return cell_; }
+    /// Nothing of that area is on it; much larger than the grid, lengths would go beyond its numbers.
+    bool isBelow(double area) const { return area > kCells * cell_ * kCells * cell_; }
     Path in(const FlatLoop& loop) const {
         Path path;
         for (const FlatPoint& p : loop)
@@ -62,6 +63,8 @@ class Grid {
     }
 
   private:
+    static constexpr double kCells = 0x1p40;
+
     FlatPoint middle_{};
     double cell_ = 1;
 };
@@ -305,6 +308,7 @@ std::vector<FlatLoop> coveredBy(const std::vector<CutOutline>& outlines) {
 std::vector<RoomArea> roomsBetween(const std::vector<FlatLoop>& solids, const std::vector<FlatLoop>& lines,
                                    Openings openings, RoomBounds bounds) {
     const Grid grid({&solids, &lines});
+    if (grid.isBelow(bounds.area)) return {};
     const double cell = grid.cell();
     openings.door /= cell;
     openings.window /= cell;

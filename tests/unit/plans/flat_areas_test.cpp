@@ -132,6 +132,10 @@ TEST(RoomsBetween, TheInsideOfAWallIsNone) {
     EXPECT_NEAR(rooms[0].area, 1.08, 1e-3);
 }
 
+TEST(RoomsBetween, AThingHasNone) {
+    EXPECT_TRUE(roomsIn({rectangle(0, 0, 1e-9, 1e-9), rectangle(2e-9, 0, 3e-9, 1e-9)}).empty());
+}
+
 // An L of 6 x 4 less 3 x 2, whose walls are lines; and a triangle.
 TEST(RoomsBetween, LinesEncloseThemToo) {
     const FlatLoop ell{{0, 0}, {6, 0}, {6, 2}, {3, 2}, {3, 4}, {0, 4}, {0, 0}};
