@@ -6,6 +6,7 @@
 #include "rtcore/measures/snap.h"
 #include "rtcore/plans/file_metres.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/sections/cut_plane.h"
 
 #include <fmt/format.h>
 
@@ -59,11 +60,9 @@ rtcore::Vec3d pointAt(const Call& call, std::size_t argument) {
             preciseNumber(call[argument + 2])};
 }
 
-rtcore::Vec3d inDouble(rtcore::Vec3 v) { return {v.x, v.y, v.z}; }
-
 std::string distanceLines(const Call& call, rtcore::Vec3d from, rtcore::Vec3d to) {
     const double unit = metres(call);
-    const rtcore::Vec3d way = (to - from) * unit, up = inDouble(sceneOf(call).up);
+    const rtcore::Vec3d way = (to - from) * unit, up = rtcore::exact(sceneOf(call).up);
     const double height = dot(way, up);
     return line("distance", length(way), "m") + line("level", length(way - up * height), "m") +
            line("height", height, "m");
@@ -78,7 +77,7 @@ Result measurePoint(const Call& call) {
 Result measureSeenPoints(const Call& call) {
     const rtcore::Snap from = snapOf(call, 0), to = snapOf(call, 2);
     return told(call, pointLine(call, from) + pointLine(call, to) +
-                          distanceLines(call, inDouble(from.point), inDouble(to.point)));
+                          distanceLines(call, rtcore::exact(from.point), rtcore::exact(to.point)));
 }
 
 Result measureDistance(const Call& call) {

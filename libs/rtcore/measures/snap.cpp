@@ -3,6 +3,7 @@
 #include "rtcore/kernels/section_clip.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/scene/sharp_edges.h"
+#include "rtcore/sections/cut_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace rtcore {
 
 namespace {
 
-Vec3d inDouble(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 inFloat(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 /// Surfaces at the pointer and around it.
@@ -68,7 +68,7 @@ class EdgesNear {
     }
 
     const std::vector<SharpEdge>& edges() const { return edges_; }
-    Vec3d position(std::uint32_t vertex) const { return inDouble(mesh_.vertices[vertex].position()); }
+    Vec3d position(std::uint32_t vertex) const { return exact(mesh_.vertices[vertex].position()); }
 
     /// Ends at which edges meet, or one of them bends or ends.
     Indices corners() const {
@@ -108,7 +108,7 @@ std::optional<Vec3d> nearestOn(const CameraRays& camera, Vec3d a, Vec3d b,
         std::clamp(((pixel[0] - (*p)[0]) * dx + (pixel[1] - (*p)[1]) * dy) / square, 0.0, 1.0);
     if (camera.parallel()) return a + (b - a) * part;
     // From a part of what is seen to one of the line (perspective).
-    const Vec3d forward = inDouble(camera.forward()), eye = inDouble(camera.eye());
+    const Vec3d forward = exact(camera.forward()), eye = exact(camera.eye());
     const double nearA = dot(forward, a - eye), nearB = dot(forward, b - eye);
     return a + (b - a) * (part * nearA / (part * nearA + (1 - part) * nearB));
 }
@@ -205,13 +205,13 @@ class Catcher {
 
 std::optional<std::array<double, 2>> pixelOf(const CameraRays& camera, Vec3 point) {
     const auto [corner, right, down] = camera.plane();
-    Vec3d seen = inDouble(point) - inDouble(camera.eye());
+    Vec3d seen = exact(point) - exact(camera.eye());
     if (!camera.parallel()) {
-        const double ahead = dot(inDouble(camera.forward()), seen);
+        const double ahead = dot(exact(camera.forward()), seen);
         if (!(ahead > 0)) return std::nullopt;
         seen = seen * (1 / ahead);
     }
-    const Vec3d from = seen - inDouble(corner), across = inDouble(right), along = inDouble(down);
+    const Vec3d from = seen - exact(corner), across = exact(right), along = exact(down);
     return std::array{dot(from, across) / dot(across, across), dot(from, along) / dot(along, along)};
 }
 

@@ -24,7 +24,7 @@ struct Drawing {
     std::vector<FlatLoop> chains; ///< and those that have two ends
     std::vector<FlatLine> seen;   ///< visible edges of what is beyond the plane
     std::vector<RoomArea> rooms;  ///< the largest first
-    std::optional<double> north;  ///< radians from up to the right; nothing where no plan is from above
+    std::optional<double> north;  ///< radians from up to the right; of plans from above under a sky alone
     FlatPoint low{}, high{};      ///< bounds of all that is there; equal where there is nothing
 
     bool empty() const { return solids.empty() && loops.empty() && chains.empty() && seen.empty(); }

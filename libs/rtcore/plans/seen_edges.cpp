@@ -2,6 +2,7 @@
 
 #include "rtcore/kernels/section_clip.h"
 #include "rtcore/plans/line_union.h"
+#include "rtcore/platform/task_errors.h"
 #include "rtcore/scene/sharp_edges.h"
 
 #include <algorithm>
@@ -204,13 +205,17 @@ std::vector<FlatLine> seenEdges(const Scene& scene, const RayTracer& tracer, con
     const std::vector<SpaceLine> lines = EdgeFinder(scene, plane).lines();
     const LineViewer viewer(tracer, plane, solids, step);
     std::vector<std::vector<FlatLine>> pieces((lines.size() + kLinesAtOnce - 1) / kLinesAtOnce);
+    TaskErrors errors;
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (cancel.load()) continue;
+        if (cancel.load() || errors.any()) continue;
         const std::size_t first = i * kLinesAtOnce;
-        pieces[i] =
-            viewer.seen(std::span(lines).subspan(first, std::min(kLinesAtOnce, lines.size() - first)));
+        errors.guard([&] {
+            pieces[i] =
+                viewer.seen(std::span(lines).subspan(first, std::min(kLinesAtOnce, lines.size() - first)));
+        });
     }
+    errors.rethrow();
     std::vector<FlatLine> seen;
     if (cancel.load()) return seen;
     for (const std::vector<FlatLine>& some : pieces) seen.insert(seen.end(), some.begin(), some.end());
