@@ -76,8 +76,9 @@ void Walk::sceneEdited(const rtcore::Scene& before, const rtcore::Changes& chang
         endRecording(rtcore::say("the lights were edited"));
         messages_.warn(*recordingFailure_);
     }
-    if (!changes.has(rtcore::Change::Visibility)) return;
+    if (!changes.has(rtcore::Change::Visibility) && !changes.has(rtcore::Change::Section)) return;
     treeReplaced();
+    player_->useSections(document_.scene()->sections.planes);
     if (!walking()) return;
     player_->setMode(rtcore::MotionMode::View);
     player_->setMode(rtcore::MotionMode::Walk);
@@ -108,6 +109,7 @@ void Walk::makePlayer() {
         document_.visible().tree(), document_.world().loaded.scene.model.mesh,
         rtcore::PlayerOptions{
             .up = scene.up, .metresPerUnit = double{scene.metresPerUnit}, .walk = scene.walk});
+    player_->useSections(scene.sections.planes);
     player_->setCamera(document_.camera());
 }
 

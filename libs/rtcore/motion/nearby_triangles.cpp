@@ -12,15 +12,15 @@ constexpr double kClose =
     0.1; ///< metres more than asked for in the small list, so that it serves a few steps
 constexpr std::size_t kMany = 2048;
 
-SolidTriangle solid(Vec3d a, Vec3d b, Vec3d c) {
+} // namespace
+
+SolidTriangle solidTriangle(Vec3d a, Vec3d b, Vec3d c) {
     return {a,
             b,
             c,
             {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
              {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}}};
 }
-
-} // namespace
 
 void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found) {
     found.clear();
@@ -77,8 +77,8 @@ void NearbyTriangles::find(const Box3d& box) {
     found_.clear();
     for (const std::uint32_t i : indices_) {
         const SolidTriangle t =
-            solid(frame_.toMetres(mesh_.position(i, 0)), frame_.toMetres(mesh_.position(i, 1)),
-                  frame_.toMetres(mesh_.position(i, 2)));
+            solidTriangle(frame_.toMetres(mesh_.position(i, 0)), frame_.toMetres(mesh_.position(i, 1)),
+                          frame_.toMetres(mesh_.position(i, 2)));
         if (isFinite(t.a) && isFinite(t.b) && isFinite(t.c) && t.box.overlaps(box)) found_.push_back(t);
     }
 }

@@ -32,6 +32,8 @@ struct SolidTriangle {
     Box3d box;
 };
 
+SolidTriangle solidTriangle(Vec3d a, Vec3d b, Vec3d c);
+
 /// Indices of all triangles that reach into `box` (scene units) and possibly others near it, ascending, each
 /// once.
 void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found);

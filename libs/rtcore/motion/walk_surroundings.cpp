@@ -1,5 +1,6 @@
 #include "rtcore/motion/walk_surroundings.h"
 
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/kernels/single_ray.h"
 
 #include <algorithm>
@@ -35,11 +36,23 @@ void WalkSurroundings::useTree(const KdTree& tree) {
     nearby_.useTree(tree);
 }
 
+void WalkSurroundings::useSections(std::span<const SectionPlane> planes) {
+    cut_ = CutSurroundings(planes, frame_, double{roundingOf(tree_.bounds)}, shape_.walkable);
+}
+
+std::span<const SolidTriangle> WalkSurroundings::leftOf(std::span<const SolidTriangle> triangles, Vec3d feet,
+                                                        std::vector<SolidTriangle>& left) const {
+    if (cut_.empty()) return triangles;
+    left.clear();
+    for (const SolidTriangle& triangle : triangles) cut_.cut(triangle, feet, shape_.stand.step, left);
+    return left;
+}
+
 void WalkSurroundings::gather(const WalkState& state, double move) {
     const Box3d here = body(std::max(state.height, shape_.stand.height)).box(state.feet);
     const double beside = move + kStepMargin;
     const Box3d box = here.grown({beside, beside, beside + shape_.stand.step});
-    triangles_ = withUnseenFloor(nearby_.in(box), box);
+    triangles_ = withUnseenFloor(leftOf(nearby_.in(box), state.feet, left_), box);
 }
 
 /// One triangle around the player, wherever it is: without edges near it.
@@ -59,12 +72,15 @@ Body WalkSurroundings::climber(const WalkState& state, double top) {
     const Body b = body(state.height);
     Box3d way = b.box(state.feet);
     way.hi.z += top - state.feet.z;
-    return {nearLedge_.in(way.grown(b.reach() + 2 * kStepMargin)), shape_, state.height};
+    const auto there = nearLedge_.in(way.grown(b.reach() + 2 * kStepMargin));
+    return {leftOf(there, state.feet, leftAtLedge_), shape_, state.height};
 }
 
 bool WalkSurroundings::sees(Vec3d from, Vec3d to) const {
     const Vec3 a = frame_.toScene(from), b = frame_.toScene(to);
-    return !occluded(tree_, mesh_, {a, 0, b - a, 1});
+    const auto [near, far] = cut_.kept(from, to);
+    return near > far ||
+           !occluded(tree_, mesh_, {a, static_cast<float>(near), b - a, static_cast<float>(far)});
 }
 
 /// Under any part of the body.

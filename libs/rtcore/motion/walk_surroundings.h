@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/motion/body.h"
+#include "rtcore/motion/cut_surroundings.h"
 #include "rtcore/motion/nearby_triangles.h"
 #include "rtcore/motion/walk_shape.h"
 #include "rtcore/motion/walk_state.h"
@@ -22,6 +23,8 @@ class WalkSurroundings {
 
     /// Another tree of the same mesh, or of a part of it; must outlive it.
     void useTree(const KdTree& tree);
+    /// What they take away counts from the next gather() on.
+    void useSections(std::span<const SectionPlane> planes);
 
     /// Finds the triangles that a body with this state may touch while it goes at most `move` metres.
     void gather(const WalkState& state, double move);
@@ -44,6 +47,9 @@ class WalkSurroundings {
     bool hasUnseenFloor() const { return unseenFloor_; }
 
   private:
+    /// What is left of them; the same ones where nothing is cut.
+    std::span<const SolidTriangle> leftOf(std::span<const SolidTriangle> triangles, Vec3d feet,
+                                          std::vector<SolidTriangle>& left) const;
     std::span<const SolidTriangle> withUnseenFloor(std::span<const SolidTriangle> triangles,
                                                    const Box3d& box);
 
@@ -52,6 +58,8 @@ class WalkSurroundings {
     WorldFrame frame_;
     const WalkShape& shape_;
     NearbyTriangles nearby_, nearLedge_;
+    CutSurroundings cut_;
+    std::vector<SolidTriangle> left_, leftAtLedge_;
     std::span<const SolidTriangle> triangles_;
     double lowest_;
     bool unseenFloor_ = false;

@@ -22,6 +22,11 @@ class Walker {
 
     /// Another tree of the same mesh, or of a part of it; must outlive it.
     void useTree(const KdTree& tree) { around_.useTree(tree); }
+    /// What they take away of the model is no wall any more, but still carries.
+    void useSections(std::span<const SectionPlane> planes) {
+        around_.useSections(planes);
+        settled_ = false;
+    }
 
     /// Puts the player where its eye is at `eye` or, when there is no room, within a metre of it and in its
     /// sight. Where nothing is below, as beside a model that is looked at from outside, an unseen floor at

@@ -228,6 +228,24 @@ TEST_F(WalkTest, ABodyComesAlongWhereTheCameraIsPlaced) {
     EXPECT_EQ(document.camera(), aside);
 }
 
+// The box stands in the way until it is cut off, and again after undo.
+TEST_F(WalkTest, ASectionOpensTheWay) {
+    const rtcore::Camera start = document.camera();
+    const auto wayTo = [&] {
+        document.setCamera(start);
+        for (int i = 0; i < 24; ++i) move(250ms, keys({'W'}));
+        move(1ms, {});
+        return document.camera().eye.z;
+    };
+    walk.setWalking(true);
+    EXPECT_NEAR(wayTo(), -1.7F, 0.05F);
+    cutOpen(document, {.planes = {{{0, 0, -1}, {0, 0, -1}}}});
+    EXPECT_LT(wayTo(), -4);
+    EXPECT_TRUE(walk.walking()) << "the floor carries";
+    cutOpen(document, {});
+    EXPECT_NEAR(wayTo(), -1.7F, 0.05F);
+}
+
 TEST_F(WalkTest, APathEndsWalking) {
     walk.setWalking(true);
     walk.play(path());
