@@ -53,6 +53,54 @@ TEST(ExporterNotes, AUnitThatIsStatedCounts) {
     EXPECT_EQ(originOf("a.obj", kTriangle).up, std::nullopt);
 }
 
+// A box of 3 x 2 x 2.5 m in millimetres, upright in z, as it is turned and scaled by what the file says.
+constexpr const char* kBuilding = R"(ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION((''),'2;1');
+FILE_NAME('','',(''),(''),'','','');
+FILE_SCHEMA(('IFC2X3'));
+ENDSEC;
+DATA;
+#1=IFCPERSON($,'a',$,$,$,$,$,$);
+#2=IFCORGANIZATION($,'a',$,$,$);
+#3=IFCPERSONANDORGANIZATION(#1,#2,$);
+#4=IFCAPPLICATION(#2,'1','a','a');
+#5=IFCOWNERHISTORY(#3,#4,$,.ADDED.,$,$,$,0);
+#6=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
+#7=IFCUNITASSIGNMENT((#6));
+#8=IFCCARTESIANPOINT((0.,0.,0.));
+#9=IFCAXIS2PLACEMENT3D(#8,$,$);
+#10=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#9,$);
+#11=IFCPROJECT('1AAAAAAAAAAAAAAAAAAAA1',#5,'p',$,$,$,$,(#10),#7);
+#12=IFCLOCALPLACEMENT($,#9);
+#13=IFCSITE('1AAAAAAAAAAAAAAAAAAAA2',#5,'s',$,$,#12,$,$,.ELEMENT.,$,$,$,$,$);
+#14=IFCBUILDING('1AAAAAAAAAAAAAAAAAAAA3',#5,'b',$,$,#12,$,$,.ELEMENT.,$,$,$);
+#15=IFCRELAGGREGATES('1AAAAAAAAAAAAAAAAAAAA4',#5,$,$,#11,(#13));
+#16=IFCRELAGGREGATES('1AAAAAAAAAAAAAAAAAAAA5',#5,$,$,#13,(#14));
+#17=IFCCARTESIANPOINT((1500.,1000.));
+#18=IFCAXIS2PLACEMENT2D(#17,$);
+#19=IFCRECTANGLEPROFILEDEF(.AREA.,$,#18,3000.,2000.);
+#20=IFCDIRECTION((0.,0.,1.));
+#21=IFCEXTRUDEDAREASOLID(#19,#9,#20,2500.);
+#22=IFCSHAPEREPRESENTATION(#10,'Body','SweptSolid',(#21));
+#23=IFCPRODUCTDEFINITIONSHAPE($,$,(#22));
+#24=IFCBUILDINGELEMENTPROXY('1AAAAAAAAAAAAAAAAAAAA6',#5,'box',$,$,#12,#23,$,$);
+#25=IFCRELCONTAINEDINSPATIALSTRUCTURE('1AAAAAAAAAAAAAAAAAAAA7',#5,$,$,(#24),#14);
+ENDSEC;
+END-ISO-10303-21;
+)";
+
+TEST(ExporterNotes, BuildingsAreInMetres) {
+    const auto import = test::importText("a.ifc", kBuilding);
+    EXPECT_EQ(import.report.origin.metresPerUnit, 1);
+    EXPECT_EQ(import.report.origin.up, (Vec3{0, 1, 0}));
+    Box3 bounds;
+    const Mesh& mesh = import.model.mesh;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        for (int corner = 0; corner < 3; ++corner) bounds.extend(mesh.position(t, corner));
+    EXPECT_NEAR(length(bounds.hi - bounds.lo - Vec3{3, 2.5F, 2}), 0, 1e-5);
+}
+
 TEST(ExporterNotes, OddHeadsAreOneLineOfText) {
     const std::string notes = originOf("a.stl", binaryStl(std::string("\x01\xFF odd\x7F head", 12))).exporter;
     EXPECT_EQ(notes.find_first_of("\x01\xFF\x7F\n"), std::string::npos);

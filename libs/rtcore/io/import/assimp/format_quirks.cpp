@@ -28,6 +28,7 @@ FormatQuirks quirksOf(const std::string& importer) {
         q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = q.metresAndYUp = q.indexByHabit = true;
     if (is("Collada")) q.gouraudIsMatte = true;
     if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = q.fbxNotes = true;
+    if (is("IFC")) q.metresAndYUp = true; // turned and scaled by its units
     if (is("MD5")) q.md5 = true;
     if (is("XFile")) q.ticksPerSecond = 4800;
     q.bindMatrices = std::ranges::any_of(kSkins, is);
