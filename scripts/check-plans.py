@@ -3,7 +3,7 @@
 
   scripts/check-plans.py [PROGRAMS]     the folder of the programs [build/release/bin]
 
-A house of 40 x 12 m with a slanted wall is drawn as DXF, SVG and PDF. Lengths and areas of the DXF are read by
+A house of 40 x 12 m with a slanted wall is drawn as DXF, SVG, PDF and PNG. Lengths and areas of the DXF are read by
 ezdxf; the SVG is drawn by librsvg (rsvg-convert) and the PDF by poppler (pdftoppm), and in their images the wall is
 measured in pixels. Exits with 1 where something is wrong, with 77 where these programs are not installed.
 """
@@ -116,6 +116,13 @@ def main():
         subprocess.run(["pdftoppm", "-r", str(DPI), "-png", "-singlefile", str(draw(programs, folder, "house.pdf")),
                         str(folder / "pdf")], check=True)
         good &= check("PDF: the long wall, pixels", width_of_ink(folder / "pdf.png") - line, wanted, 2)
+        for picture in ("lines", "both"):
+            path = draw(programs, folder, picture + ".png", "--plan-image", picture, "--plan-dpi", str(DPI),
+                        "--antialiasing", "1", "--setting=background=1,1,1")
+            if picture == "lines":
+                good &= check("PNG: the long wall, pixels", width_of_ink(path) - line, wanted, 1)
+            from PIL import Image
+            good &= check("PNG, %s: pixels to an inch" % picture, Image.open(path).info["dpi"][0], DPI, .01)
     sys.exit(0 if good else 1)
 
 

@@ -70,7 +70,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     surroundings_ = new SurroundingsOperations(context, this);
     new ModelOperations(context, this);
     new SectionOperations(context, this);
-    new PlanOperations(context, this);
+    auto* plans = new PlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
     save_ = new SaveOperations(context, this);
     connection_->askBeforeLeaving([this](const auto& go) { save_->beforeLeaving(go); });
@@ -79,6 +79,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     jobs_ = new JobOperations(context, this);
     connect(jobs_, &JobOperations::openWanted, this, &MainWindow::open);
     connect(camera, &CameraOperations::filmWanted, jobs_, &JobOperations::renderList);
+    connect(plans, &PlanOperations::lightWanted, jobs_, &JobOperations::prepare);
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
     connect(&editor_, &SceneEditor::sceneChanged, this, &MainWindow::showTitle);

@@ -1,7 +1,7 @@
 /// An image and what is known of its surfaces, in one file.
 #pragma once
 
-#include "rtcore/io/images/image_text.h"
+#include "rtcore/io/images/image_notes.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/scene/image.h"
 

@@ -57,6 +57,18 @@ rtcore::KdTree visibleTreeOf(const rtcore::LoadedScene& loaded, const RendererOp
                            : rtcore::buildVisibleTree(loaded.tree, loaded.scene, build);
 }
 
+/// By as much of each pixel as nothing covers.
+void whiten(rtcore::LdrImage& image, const std::vector<std::uint8_t>& covered) {
+    constexpr int kAll = 255;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const auto mixed = [&](std::uint8_t colour) {
+            return static_cast<std::uint8_t>(kAll - (kAll - colour) * covered[i] / kAll);
+        };
+        rtcore::Rgba8& pixel = image.pixels[i];
+        pixel = {mixed(pixel.r), mixed(pixel.g), mixed(pixel.b)};
+    }
+}
+
 int seedOfFrame(int seed, int number) {
     const int seeds = static_cast<int>(rtcore::requireSetting("path.seed").maximum) + 1;
     return (seed + number % seeds) % seeds;
@@ -103,6 +115,23 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
         preview_->finish(developed_, exposure, {developer_.netReport(), developer_.netErrors()});
     report.writeSeconds = app::secondsSince(start);
     return report;
+}
+
+const rtcore::LdrImage& PictureMaker::picture(const rtcore::Camera& camera, int width, int height,
+                                              const rtcore::SectionPlanes& sections) {
+    FrameTask task;
+    task.filmed = true; // it is wanted as it is shown
+    Shot shot = prepare(task);
+    shot.camera = camera;
+    shot.settings.width = width;
+    shot.settings.height = height;
+    loaded_.scene.sections = sections;
+    chooseNet(shot.settings);
+    shareLight(task, shot.settings);
+    render(shot.camera, shot.settings, 1, 1);
+    develop(task, shot, finish(shot.settings, 1, 1));
+    whiten(developed_, frame_.covered);
+    return developed_;
 }
 
 void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
@@ -401,7 +430,7 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance, texts);
         } else {
-            rtcore::writeImage(output, developed_, texts);
+            rtcore::writeImage(output, developed_, {.texts = texts});
         }
     }
 }

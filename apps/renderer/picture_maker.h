@@ -57,6 +57,15 @@ class PictureMaker {
     /// what Nets::of() throws; UsageError for a list that leaves the choice to the machine.
     void readNet();
 
+    const rtcore::LoadedScene& loaded() const { return loaded_; }
+    /// Of the model without its hidden parts.
+    const rtcore::RayTracer& surfaces() const { return *surfaces_; }
+
+    /// The scene as it is shown by that camera in place of its own, cut by `sections` alone, from now on. It
+    /// is white where nothing is seen. Valid until the next image. Throws as make() does.
+    const rtcore::LdrImage& picture(const rtcore::Camera& camera, int width, int height,
+                                    const rtcore::SectionPlanes& sections);
+
     /// Renders the frame and writes all its outputs, each one complete or not at all; `index` of `count` is
     /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
     FrameReport make(const FrameTask& task, int index, int count);

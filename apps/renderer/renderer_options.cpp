@@ -143,6 +143,9 @@ std::optional<app::PlanOrder> readPlan(const app::Arguments& arguments) {
     order.choice.floor = arguments.number("plan-floor");
     order.choice.height = arguments.number("plan-height").value_or(order.choice.height);
     order.scale = arguments.number("plan-scale").value_or(order.scale);
+    order.dpi = arguments.number("plan-dpi").value_or(order.dpi);
+    order.image = static_cast<app::PlanImage>(
+        indexIn(app::kPlanImages, arguments.text("plan-image").value_or("lines")));
     order.options.door = arguments.number("plan-door").value_or(order.options.door);
     if (const auto name = arguments.text("plan-paper"))
         order.paper = *std::ranges::find(rtcore::kPaperSizes, *name, &rtcore::PaperSize::name);
@@ -150,19 +153,24 @@ std::optional<app::PlanOrder> readPlan(const app::Arguments& arguments) {
 }
 
 void checkPlan(const RendererOptions& options, const app::Arguments& arguments) {
-    for (const char* ofPlans :
-         {"plan-from", "plan-storey", "plan-floor", "plan-height", "plan-scale", "plan-paper", "plan-door"}) {
+    for (const char* ofPlans : {"plan-from", "plan-storey", "plan-floor", "plan-height", "plan-scale",
+                                "plan-paper", "plan-dpi", "plan-image", "plan-door"}) {
         if (!options.plan && arguments.has(ofPlans))
             throw app::UsageError("--" + std::string(ofPlans) + " needs --plan");
     }
     if (!options.plan) return;
-    if (!rtcore::drawingFormatOf(options.plan->file))
-        throw app::UsageError("--plan writes a drawing; give a name that ends in .svg, .pdf or .dxf");
+    const auto format = rtcore::drawingFormatOf(options.plan->file);
+    if (!format)
+        throw app::UsageError(
+            "--plan writes a drawing; give a name that ends in .svg, .pdf, .dxf, .png or .tif");
+    for (const char* ofPixels : {"plan-dpi", "plan-image"}) {
+        if (format != rtcore::DrawingFormat::Image && arguments.has(ofPixels))
+            throw app::UsageError("--" + std::string(ofPixels) + " is of a .png or .tif");
+    }
     for (const char* ofImages :
          {"output", "list", "make-light", "video", "verify", "preview", "report", "debug-scene"}) {
         if (arguments.has(ofImages))
-            throw app::UsageError("--plan draws lines and renders nothing; leave out --" +
-                                  std::string(ofImages));
+            throw app::UsageError("--plan makes a drawing alone; leave out --" + std::string(ofImages));
     }
     if (options.plan->choice.side != rtcore::PlanSide::Above) {
         for (const char* ofStoreys : {"plan-storey", "plan-floor", "plan-height", "plan-door"}) {

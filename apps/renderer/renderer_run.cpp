@@ -83,12 +83,11 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     const app::InputFiles inputs = inputsOf(options, loaded, cameras);
+    PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.plan) {
-        inputs.refuse(options.plan->file);
-        makePlan(*options.plan, loaded, options.threads, progress);
+        makePlan(*options.plan, maker, inputs, progress);
         return app::ExitCode::Done;
     }
-    PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.debugScene) {
         drawDebugScene(*options.debugScene, camera, inputs, maker);
         return app::ExitCode::Done;

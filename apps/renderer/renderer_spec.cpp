@@ -266,10 +266,11 @@ OptionGroup planOptions() {
         {{.name = "plan",
           .value = ValueKind::Text,
           .argument = "FILE",
-          .help = "draw a plan to scale, write it to this .svg, .pdf or .dxf file, and exit: what is cut, "
-                  "visible edges beyond, and the areas of rooms",
+          .help =
+              "draw a plan to scale, write it to this .svg, .pdf, .dxf, .png or .tif file, and exit: what "
+              "is cut, visible edges beyond, and the areas of rooms",
           .more = "See [plans.md](plans.md). A `.dxf` is in metres, at the coordinates of the model's file",
-          .files = {"svg", "pdf", "dxf"}},
+          .files = {"svg", "pdf", "dxf", "png", "tif", "tiff"}},
          {.name = "plan-from",
           .value = ValueKind::Choice,
           .argument = "SIDE",
@@ -305,9 +306,24 @@ OptionGroup planOptions() {
          {.name = "plan-paper",
           .value = ValueKind::Choice,
           .argument = "SIZE",
-          .help = "with --plan: A4, A3, A2, A1 or A0, lying; a .pdf takes as many sheets as it needs [one as "
-                  "large as it must be]",
+          .help =
+              "with --plan: A4, A3, A2, A1 or A0, lying; a .pdf takes as many sheets as it needs, a .png or "
+              ".tif as many files [one as large as it must be]",
           .choices = {"A4", "A3", "A2", "A1", "A0"}},
+         {.name = "plan-dpi",
+          .value = ValueKind::Number,
+          .argument = "N",
+          .help = "with --plan: pixels of a .png or .tif to an inch of paper [300]",
+          .minimum = 10,
+          .maximum = 2400},
+         {.name = "plan-image",
+          .value = ValueKind::Choice,
+          .argument = "WHAT",
+          .help =
+              "with --plan: what a .png or .tif has: lines, the rendered light of what they show, or both, "
+              "lines over light [lines]",
+          .more = "Light is rendered as an image is, with the scene's settings and those of the command line",
+          .choices = {"lines", "light", "both"}},
          {.name = "plan-door",
           .value = ValueKind::Number,
           .argument = "M",

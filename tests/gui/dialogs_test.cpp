@@ -146,7 +146,7 @@ TEST_F(DialogsTest, PlanGivesWhatWasChosenAndKeepsIt) {
     PlanDialog dialog(file("plan.pdf"), preferences);
     dialog.setStoreys({0, 2.8});
     const QList<QComboBox*> boxes = dialog.findChildren<QComboBox*>();
-    ASSERT_EQ(boxes.size(), 3);
+    ASSERT_EQ(boxes.size(), 4);
     EXPECT_EQ(boxes[1]->count(), 3) << "the camera's, and two";
     boxes[1]->setCurrentIndex(2);
     boxes[2]->setCurrentText(QStringLiteral("A3"));
@@ -160,10 +160,21 @@ TEST_F(DialogsTest, PlanGivesWhatWasChosenAndKeepsIt) {
     EXPECT_EQ(plan.paper, QStringLiteral("A3"));
     EXPECT_EQ(plan.scale, 50);
     EXPECT_EQ(plan.height, 1.2);
+    EXPECT_FALSE(plan.hasLight()) << "of lines alone";
+    EXPECT_FALSE(boxes[3]->isEnabled());
     PlanDialog next(file("plan.pdf"), preferences);
     EXPECT_EQ(next.findChildren<QComboBox*>()[2]->currentText(), QStringLiteral("A3"));
     next.findChildren<QComboBox*>()[0]->setCurrentIndex(1);
     EXPECT_FALSE(next.findChildren<QComboBox*>()[1]->isEnabled()) << "an elevation has no storey";
+    next.findChild<QLineEdit*>()->setText(file("plan.PNG"));
+    EXPECT_TRUE(next.findChildren<QComboBox*>()[3]->isEnabled());
+    next.findChildren<QComboBox*>()[3]->setCurrentIndex(2);
+    field<QDoubleSpinBox>(next, "Resolution")->setValue(150);
+    QObject::connect(&next, &PlanDialog::wanted, &next, [&](const PlanWish& wish) { plan = wish; });
+    accept(next);
+    EXPECT_TRUE(plan.hasLight());
+    EXPECT_EQ(plan.image, QStringLiteral("both"));
+    EXPECT_EQ(plan.dpi, 150);
 }
 
 TEST_F(DialogsTest, KeyBindingsSayWhatIsWrong) {

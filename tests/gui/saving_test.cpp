@@ -5,10 +5,12 @@
 
 #include "gui/dialogs/plan_dialog.h"
 #include "gui/models/bookmark_store.h"
+#include "gui/operations/job_operations.h"
 #include "gui/panels/bookmarks_panel.h"
 #include "gui/session/server_list.h"
 #include "rtcore/io/text/scn.h"
 
+#include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
@@ -108,6 +110,22 @@ TEST_F(SavingTest, APlanIsDrawn) {
     accept(*dialog);
     EXPECT_TRUE(comes([&] { return std::filesystem::exists(folder() / "plan.svg"); }))
         << window->notice().text().toStdString();
+}
+
+// Lines by the server at once, then the Renderer's light under them.
+TEST_F(SavingTest, APlanHasLight) {
+    ASSERT_NO_FATAL_FAILURE(open("lit.scn"));
+    action(ActionId::Plan)->trigger();
+    auto* dialog = window->findChild<PlanDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QLineEdit*>()->setText(file("plan.png"));
+    dialog->findChildren<QComboBox*>()[3]->setCurrentIndex(1);
+    accept(*dialog);
+    const JobQueue& jobs = window->jobs().queue();
+    ASSERT_TRUE(comes([&] { return jobs.rowCount() == 1 && jobs.job(0).over(); }))
+        << window->notice().text().toStdString();
+    EXPECT_EQ(jobs.job(0).state, JobState::Done) << jobs.job(0).message.toStdString();
+    EXPECT_TRUE(jobs.job(0).request.arguments.contains(QStringLiteral("--plan-image=light")));
 }
 
 TEST_F(SavingTest, AFileByHandIsAskedForAndKept) {

@@ -1,6 +1,8 @@
 // Renderer --plan: drawings to scale, and what is said where there can be none.
 #include "process/sample_scene.h"
 
+#include "rtcore/io/images/image_file.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -84,7 +86,11 @@ TEST_F(Plans, ThatCannotBeAreRefusedBeforeAnythingIsWritten) {
     };
     for (const Refusal& refusal : std::vector<Refusal>{
              {{"--plan", "a.svg"}, 1, "the unit of room.obj is not known"},
-             {{"--units=m", "--plan", "a.png"}, 2, ".svg, .pdf or .dxf"},
+             {{"--units=m", "--plan", "a.jpg"}, 2, ".svg, .pdf, .dxf, .png or .tif"},
+             {{"--units=m", "--plan", "a.svg", "--plan-dpi=100"}, 2, "--plan-dpi is of a .png or .tif"},
+             {{"--units=m", "--plan", "a.png", "--plan-scale=1", "--plan-dpi=600"},
+              1,
+              "than an image can have"},
              {{"--units=m", "--plan", "none/a.svg"}, 73, "make it first"},
              {{"--units=m", "--plan", "room.obj.svg", "--plan-storey=2"},
               1,
@@ -105,6 +111,27 @@ TEST_F(Plans, ThatCannotBeAreRefusedBeforeAnythingIsWritten) {
         EXPECT_NE(result.error.find(refusal.text), std::string::npos) << result.error;
     }
     EXPECT_EQ(test::filesIn(folder.path()), std::vector<std::string>{"room.obj"});
+}
+
+// Of the light on the floor, of what is cut, and of the paper around.
+TEST_F(Plans, ShowTheLightOfARoom) {
+    for (const std::string picture : {"light", "both"}) {
+        const test::ProgramResult result =
+            draw({"--units=m", "--plan", "plan.png", "--plan-dpi=60", "--plan-image=" + picture, "--look=sky",
+                  "--antialiasing=1"});
+        ASSERT_EQ(result.exitCode, 0) << result.error;
+        const rtcore::LdrImage image = rtcore::readLdrImage(folder / "plan.png");
+        const auto at = [&](double x, double z) { // millimetres of the drawing, which begins 10 mm further
+            return image.at(static_cast<int>((x + 10) * 60 / 25.4), static_cast<int>((z + 10) * 60 / 25.4));
+        };
+        EXPECT_NE(at(33, 10), (rtcore::Rgba8{255, 255, 255, 255})) << "the floor has its own colour";
+        EXPECT_EQ(at(-3, 10), (rtcore::Rgba8{255, 255, 255, 255}));
+        EXPECT_GE(image.height, image.width / 3);
+    }
+    const test::ProgramResult sheets =
+        draw({"--units=m", "--plan", "plan.tif", "--plan-dpi=30", "--plan-scale=10", "--plan-paper=A3"});
+    ASSERT_EQ(sheets.exitCode, 0) << sheets.error;
+    EXPECT_NE(sheets.error.find("4 sheets: plan-A1.tif to plan-B2.tif"), std::string::npos) << sheets.error;
 }
 
 TEST_F(Plans, AreNotWrittenOverWhatIsRead) {

@@ -176,8 +176,8 @@ std::string sectionColour(const std::array<float, 3>& linear) {
 std::string sectionHatching(bool on) { return line(CommandId::SectionHatching, on ? "on" : "off"); }
 
 std::string plan(const std::string& file, const std::string& side, double scale, const std::string& paper,
-                 int storey, double height) {
-    return line(CommandId::Plan, file, side, scale, paper, storey, height);
+                 int storey, double height, double dpi) {
+    return line(CommandId::Plan, file, side, scale, paper, storey, height, dpi);
 }
 std::string storeys() { return line(CommandId::Storeys); }
 std::string storeyGo(int number) { return line(CommandId::StoreyGo, number); }

@@ -121,7 +121,7 @@ std::string sectionHatching(bool on);
 
 /// `storey` 0: that of the camera; `paper`: "sheet", or a size.
 std::string plan(const std::string& file, const std::string& side, double scale, const std::string& paper,
-                 int storey, double height);
+                 int storey, double height, double dpi);
 std::string storeys();
 std::string storeyGo(int number);
 

@@ -70,6 +70,7 @@ DrawnPlan drawPlan(const PlanOrder& order, const rtcore::Scene& scene, const rtc
     rtcore::PlanOptions options = order.options;
     options.step = kStepOnPaper * order.scale;
     DrawnPlan plan{.drawing = rtcore::drawingOf(scene, surfaces, pieces, chosen.plane, options, cancel),
+                   .plane = chosen.plane,
                    .title = titleOf(order, chosen, model),
                    .told = {}};
     if (plan.drawing.empty() && !cancel.load())
@@ -77,6 +78,18 @@ DrawnPlan drawPlan(const PlanOrder& order, const rtcore::Scene& scene, const rtc
             rtcore::form("nothing is cut there, and nothing is beyond: there is nothing to draw"));
     plan.told = findings(order, chosen, plan.drawing);
     return plan;
+}
+
+rtcore::DrawingOrder drawingOrderOf(const PlanOrder& order, const DrawnPlan& plan) {
+    return {.drawing = plan.drawing,
+            .options = {.scale = order.scale, .title = plan.title, .dpi = order.dpi},
+            .paper = order.paper};
+}
+
+std::optional<rtcore::Sentence> sheetsTold(const std::vector<std::filesystem::path>& files) {
+    if (files.size() < 2) return std::nullopt;
+    return rtcore::say("{0} sheets: {1} to {2}", files.size(), files.front().filename().string(),
+                       files.back().filename().string());
 }
 
 } // namespace app

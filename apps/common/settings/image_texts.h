@@ -1,7 +1,7 @@
 /// Texts in image files on how the images were made.
 #pragma once
 
-#include "rtcore/io/images/image_text.h"
+#include "rtcore/io/images/image_notes.h"
 #include "rtcore/settings/render_settings.h"
 
 #include <vector>

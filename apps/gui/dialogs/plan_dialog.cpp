@@ -2,6 +2,8 @@
 
 #include "gui/dialogs/file_field.h"
 
+#include "rtcore/io/drawings/drawing_format.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -39,11 +41,12 @@ void select(QComboBox& box, const QString& data) {
 PlanDialog::PlanDialog(const QString& path, Preferences& preferences, QWidget* parent)
     : QDialog(parent), preferences_(preferences),
       path_(new FileField(FileField::Kind::Save, tr("Plan"),
-                          tr("Drawings (*.pdf *.svg *.dxf);;All files (*)"))),
-      side_(new QComboBox), storey_(new QComboBox), paper_(new QComboBox),
+                          tr("Drawings (*.pdf *.svg *.dxf *.png *.tif);;All files (*)"))),
+      side_(new QComboBox), storey_(new QComboBox), paper_(new QComboBox), image_(new QComboBox),
       height_(
           prepared(new QDoubleSpinBox, 0, 10000, preferences.get(pref::planHeight), tr("Height of the cut"))),
-      scale_(prepared(new ScaleBox, 0.01, 1e6, preferences.get(pref::planScale), tr("Scale"))) {
+      scale_(prepared(new ScaleBox, 0.01, 1e6, preferences.get(pref::planScale), tr("Scale"))),
+      dpi_(prepared(new ScaleBox, 10, 2400, preferences.get(pref::planDpi), tr("Resolution"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Plan"));
     path_->setPath(path);
@@ -58,9 +61,14 @@ PlanDialog::PlanDialog(const QString& path, Preferences& preferences, QWidget* p
     for (const char* size : {"A4", "A3", "A2", "A1", "A0"})
         paper_->addItem(QLatin1String(size), QLatin1String(size));
     select(*paper_, preferences.get(pref::planPaper));
+    image_->addItem(tr("Lines"), QStringLiteral("lines"));
+    image_->addItem(tr("Rendered light"), QStringLiteral("light"));
+    image_->addItem(tr("Lines over light"), QStringLiteral("both"));
+    select(*image_, preferences.get(pref::planImage));
     height_->setSuffix(tr(" m above the floor"));
     height_->setSingleStep(0.1);
     scale_->setPrefix(QStringLiteral("1:"));
+    dpi_->setSuffix(tr(" dpi"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto* ok = buttons->addButton(tr("Draw"), QDialogButtonBox::AcceptRole);
     auto* form = new QFormLayout(this);
@@ -70,10 +78,16 @@ PlanDialog::PlanDialog(const QString& path, Preferences& preferences, QWidget* p
     form->addRow(tr("&Cut:"), height_);
     form->addRow(tr("Sca&le:"), scale_);
     form->addRow(tr("P&aper:"), paper_);
+    form->addRow(tr("&Image:"), image_);
+    form->addRow(tr("&Resolution:"), dpi_);
     form->addRow(buttons);
     ok->setDefault(true); // once it is in the dialog
     connect(side_, &QComboBox::currentIndexChanged, this, &PlanDialog::enableFields);
-    connect(path_, &FileField::pathChanged, this, [this, ok] { ok->setEnabled(!path_->path().isEmpty()); });
+    connect(path_, &FileField::pathChanged, this, [this, ok] {
+        ok->setEnabled(!path_->path().isEmpty());
+        enableFields();
+    });
+    enableFields();
     connect(buttons, &QDialogButtonBox::accepted, this, &PlanDialog::finish);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -86,10 +100,16 @@ void PlanDialog::setStoreys(const std::vector<double>& floors) {
     }
 }
 
+bool PlanDialog::isImage() const {
+    return rtcore::drawingFormatOf(path_->path().toStdString()) == rtcore::DrawingFormat::Image;
+}
+
 void PlanDialog::enableFields() {
     const bool above = side_->currentIndex() == 0;
     storey_->setEnabled(above);
     height_->setEnabled(above);
+    image_->setEnabled(isImage());
+    dpi_->setEnabled(isImage());
 }
 
 void PlanDialog::finish() {
@@ -98,10 +118,14 @@ void PlanDialog::finish() {
                         scale_->value(),
                         paper_->currentData().toString(),
                         storey_->currentData().toInt(),
-                        height_->value()};
+                        height_->value(),
+                        dpi_->value(),
+                        isImage() ? image_->currentData().toString() : QStringLiteral("lines")};
     preferences_.set(pref::planScale, plan.scale);
     preferences_.set(pref::planPaper, plan.paper);
     preferences_.set(pref::planHeight, plan.height);
+    preferences_.set(pref::planDpi, plan.dpi);
+    if (isImage()) preferences_.set(pref::planImage, plan.image);
     emit wanted(plan);
     accept();
 }

@@ -15,13 +15,17 @@ namespace gui {
 
 class FileField;
 
-/// As the command `plan` takes it.
+/// As the command `plan` takes it, and the Renderer.
 struct PlanWish {
     QString path, side;
     double scale = 100;
     QString paper;
     int storey = 0;
     double height = 1.2;
+    double dpi = 300;
+    QString image = QStringLiteral("lines"); ///< of a PNG or TIFF, as Renderer's --plan-image
+    /// The Renderer is needed.
+    bool hasLight() const { return image != QLatin1String("lines"); }
 };
 
 class PlanDialog : public QDialog {
@@ -39,13 +43,14 @@ class PlanDialog : public QDialog {
 
   private:
     void finish();
-    /// Storeys are of plans from above alone.
+    bool isImage() const;
+    /// Storeys are of plans from above alone, resolutions of images.
     void enableFields();
 
     Preferences& preferences_;
     FileField* path_;
-    QComboBox *side_, *storey_, *paper_;
-    QDoubleSpinBox *height_, *scale_;
+    QComboBox *side_, *storey_, *paper_, *image_;
+    QDoubleSpinBox *height_, *scale_, *dpi_;
 };
 
 } // namespace gui

@@ -62,6 +62,8 @@ inline const Preference<int> exportAntialiasing{"export/antialiasing", 1};
 inline const Preference<int> exportBloom{"export/bloom", 0};
 inline const Preference<double> planScale{"export/planScale", 100}; ///< 1 to that
 inline const Preference<QString> planPaper{"export/planPaper", QStringLiteral("sheet")};
+inline const Preference<double> planDpi{"export/planDpi", 300}; ///< pixels to an inch of paper
+inline const Preference<QString> planImage{"export/planImage", QStringLiteral("lines")};
 inline const Preference<double> planHeight{"export/planHeight", 1.2}; ///< metres above the floor
 inline const Preference<QSize> highQualitySize{"export/highQualitySize", QSize(1920, 1080)};
 inline const Preference<int> highQualityAntialiasing{"export/highQualityAntialiasing", 4};

@@ -26,6 +26,8 @@ class JobOperations : public QObject {
     void renderList(const QString& list);
     /// Whether the window may close now. If not, the user is asked, and the window is closed when they agree.
     bool mayClose();
+    /// The server writes what the job needs; then it is queued.
+    void prepare(const RenderWish& wish);
 
   signals:
     /// A scene that a job has made is to be shown.
@@ -36,8 +38,6 @@ class JobOperations : public QObject {
     void openRenderDialog(const QString& list);
     void openBuildDialog();
     QString freeOutput() const;
-    /// The server writes what the job needs; then it is queued.
-    void prepare(const RenderWish& wish);
     void prepareCamera(const RenderWish& wish);
     void enqueue(const JobRequest& request);
     void onFinished(quint64 id);

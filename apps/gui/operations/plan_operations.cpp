@@ -1,15 +1,20 @@
 #include "gui/operations/plan_operations.h"
 
 #include "gui/dialogs/plan_dialog.h"
+#include "gui/dialogs/render_dialog.h"
 #include "gui/models/output_file.h"
 #include "gui/operations/actions.h"
+#include "gui/processes/private_folder.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
 #include <QAction>
 #include <QFileInfo>
+#include <QLocale>
 #include <QPointer>
+
+#include <memory>
 
 namespace gui {
 
@@ -24,6 +29,31 @@ std::vector<double> floorsOf(const QString& answer) {
         if (good) floors.push_back(floor);
     }
     return floors;
+}
+
+RenderWish renderWishOf(const PlanWish& plan) {
+    const auto files = std::make_shared<PrivateFolder>("plan");
+    const QString scene = files->file(QStringLiteral("view.scn"));
+    QStringList words{scene};
+    const auto option = [&words](const char* name, const QString& value) {
+        words.append(QStringLiteral("--plan%1=%2").arg(QLatin1String(name), value));
+    };
+    const auto number = [](double value) {
+        return QString::number(value, 'g', QLocale::FloatingPointShortest);
+    };
+    option("", plan.path);
+    option("-from", plan.side);
+    option("-scale", number(plan.scale));
+    option("-dpi", number(plan.dpi));
+    option("-image", plan.image);
+    if (plan.paper != QLatin1String("sheet")) option("-paper", plan.paper);
+    if (plan.side == QLatin1String("above")) {
+        option("-height", number(plan.height));
+        if (plan.storey > 0) option("-storey", QString::number(plan.storey));
+    }
+    return {.job = {QFileInfo(plan.path).fileName(), QStringLiteral("Renderer"), words, plan.path, files},
+            .sceneFile = scene,
+            .cameraFile = {}};
 }
 
 } // namespace
@@ -51,11 +81,21 @@ void PlanOperations::draw(const PlanWish& plan) {
     context_.preferences.set(pref::planFolder, QFileInfo(plan.path).absolutePath());
     context_.view.tell(tr("Drawing the plan…"));
     const std::string line = command::plan(plan.path.toStdString(), plan.side.toStdString(), plan.scale,
-                                           plan.paper.toStdString(), plan.storey, plan.height);
-    context_.session.send(line, this, [this, path = plan.path](const Answer& answer) {
-        context_.view.tell(answer.done ? tr("The plan was written to %1.").arg(path) : QString());
-        if (!answer.done) context_.notice.explain(answer.text, {context_.actions[ActionId::UpAndUnit]});
+                                           plan.paper.toStdString(), plan.storey, plan.height, plan.dpi);
+    context_.session.send(line, this, [this, plan](const Answer& answer) {
+        if (answer.done) return onDrawn(plan);
+        context_.view.tell({});
+        context_.notice.explain(answer.text, {context_.actions[ActionId::UpAndUnit]});
     });
+}
+
+// The server has lines at once; what could not be drawn has no light either.
+void PlanOperations::onDrawn(const PlanWish& plan) {
+    context_.view.tell(tr("The plan was written to %1.").arg(plan.path));
+    if (!plan.hasLight()) return;
+    const RenderWish wish = renderWishOf(plan);
+    if (!wish.job.files->trouble().isEmpty()) return context_.notice.explain(wish.job.files->trouble(), {});
+    emit lightWanted(wish);
 }
 
 } // namespace gui

@@ -9,6 +9,7 @@ namespace gui {
 
 class PlanDialog;
 struct PlanWish;
+struct RenderWish;
 
 class PlanOperations : public QObject {
     Q_OBJECT
@@ -16,9 +17,14 @@ class PlanOperations : public QObject {
   public:
     PlanOperations(const GuiContext& context, QObject* parent);
 
+  signals:
+    /// The Renderer is to add light to the image.
+    void lightWanted(const gui::RenderWish& wish);
+
   private:
     void ask();
     void draw(const PlanWish& plan);
+    void onDrawn(const PlanWish& plan);
 
     GuiContext context_;
 };

@@ -2658,10 +2658,6 @@ Alt+%2</translation>
         <translation>Plán</translation>
     </message>
     <message>
-        <source>Drawings (*.pdf *.svg *.dxf);;All files (*)</source>
-        <translation>Výkresy (*.pdf *.svg *.dxf);;Všechny soubory (*)</translation>
-    </message>
-    <message>
         <source>Height of the cut</source>
         <translation>Výška řezu</translation>
     </message>
@@ -2736,6 +2732,38 @@ Alt+%2</translation>
     <message>
         <source>%1: floor at %2 m</source>
         <translation>%1: podlaha ve výšce %2 m</translation>
+    </message>
+    <message>
+        <source>Drawings (*.pdf *.svg *.dxf *.png *.tif);;All files (*)</source>
+        <translation>Výkresy (*.pdf *.svg *.dxf *.png *.tif);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Rozlišení</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Čáry</translation>
+    </message>
+    <message>
+        <source>Rendered light</source>
+        <translation>Vykreslené světlo</translation>
+    </message>
+    <message>
+        <source>Lines over light</source>
+        <translation>Čáry přes světlo</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Rozlišení:</translation>
+    </message>
+    <message>
+        <source>&amp;Image:</source>
+        <translation>O&amp;brázek:</translation>
     </message>
 </context>
 <context>

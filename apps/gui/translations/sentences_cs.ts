@@ -440,8 +440,8 @@
         <translation>textová bitmapa obsahuje jen 0 a 1</translation>
     </message>
     <message>
-        <source>a plan is a .svg, .pdf or .dxf file</source>
-        <translation>plán je soubor .svg, .pdf nebo .dxf</translation>
+        <source>a plan is a .svg, .pdf, .dxf, .png or .tif file</source>
+        <translation>plán je soubor .svg, .pdf, .dxf, .png nebo .tif</translation>
     </message>
     <message>
         <source>a plane's angle</source>
@@ -3524,6 +3524,10 @@
         <translation>některé vzorky ({0}) nejsou konečné a nepočítají se; scéna obsahuje příliš velká čísla</translation>
     </message>
     <message>
+        <source>{0} sheets: {1} to {2}</source>
+        <translation>{0} listů: {1} až {2}</translation>
+    </message>
+    <message>
         <source>{0} should stand here, a number, and not '{1}'</source>
         <translation>zde má stát {0}, číslo, a ne „{1}“</translation>
     </message>
@@ -3608,6 +3612,10 @@
         <translation>{0} x {1} je víc než {2} pixelů</translation>
     </message>
     <message>
+        <source>{0} x {1} pixels are more than an image can have; take fewer to an inch, a smaller scale, or paper, of which there may be several sheets</source>
+        <translation>{0} x {1} pixelů je více, než obrázek může mít; zvolte méně na palec, menší měřítko nebo papír, jehož listů může být několik</translation>
+    </message>
+    <message>
         <source>{0} {1}; these stay as they are</source>
         <translation>{0} {1}; ta zůstávají, jak jsou</translation>
     </message>
@@ -3644,8 +3652,8 @@
         <translation>{0}: některé číslo prvku {1} není číslo nebo je mimo rozsah</translation>
     </message>
     <message>
-        <source>{0}: drawings are .svg, .pdf or .dxf files</source>
-        <translation>{0}: výkresy jsou soubory .svg, .pdf nebo .dxf</translation>
+        <source>{0}: drawings are .svg, .pdf, .dxf, .png or .tif files</source>
+        <translation>{0}: výkresy jsou soubory .svg, .pdf, .dxf, .png nebo .tif</translation>
     </message>
     <message>
         <source>{0}: element {1}: {2}</source>

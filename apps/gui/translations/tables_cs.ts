@@ -1069,8 +1069,8 @@
         <translation>Plán</translation>
     </message>
     <message>
-        <source>draw a plan to scale, write it to this .svg, .pdf or .dxf file, and exit: what is cut, visible edges beyond, and the areas of rooms</source>
-        <translation>nakreslí plán v měřítku, zapíše ho do tohoto souboru .svg, .pdf nebo .dxf a skončí: co je rozříznuto, viditelné hrany za tím a plochy místností</translation>
+        <source>draw a plan to scale, write it to this .svg, .pdf, .dxf, .png or .tif file, and exit: what is cut, visible edges beyond, and the areas of rooms</source>
+        <translation>nakreslit plán v měřítku, zapsat jej do tohoto souboru .svg, .pdf, .dxf, .png nebo .tif a skončit: co je rozříznuto, viditelné hrany za řezem a plochy místností</translation>
     </message>
     <message>
         <source>Plan from</source>
@@ -1117,8 +1117,24 @@
         <translation>Plán: papír</translation>
     </message>
     <message>
-        <source>with --plan: A4, A3, A2, A1 or A0, lying; a .pdf takes as many sheets as it needs [one as large as it must be]</source>
-        <translation>s --plan: A4, A3, A2, A1 nebo A0 na šířku; .pdf zabere tolik listů, kolik potřebuje [jeden tak velký, jak je třeba]</translation>
+        <source>with --plan: A4, A3, A2, A1 or A0, lying; a .pdf takes as many sheets as it needs, a .png or .tif as many files [one as large as it must be]</source>
+        <translation>s --plan: A4, A3, A2, A1 nebo A0 naležato; .pdf má tolik listů, kolik potřebuje, .png nebo .tif tolik souborů [jeden tak velký, jak je třeba]</translation>
+    </message>
+    <message>
+        <source>Plan dpi</source>
+        <translation>Rozlišení plánu</translation>
+    </message>
+    <message>
+        <source>with --plan: pixels of a .png or .tif to an inch of paper [300]</source>
+        <translation>s --plan: pixely .png nebo .tif na palec papíru [300]</translation>
+    </message>
+    <message>
+        <source>Plan picture</source>
+        <translation>Obrázek plánu</translation>
+    </message>
+    <message>
+        <source>with --plan: what a .png or .tif has: lines, the rendered light of what they show, or both, lines over light [lines]</source>
+        <translation>s --plan: co je v .png nebo .tif: čáry, vykreslené světlo toho, co ukazují, nebo obojí, čáry přes světlo [lines]</translation>
     </message>
     <message>
         <source>Plan door</source>

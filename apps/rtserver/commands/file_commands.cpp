@@ -153,7 +153,7 @@ Result screenshot(const Call& call) {
     }
     const auto picture = std::make_shared<const rtcore::LdrImage>(frames.image());
     return writeBeside(
-        call, "", [path, picture, texts] { rtcore::writeImage(path, *picture, texts); },
+        call, "", [path, picture, texts] { rtcore::writeImage(path, *picture, {.texts = texts}); },
         liveFrameText(*picture));
 }
 

@@ -29,7 +29,8 @@ std::size_t indexOf(const Names& names, std::string_view name) {
 
 app::PlanOrder orderOf(const Call& call) {
     app::PlanOrder order{.file = pathOf(call[0])};
-    if (!rtcore::drawingFormatOf(order.file)) throw app::UsageError("a plan is a .svg, .pdf or .dxf file");
+    if (!rtcore::drawingFormatOf(order.file))
+        throw app::UsageError("a plan is a .svg, .pdf, .dxf, .png or .tif file");
     if (call.size() > 1)
         order.choice.side = static_cast<rtcore::PlanSide>(indexOf(rtcore::kPlanSides, call[1]));
     if (call.size() > 2) order.scale = preciseNumber(call[2]);
@@ -37,6 +38,7 @@ app::PlanOrder orderOf(const Call& call) {
         order.paper = *std::ranges::find(rtcore::kPaperSizes, call[3], &rtcore::PaperSize::name);
     if (call.size() > 4 && integer(call[4]) > 0) order.choice.storey = integer(call[4]);
     if (call.size() > 5) order.choice.height = preciseNumber(call[5]);
+    if (call.size() > 6) order.dpi = preciseNumber(call[6]);
     return order;
 }
 
@@ -55,15 +57,20 @@ Result plan(const Call& call) {
     refuseInput(document.world().inputs, order.file, "");
     const auto stop = std::make_shared<std::atomic<bool>>(false);
     return {.when = ReplyWhen::Apart,
-            .work = [order, model, scene = document.scene(), surfaces = document.visible().surfaces(),
-                     eye = document.camera().eye, threads = threadsBeside(call.state.threads),
-                     stop]() -> Finish {
+            .work = [order, model, inputs = document.world().inputs, scene = document.scene(),
+                     surfaces = document.visible().surfaces(), eye = document.camera().eye,
+                     threads = threadsBeside(call.state.threads), stop]() -> Finish {
                 app::useThreads(threads);
                 const app::DrawnPlan plan =
                     app::drawPlan(order, *scene, *surfaces, model.filename().string(), eye, *stop);
                 if (stop->load()) throw rtcore::Refusal("the plan was given up");
-                rtcore::writeDrawing(order.file, plan.drawing, {order.scale, plan.title}, order.paper);
-                return [told = lines(plan.told)] { return told; };
+                const rtcore::DrawingOrder written = app::drawingOrderOf(order, plan);
+                const auto files = rtcore::drawingFiles(order.file, written);
+                for (const std::filesystem::path& file : files) refuseInput(inputs, file, "");
+                rtcore::writeDrawing(order.file, written);
+                std::vector<rtcore::Sentence> told = plan.told;
+                if (const auto sheets = app::sheetsTold(files)) told.push_back(*sheets);
+                return [told = lines(told)] { return told; };
             },
             .stop = stop};
 }

@@ -1,4 +1,4 @@
-/// What a body meets of a model that sections cut open.
+/// Surroundings of a body in a model that sections cut open.
 #pragma once
 
 #include "rtcore/motion/nearby_triangles.h"

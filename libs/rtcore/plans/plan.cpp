@@ -31,6 +31,9 @@ class ToMetres {
     void operator()(FlatPoint& p) const {
         for (int axis = 0; axis < 2; ++axis) p[axis] = (p[axis] + zero_[axis]) * scale_;
     }
+    FlatPoint inPlane(const FlatPoint& p) const {
+        return {p[0] / scale_ - zero_[0], p[1] / scale_ - zero_[1]};
+    }
     void operator()(FlatLoop& loop) const { std::ranges::for_each(loop, *this); }
     void operator()(FlatLine& line) const {
         (*this)(line.a);
@@ -159,6 +162,26 @@ Drawing drawingOf(const Scene& scene, const RayTracer& tracer, ClosedPieces& pie
     std::ranges::for_each(drawing.rooms, toMetres);
     findBounds(drawing);
     return drawing;
+}
+
+Camera planCamera(const Scene& scene, const Box3& bounds, const SectionPlane& plane, const FlatPoint& low,
+                  const FlatPoint& high) {
+    const CutPlane cut = cutPlaneOf(plane, bounds, scene.up);
+    const ToMetres toMetres(scene, cut);
+    const FlatPoint from = toMetres.inPlane(low), to = toMetres.inPlane(high);
+    constexpr double kAbove = 0.01; // of the model's size: no position of the plane is behind the eye
+    const double above = kAbove * double{length(bounds.hi - bounds.lo)};
+    const Vec3d eye = cut.point({(from[0] + to[0]) / 2, (from[1] + to[1]) / 2}) + cut.normal * above;
+    const auto rounded = [](const Vec3d& v) {
+        return Vec3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    };
+    Camera camera;
+    camera.eye = rounded(eye);
+    camera.forward = -rounded(cut.normal);
+    camera.up = rounded(cut.up);
+    camera.kind = CameraKind::Orthographic;
+    camera.orthographicWidth = static_cast<float>(to[0] - from[0]);
+    return camera;
 }
 
 } // namespace rtcore

@@ -60,4 +60,9 @@ struct PlanOptions {
 Drawing drawingOf(const Scene& scene, const RayTracer& tracer, ClosedPieces& pieces,
                   const SectionPlane& plane, const PlanOptions& options, const std::atomic<bool>& cancel);
 
+/// The parallel camera that looks at the plane from the side that was taken away, and whose image shows just
+/// what is between two positions of its drawing, the lower left one first.
+Camera planCamera(const Scene& scene, const Box3& bounds, const SectionPlane& plane, const FlatPoint& low,
+                  const FlatPoint& high);
+
 } // namespace rtcore

@@ -186,7 +186,7 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::SectionCaps, command::sectionCaps("one")},
         {CommandId::SectionColour, command::sectionColour({1, 0.5F, 0})},
         {CommandId::SectionHatching, command::sectionHatching(true)},
-        {CommandId::Plan, command::plan("/plan.pdf", "above", 50, "A3", 2, 1.2)},
+        {CommandId::Plan, command::plan("/plan.pdf", "above", 50, "A3", 2, 1.2, 300)},
         {CommandId::Storeys, command::storeys()},
         {CommandId::StoreyGo, command::storeyGo(2)},
         {CommandId::CameraGet, command::cameraGet()},

@@ -220,13 +220,13 @@ TEST(Formats, PngAndExrHoldTexts) {
     const auto textsOf = [&](const char* name) {
         return test::imageTexts(asText(test::loadBytes(folder / name)));
     };
-    writeImage(folder / "a.png", image, texts);
+    writeImage(folder / "a.png", image, {.texts = texts});
     EXPECT_EQ(textsOf("a.png"), expected);
     EXPECT_EQ(readLdrImage(folder / "a.png").pixels, image.pixels);
     EXPECT_EQ(encodeImage(image, "png", texts), test::loadBytes(folder / "a.png"));
     writeImage(folder / "none.png", image);
     EXPECT_EQ(textsOf("none.png"), test::Texts());
-    writeImage(folder / "a.jpg", image, texts);
+    writeImage(folder / "a.jpg", image, {.texts = texts});
     writeImage(folder / "none.jpg", image);
     EXPECT_EQ(test::loadBytes(folder / "a.jpg"), test::loadBytes(folder / "none.jpg"));
     if (!isWritableFormat("a.exr")) GTEST_SKIP() << "this build has no OpenEXR";
@@ -237,6 +237,23 @@ TEST(Formats, PngAndExrHoldTexts) {
     const ImageChannel channel{"Y", &linear.pixels.front().r, 3};
     writeExrChannels(folder / "b.exr", 3, 2, std::span(&channel, 1), texts);
     EXPECT_EQ(textsOf("b.exr"), expected);
+}
+
+// As their specifications have it: 11,811 pixels to a metre, and a fraction of inches.
+TEST(Formats, PngAndTiffKeepTheirResolution) {
+    const TemporaryFolder folder;
+    const LdrImage image = noiseImage(5, 5);
+    writeImage(folder / "a.png", image, {.dpi = 300});
+    const std::string png = asText(test::loadBytes(folder / "a.png"));
+    const std::string size("pHYs\0\0\x2E\x23\0\0\x2E\x23\1", 13);
+    EXPECT_NE(png.find(size), std::string::npos);
+    EXPECT_EQ(readLdrImage(folder / "a.png").pixels, image.pixels) << "its checksums are right";
+    writeImage(folder / "a.tif", image, {.dpi = 300});
+    const std::string tiff = asText(test::loadBytes(folder / "a.tif"));
+    EXPECT_NE(tiff.find(std::string("\x1B\1\5\0\1\0\0\0", 8)), std::string::npos) << "XResolution is there";
+    EXPECT_EQ(readLdrImage(folder / "a.tif").pixels, image.pixels);
+    writeImage(folder / "none.png", image);
+    EXPECT_EQ(asText(test::loadBytes(folder / "none.png")).find("pHYs"), std::string::npos);
 }
 
 TEST(Memory, EncodedPicturesAreTheFilesContent) {

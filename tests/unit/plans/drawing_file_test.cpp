@@ -1,12 +1,15 @@
 // Drawings on paper: to scale, on sheets, and in files that are whole.
 #include "rtcore/io/drawings/drawing_file.h"
+#include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/sentence.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -98,13 +101,81 @@ TEST(Pdf, HasAPageForEachSheet) {
     EXPECT_THROW(pdfOf({sheetOf(wall(), {.scale = 1, .title = ""})}), Refusal) << "40 m of paper";
 }
 
+bool isDark(Rgba8 pixel) { return pixel.r < 100; }
+
+/// From the first dark pixel of the row to the last, both counted.
+int darkPixels(const LdrImage& image, int row) {
+    int first = image.width, last = -1;
+    for (int x = 0; x < image.width; ++x) {
+        if (!isDark(image.at(x, row))) continue;
+        first = std::min(first, x);
+        last = x;
+    }
+    return last - first + 1;
+}
+
+constexpr double kMillimetre = 300 / 25.4; // pixels
+
+TEST(SheetImage, HasTheLengthsOfThePaper) {
+    const Sheet sheet = sheetOf(wall(), {.scale = 100, .title = "wall "});
+    const LdrImage image = sheetImage(sheet, 300, nullptr);
+    EXPECT_EQ(image.width, std::lround(420 * kMillimetre));
+    const auto& outline = layer(sheet, "cut").lines.at(0);
+    const int row = static_cast<int>(0.5 * (outline.points[0][1] + outline.points[2][1]) * kMillimetre);
+    EXPECT_NEAR(darkPixels(image, row), (400 + outline.width) * kMillimetre, 1);
+    EXPECT_EQ(image.at(image.width / 2, row).r, 191) << "what is cut is grey";
+    EXPECT_EQ(image.at(3, 3), (Rgba8{255, 255, 255, 255}));
+    const auto letters = [&](int x, int y) { return isDark(image.at(x, image.height - y)); };
+    int dark = 0;
+    for (int y = 60; y < 200; ++y)
+        for (int x = 118; x < 400; ++x) dark += letters(x, y) ? 1 : 0;
+    EXPECT_GT(dark, 100) << "the title";
+}
+
+TEST(SheetImage, LiesOverLight) {
+    const Drawing drawing = wall();
+    const Rgba8 red{200, 10, 20, 255};
+    const LdrImage light(4725, 1182, red); // 400 x 100 mm
+    const test::TemporaryFolder folder;
+    DrawingOrder order{.drawing = drawing, .options = {}, .paper = {}, .light = &light};
+    const auto darkOnes = [&](const char* name) {
+        writeDrawing(folder / name, order);
+        const LdrImage image = readLdrImage(folder / name);
+        EXPECT_EQ(image.at(image.width / 2, 200), red);
+        EXPECT_EQ(image.at(image.width / 2, 110), (Rgba8{255, 255, 255, 255}));
+        return std::ranges::count_if(image.pixels, [](Rgba8 p) { return p.r < 100 && p.g < 5; });
+    };
+    const auto both = darkOnes("both.png");
+    order.lines = false;
+    const auto alone = darkOnes("alone.tif");
+    EXPECT_GT(both - alone, 20000) << "the outline of the wall";
+    EXPECT_GT(alone, 0) << "the scale bar";
+}
+
+TEST(SheetImage, OfSeveralSheetsIsSeveralFiles) {
+    const test::TemporaryFolder folder;
+    const Drawing drawing = wall();
+    const DrawingOrder order{.drawing = drawing, .options = {.dpi = 50}, .paper = kPaperSizes[0]};
+    const auto files = drawingFiles(folder / "plan.png", order);
+    EXPECT_EQ(files, (std::vector<std::filesystem::path>{folder / "plan-A1.png", folder / "plan-A2.png"}));
+    writeDrawing(folder / "plan.png", order);
+    for (const auto& file : files) EXPECT_EQ(readLdrImage(file).width, std::lround(297 * 50 / 25.4));
+    EXPECT_FALSE(std::filesystem::exists(folder / "plan.png"));
+}
+
 TEST(DrawingFile, RefusesWhatCannotBe) {
     const test::TemporaryFolder folder;
-    EXPECT_THROW(writeDrawing(folder / "a.txt", wall(), {}, {}), Refusal);
-    EXPECT_THROW(writeDrawing(folder / "a.svg", wall(), {}, kPaperSizes[0]), Refusal) << "two sheets";
-    EXPECT_THROW(writeDrawing(folder / "a.pdf", wall(), {.scale = 1, .title = ""}, kPaperSizes[0]), Refusal);
+    const Drawing drawing = wall();
+    const auto write = [&](const char* name, double scale, std::optional<PaperSize> paper) {
+        writeDrawing(folder / name,
+                     {.drawing = drawing, .options = {.scale = scale, .title = {}}, .paper = paper});
+    };
+    EXPECT_THROW(write("a.txt", 100, {}), Refusal);
+    EXPECT_THROW(write("a.svg", 100, kPaperSizes[0]), Refusal) << "two sheets";
+    EXPECT_THROW(write("a.pdf", 1, kPaperSizes[0]), Refusal);
+    EXPECT_THROW(write("a.png", 10, {}), Refusal) << "47,244 pixels";
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-    writeDrawing(folder / "a.SVG", wall(), {}, kPaperSizes[1]);
+    write("a.SVG", 100, kPaperSizes[1]);
     EXPECT_EQ(readTextFile(folder / "a.SVG").substr(0, 5), "<?xml");
 }
 

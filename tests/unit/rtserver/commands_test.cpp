@@ -352,7 +352,7 @@ const std::vector<Refusal> kRefusals = {
     {"part isolate", 2, ""},
     {"seen 2 0", 2, ""},
     {"mask part 2", 2, "no such part"},
-    {"plan DIR/a.png", 2, ".svg, .pdf or .dxf"},
+    {"plan DIR/a.jpg", 2, ".svg, .pdf, .dxf, .png or .tif"},
     {"plan DIR/a.pdf", 1, "the unit of room.obj is not known"},
     {"storey go 9", 1, "there is no storey 9"},
     {"section move 1 -1", 1, "there is no section 1; 'sections' lists them"},

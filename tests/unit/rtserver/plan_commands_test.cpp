@@ -37,7 +37,7 @@ TEST_F(PlanCommands, ThatAreGivenUpWriteNothing) {
 TEST_F(PlanCommands, ThatCannotBeAreRefused) {
     answer("units m");
     EXPECT_EQ(refusal("plan a.svg").code, 2) << "no absolute path";
-    EXPECT_EQ(refusal("plan DIR/a.png").code, 2);
+    EXPECT_EQ(refusal("plan DIR/a.jpg").code, 2);
     EXPECT_EQ(refusal("plan DIR/a.svg below").code, 2);
     EXPECT_EQ(refusal("plan DIR/a.svg above 0").code, 2);
     EXPECT_EQ(refusal("plan DIR/none/a.svg").code, 73);

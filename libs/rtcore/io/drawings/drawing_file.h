@@ -1,17 +1,16 @@
-/// Drawings as files: SVG and PDF to scale, DXF in metres.
+/// Drawings as files: SVG, PDF, PNG and TIFF to scale, DXF in metres.
 #pragma once
 
+#include "rtcore/io/drawings/drawing_format.h"
 #include "rtcore/io/drawings/sheet.h"
+#include "rtcore/scene/image.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rtcore {
-
-enum class DrawingFormat { Svg, Pdf, Dxf };
-/// By the extension; nothing for others.
-std::optional<DrawingFormat> drawingFormatOf(const std::filesystem::path& path);
 
 /// SVG 1.1 in millimetres, a group for each layer, named as Inkscape does.
 std::string svgOf(const Sheet& sheet);
@@ -24,10 +23,31 @@ std::string pdfOf(const std::vector<Sheet>& sheets);
 /// CUT, CUT-OPEN, SEEN and ROOMS.
 std::string dxfOf(const Drawing& drawing);
 
-/// Writes the drawing, all of it or nothing; on `paper`, if that is given, as PDF on several pages where it
-/// is too large for one. Throws FileError CannotWrite; Refusal where it does not fit on one sheet of paper
-/// and is no PDF, and where there are more than 400 of them.
-void writeDrawing(const std::filesystem::path& path, const Drawing& drawing, const SheetOptions& options,
-                  const std::optional<PaperSize>& paper);
+/// Throws Refusal where an image cannot be as large: more than kMaxImageSide or kMaxImagePixels.
+void refuseLargeImage(double width, double height);
+
+/// The sheet in pixels, so many to an inch, smoothed. `behind`, which may be null, is an image of the same
+/// resolution of what is drawn, whose upper left corner is that of the drawing's bounds, to half a pixel;
+/// letters over it have a white rim. Throws Refusal where the sheet has more pixels than an image may have,
+/// std::bad_alloc.
+LdrImage sheetImage(const Sheet& sheet, double dpi, const LdrImage* behind);
+
+/// A drawing, ready to be written; a null image is none.
+struct DrawingOrder {
+    const Drawing& drawing;
+    SheetOptions options;
+    std::optional<PaperSize> paper;  ///< nothing: one sheet that is as large as it must be
+    const LdrImage* light = nullptr; ///< of an image: what is rendered of the drawing's bounds
+    bool lines = true;               ///< of an image with light: whether it has them as well
+};
+
+/// The files that writeDrawing() writes: `path`, or, of an image on several sheets, "plan-A1.png" for
+/// "plan.png" and so on. Throws Refusal for another extension, where a drawing does not fit on one sheet of
+/// paper and is neither PDF nor image, and where there are more than 400 sheets.
+std::vector<std::filesystem::path> drawingFiles(const std::filesystem::path& path, const DrawingOrder& order);
+
+/// Writes the drawing, each file all of it or nothing. Throws what drawingFiles() throws, and FileError
+/// CannotWrite.
+void writeDrawing(const std::filesystem::path& path, const DrawingOrder& order);
 
 } // namespace rtcore

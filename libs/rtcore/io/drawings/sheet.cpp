@@ -161,6 +161,15 @@ std::vector<SheetLayer> layersOf(const Drawing& drawing, const Projection& paper
             roomLabels(drawing, paper)};
 }
 
+/// Rows by letters, as the columns of a spreadsheet: A to Z, AA and so on.
+std::string labelOf(int row, int column) {
+    constexpr int kLettersOfAlphabet = 26;
+    std::string letters;
+    for (int rest = row; rest >= 0; rest = rest / kLettersOfAlphabet - 1)
+        letters.insert(letters.begin(), static_cast<char>('A' + rest % kLettersOfAlphabet));
+    return letters + std::to_string(column + 1);
+}
+
 FlatPoint sizeOf(const Drawing& drawing, double scale) {
     return {(drawing.high[0] - drawing.low[0]) * 1000 / scale,
             (drawing.high[1] - drawing.low[1]) * 1000 / scale};
@@ -176,7 +185,8 @@ Sheet sheetOf(const Drawing& drawing, const SheetOptions& options) {
     sheet.height = size[1] + 2 * kMargin + kFooter;
     sheet.frameLow = {0, 0};
     sheet.frameHigh = {sheet.width, sheet.height};
-    sheet.layers = layersOf(drawing, Projection(drawing, options.scale, {kMargin, kMargin}));
+    sheet.corner = {kMargin, kMargin};
+    sheet.layers = layersOf(drawing, Projection(drawing, options.scale, sheet.corner));
     sheet.margin = marginOf(drawing, options, sheet.width, sheet.height, "");
     return sheet;
 }
@@ -194,19 +204,18 @@ std::vector<Sheet> sheetsOf(const Drawing& drawing, const SheetOptions& options,
     std::vector<Sheet> sheets;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
+            Sheet sheet{
+                .width = paper.width, .height = paper.height, .label = {}, .layers = {}, .margin = {}};
+            if (rows * columns > 1) sheet.label = labelOf(row, column);
             const std::string remark =
-                rows * columns > 1 ? fmt::format("  {}{} ({} x {})", static_cast<char>('A' + row % 26),
-                                                 column + 1, columns, rows)
-                                   : "";
-            Sheet sheet{.width = paper.width, .height = paper.height, .layers = {}, .margin = {}};
+                sheet.label.empty() ? "" : fmt::format("  {} ({} x {})", sheet.label, columns, rows);
             sheet.frameLow = {kMargin, kMargin};
             sheet.frameHigh = {kMargin + wide, kMargin + high};
-            sheet.layers = layersOf(
-                drawing, Projection(drawing, options.scale,
-                                    {kMargin - column * wide + spare[0], kMargin - row * high + spare[1]}));
+            sheet.corner = {kMargin - column * wide + spare[0], kMargin - row * high + spare[1]};
+            sheet.layers = layersOf(drawing, Projection(drawing, options.scale, sheet.corner));
             cull(sheet);
             sheet.margin = marginOf(drawing, options, paper.width, paper.height, remark);
-            if (rows * columns > 1)
+            if (!sheet.label.empty())
                 sheet.margin.lines.push_back({{{kMargin, kMargin},
                                                {kMargin + wide, kMargin},
                                                {kMargin + wide, kMargin + high},

@@ -41,15 +41,21 @@ struct SheetLayer {
 
 struct Sheet {
     double width = 0, height = 0;
+    std::string label;                 ///< of one of several: A1 at the upper left, A2 right of it, B1 below
     std::vector<SheetLayer> layers;    ///< of the drawing, the lowest first
     FlatPoint frameLow{}, frameHigh{}; ///< where they are; with `paper` what is outside is to be clipped
+    FlatPoint corner{};                ///< where the upper left corner of the drawing's bounds is
     SheetLayer margin;                 ///< below: scale bar, north arrow, title
 };
 
 struct SheetOptions {
     double scale = 100; ///< 1 to that, above 0
     std::string title;  ///< UTF-8
+    double dpi = 300;   ///< of images, above 0
 };
+
+/// Of so many to an inch.
+inline double pixelsOfMillimetre(double dpi) { return dpi / 25.4; }
 
 /// The whole drawing on one sheet that is as large as it must be. Lines of cuts are half a millimetre wide,
 /// those of visible edges a sixth.

@@ -41,12 +41,13 @@ Bytes encodeHdr(const HdrImage& image, const FormatName* target, Texts texts, co
     return target->codec.encodeLinear(image, texts, name);
 }
 
-Bytes encodeLdr(const LdrImage& image, const FormatName* target, Texts texts, const std::string& name) {
+Bytes encodeLdr(const LdrImage& image, const FormatName* target, const ImageNotes& notes,
+                const std::string& name) {
     if (target == nullptr) cannotEncode(name, say("unknown image format; known are {0}", writableFormats()));
     checkEncodable(image, name);
     const ImageCodec& codec = target->codec;
-    if (codec.encode != nullptr) return codec.encode(image, texts, *target, name);
-    return encodeHdr(toHdr(image), target, texts, name);
+    if (codec.encode != nullptr) return codec.encode(image, notes, *target, name);
+    return encodeHdr(toHdr(image), target, notes.texts, name);
 }
 
 void replaceWith(const std::filesystem::path& path, const Bytes& bytes) {
@@ -74,8 +75,8 @@ HdrImage decodeHdrImage(std::span<const std::byte> bytes, const std::string& nam
     return toHdr(decode(bytes, nameForErrors));
 }
 
-void writeImage(const std::filesystem::path& path, const LdrImage& image, Texts texts) {
-    replaceWith(path, encodeLdr(image, findFormat(extensionOf(path)), texts, path.string()));
+void writeImage(const std::filesystem::path& path, const LdrImage& image, const ImageNotes& notes) {
+    replaceWith(path, encodeLdr(image, findFormat(extensionOf(path)), notes, path.string()));
 }
 
 void writeHdrImage(const std::filesystem::path& path, const HdrImage& image, Texts texts) {
@@ -113,7 +114,7 @@ std::string writableFormats() {
 }
 
 std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format, Texts texts) {
-    return encodeLdr(image, findFormat(format), texts, "output." + format);
+    return encodeLdr(image, findFormat(format), {.texts = texts}, "output." + format);
 }
 
 } // namespace rtcore

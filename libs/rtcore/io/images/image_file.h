@@ -3,7 +3,7 @@
 /// allocated. No other program is ever started. Every function may be called from many threads at once.
 #pragma once
 
-#include "rtcore/io/images/image_text.h"
+#include "rtcore/io/images/image_notes.h"
 #include "rtcore/scene/image.h"
 
 #include <cstddef>
@@ -29,10 +29,9 @@ LdrImage decodeLdrImage(std::span<const std::byte> bytes, const std::string& nam
 HdrImage decodeHdrImage(std::span<const std::byte> bytes, const std::string& nameForErrors);
 
 /// Replaces `path` (platform/files.h: all or nothing). Formats without alpha (JPEG, BMP, PPM) drop it; JPEG
-/// has quality 95. A linear format gets decoded sRGB. PNG and EXR get the texts, too; other formats hold
-/// none. Throws FileError CannotWrite.
-void writeImage(const std::filesystem::path& path, const LdrImage& image,
-                std::span<const ImageText> texts = {});
+/// has quality 95. A linear format gets decoded sRGB. Formats that cannot keep a note drop it. Throws
+/// FileError CannotWrite.
+void writeImage(const std::filesystem::path& path, const LdrImage& image, const ImageNotes& notes = {});
 
 /// Unclamped linear colour into .exr (32-bit float), .hdr (Radiance RGBE, negative parts become 0) or .pfm.
 /// Throws FileError CannotWrite, also for any other extension.

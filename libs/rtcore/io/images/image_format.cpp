@@ -12,31 +12,37 @@ using namespace std::string_view_literals;
 
 using Texts = ImageCodec::Texts;
 
-/// Adapts an encoder that stores no texts.
+/// Adapts an encoder that keeps no notes.
 template <Bytes (*kEncode)(const LdrImage&, const std::string&)>
-Bytes plain(const LdrImage& image, Texts, const FormatName&, const std::string& name) {
+Bytes plain(const LdrImage& image, const ImageNotes&, const FormatName&, const std::string& name) {
     return kEncode(image, name);
 }
 template <Bytes (*kEncode)(const HdrImage&, const std::string&)>
 Bytes plainLinear(const HdrImage& image, Texts, const std::string& name) {
     return kEncode(image, name);
 }
-Bytes encodePngWithTexts(const LdrImage& image, Texts texts, const FormatName&, const std::string& name) {
-    return withPngTexts(encodePng(image, name), texts);
+Bytes encodePngWithNotes(const LdrImage& image, const ImageNotes& notes, const FormatName&,
+                         const std::string& name) {
+    return withPngNotes(encodePng(image, name), notes);
 }
-Bytes encodeRareAs(const LdrImage& image, Texts, const FormatName& target, const std::string& name) {
+Bytes encodeTiffFor(const LdrImage& image, const ImageNotes& notes, const FormatName&,
+                    const std::string& name) {
+    return encodeTiff(image, notes.dpi, name);
+}
+Bytes encodeRareAs(const LdrImage& image, const ImageNotes&, const FormatName& target,
+                   const std::string& name) {
     return encodeRare(image, name, target.magickName);
 }
 Bytes encodeExrImage(const HdrImage& image, Texts texts, const std::string& name) {
     return encodeExr(image, texts, name);
 }
 
-constexpr ImageCodec kPng{decodePng, encodePngWithTexts};
+constexpr ImageCodec kPng{decodePng, encodePngWithNotes};
 constexpr ImageCodec kJpeg{decodeJpeg, plain<encodeJpeg>};
 constexpr ImageCodec kBmp{decodeBmp, plain<encodeBmp>};
 constexpr ImageCodec kPnm{decodePnm, plain<encodePpm>};
 constexpr ImageCodec kTga{decodeTga, plain<encodeTga>};
-constexpr ImageCodec kTiff{decodeTiff, plain<encodeTiff>};
+constexpr ImageCodec kTiff{decodeTiff, encodeTiffFor};
 constexpr ImageCodec kRadiance{decodeRadiance, nullptr, plainLinear<encodeRadiance>};
 constexpr ImageCodec kExr{decodeExr, nullptr, encodeExrImage,
                           [](const FormatName&) { return exrAvailable(); }};

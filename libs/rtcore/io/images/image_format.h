@@ -16,7 +16,7 @@ struct ImageCodec {
     using Texts = std::span<const ImageText>;
 
     DecodedImage (*decode)(ByteSpan bytes, const std::string& name) = nullptr;
-    Bytes (*encode)(const LdrImage& image, Texts texts, const FormatName& target,
+    Bytes (*encode)(const LdrImage& image, const ImageNotes& notes, const FormatName& target,
                     const std::string& name) = nullptr;
     Bytes (*encodeLinear)(const HdrImage& image, Texts texts, const std::string& name) = nullptr;
     bool (*writable)(const FormatName& target) = nullptr; ///< by this build; null: always

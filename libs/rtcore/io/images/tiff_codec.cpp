@@ -196,7 +196,7 @@ void appendRow(std::vector<std::uint8_t>& row, const LdrImage& image, int y, boo
     }
 }
 
-void setFields(TIFF* tiff, const LdrImage& image, bool alpha) {
+void setFields(TIFF* tiff, const LdrImage& image, bool alpha, double dpi) {
     TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(image.width));
     TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height));
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
@@ -207,6 +207,11 @@ void setFields(TIFF* tiff, const LdrImage& image, bool alpha) {
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+    if (dpi > 0) {
+        TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, dpi);
+        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, dpi);
+    }
     const std::uint16_t kind = EXTRASAMPLE_UNASSALPHA;
     if (alpha) TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
 }
@@ -231,13 +236,13 @@ DecodedImage decodeTiff(ByteSpan bytes, const std::string& name) {
     return readRows<float, Colour>(tiff.get(), layout.samples, width, height, name);
 }
 
-Bytes encodeTiff(const LdrImage& image, const std::string& name) {
+Bytes encodeTiff(const LdrImage& image, double dpi, const std::string& name) {
     MemoryFile file;
     file.writing = true;
     Tiff tiff = openTiff(file, "wm");
     if (!tiff) cannotEncode(name, "libtiff cannot be started");
     const bool alpha = hasAlpha(image);
-    setFields(tiff.get(), image, alpha);
+    setFields(tiff.get(), image, alpha, dpi);
     std::vector<std::uint8_t> row;
     for (int y = 0; y < image.height; ++y) {
         appendRow(row, image, y, alpha);

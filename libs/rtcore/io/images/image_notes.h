@@ -1,6 +1,7 @@
-/// A text that goes into an image file beside the pixels.
+/// Content of an image file beside the pixels.
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace rtcore {
@@ -10,6 +11,11 @@ namespace rtcore {
 struct ImageText {
     std::string name, text;
     friend bool operator==(const ImageText&, const ImageText&) = default;
+};
+
+struct ImageNotes {
+    std::span<const ImageText> texts = {}; ///< kept by PNG and EXR
+    double dpi = 0;                        ///< pixels to an inch of paper, kept by PNG and TIFF; 0: not said
 };
 
 } // namespace rtcore
