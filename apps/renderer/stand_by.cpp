@@ -42,6 +42,7 @@ std::string descriptionOf(const Request& request, const rtcore::LightingOptions&
     if (!isDescription(request.scene)) return request.scene.string();
     rtcore::SceneFile file = rtcore::readSceneFile(request.scene);
     file.bookmarks.clear();
+    file.measures = {};
     if (!request.camera.empty() && !file.defaultLight && !lighting.preset) {
         file.camera.reset();
         file.cameraFile.reset();

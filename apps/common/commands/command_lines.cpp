@@ -235,6 +235,34 @@ std::string packProgress() { return line(CommandId::PackProgress); }
 std::string packStop() { return line(CommandId::PackStop); }
 std::string measureProgress() { return line(CommandId::MeasureProgress); }
 std::string measureStop() { return line(CommandId::MeasureStop); }
+
+std::string measurePoint(double right, double down) { return line(CommandId::MeasurePoint, right, down); }
+std::string measureKeepDistance(const Position& from, const Position& to) {
+    return line(CommandId::MeasureKeepDistance, from, to);
+}
+std::string measureKeepChain(const std::vector<Position>& points) {
+    Words words;
+    for (const Position& point : points) add(words, point);
+    return line(CommandId::MeasureKeepChain, words);
+}
+std::string measureKeepAngle(const Position& from, const Position& at, const Position& to) {
+    return line(CommandId::MeasureKeepAngle, from, at, to);
+}
+std::string measureKeepHeight(const Position& point) { return line(CommandId::MeasureKeepHeight, point); }
+std::string measureKeepFace(double right, double down) {
+    return line(CommandId::MeasureKeepFace, right, down);
+}
+std::string measureKeepVolume(const std::string& part) { return line(CommandId::MeasureKeepVolume, part); }
+std::string measureName(int number, const std::string& name) {
+    return line(CommandId::MeasureName, number, name);
+}
+std::string measureRemove(int number) { return line(CommandId::MeasureRemove, number); }
+std::string measureRemoveAll() { return line(CommandId::MeasureRemove, "all"); }
+std::string measureUnit(const std::string& unit, int decimals) {
+    return line(CommandId::MeasureUnit, unit, decimals);
+}
+std::string measureExport(const std::string& path) { return line(CommandId::MeasureExport, path); }
+
 std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
 
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {

@@ -160,6 +160,21 @@ std::string packProgress();
 std::string packStop();
 std::string measureProgress();
 std::string measureStop();
+
+// Measures that are kept, counted from 1.
+std::string measurePoint(double right, double down); ///< 0..1
+std::string measureKeepDistance(const Position& from, const Position& to);
+std::string measureKeepChain(const std::vector<Position>& points); ///< 3 to 64
+std::string measureKeepAngle(const Position& from, const Position& at, const Position& to);
+std::string measureKeepHeight(const Position& point);
+std::string measureKeepFace(double right, double down); ///< 0..1
+std::string measureKeepVolume(const std::string& part);
+std::string measureName(int number, const std::string& name);
+std::string measureRemove(int number);
+std::string measureRemoveAll();
+std::string measureUnit(const std::string& unit, int decimals); ///< of rtcore::kLengthUnits
+std::string measureExport(const std::string& path);
+
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);

@@ -88,6 +88,7 @@ std::vector<CommandSpec> modelCommands();
 std::vector<CommandSpec> sectionCommands();
 std::vector<CommandSpec> planCommands();
 std::vector<CommandSpec> dimensionCommands();
+std::vector<CommandSpec> keptMeasureCommands();
 std::vector<CommandSpec> measureCommands();
 std::vector<CommandSpec> keyCommands();
 

@@ -10,7 +10,8 @@ std::span<const CommandSpec> commandTable() {
         for (const auto& group :
              {shellCommands(), serverCommands(), settingCommands(), editCommands(), cameraCommands(),
               fileCommands(), lightCommands(), skyCommands(), bookmarkCommands(), modelCommands(),
-              sectionCommands(), planCommands(), dimensionCommands(), measureCommands(), keyCommands()})
+              sectionCommands(), planCommands(), dimensionCommands(), keptMeasureCommands(),
+              measureCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;
     }();

@@ -27,6 +27,7 @@ struct Extent {
     std::size_t max; ///< of the switches
     bool names;
     bool lights; ///< all of each light
+    std::size_t measures;
 };
 
 constexpr const char* kPathsFrom = "/"; ///< where those of luminaires begin
@@ -75,6 +76,35 @@ std::vector<std::string> printableOf(const std::vector<std::string>& names) {
     return all;
 }
 
+/// Beyond so many points no answer has room for them.
+constexpr std::size_t kMaxPoints = 1500;
+
+std::size_t firstMeasures(const rtcore::KeptMeasures& measures) {
+    std::size_t points = 0, count = 0;
+    for (; count < measures.all.size(); ++count) {
+        points += measures.all[count].points.size();
+        if (points > kMaxPoints) break;
+    }
+    return count;
+}
+
+/// As long as a name may be, with what is no text spelt out.
+std::string shownName(const std::string& name) {
+    std::string text = rtcore::printable(name);
+    if (text.size() <= rtcore::kMaxMeasureName) return text;
+    std::size_t end = rtcore::kMaxMeasureName;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end; // within a character
+    return text.substr(0, end);
+}
+
+void writeMeasures(rtcore::TomlWriter& writer, const rtcore::KeptMeasures& measures, std::size_t max) {
+    for (std::size_t i = 0; i < std::min(measures.all.size(), max); ++i) {
+        rtcore::KeptMeasure measure = measures.all[i];
+        measure.name = shownName(measure.name);
+        rtcore::writeMeasure(writer, measure);
+    }
+}
+
 std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
     writer.add("version", kVersion);
@@ -95,6 +125,8 @@ std::string format(const StateReport& state, const Extent& extent) {
         writer.add("boundsMax", state.bounds.hi);
     }
     rtcore::writeSectionStyle(writer, state.sections);
+    rtcore::writeMeasureStyle(writer, state.measures);
+    if (state.measureCount > 0) writer.add("measureCount", state.measureCount);
     writeLights(writer, state, extent);
     write(writer, "environments", state.environments, extent);
     if (state.map) {
@@ -104,6 +136,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     }
     if (state.sky) rtcore::writeSky(writer, *state.sky);
     for (const rtcore::SectionPlane& plane : state.sections.planes) rtcore::writeSectionPlane(writer, plane);
+    writeMeasures(writer, state.measures, extent.measures);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
     rtcore::writeSettingsSection(writer, "settings", state.settings);
@@ -166,11 +199,17 @@ ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
 } // namespace
 
 std::string formatStateReport(const StateReport& state, std::size_t max) {
-    Extent extent{std::max(state.lights.size(), state.environments.size()), true, true};
+    const std::size_t measures = firstMeasures(state.measures);
+    Extent extent{std::max(state.lights.size(), state.environments.size()), true, true, measures};
     for (;;) {
         std::string text = format(state, extent);
         if (text.ends_with('\n')) text.pop_back();
         if (text.size() <= max) return text;
+        if (extent.measures > 0) {
+            extent.measures /= 2;
+            continue;
+        }
+        extent.measures = measures;
         if (extent.max == 0) throw rtcore::Refusal("the state takes more bytes than an answer has");
         if (!extent.lights && !extent.names) extent.max /= 2;
         if (!extent.lights) extent.names = false;
@@ -201,6 +240,8 @@ StateReport parseStateReport(std::string_view text) {
     if (auto sky = root.table("sky")) state.sky = rtcore::readSky(*sky);
     state.bounds = readBounds(root);
     state.sections = rtcore::readSectionPlanes(root);
+    state.measures = rtcore::readMeasures(root);
+    state.measureCount = root.integer("measureCount", 0, kMax).value_or(0);
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));
     state.camera = rtcore::readCamera(camera, rtcore::Vec3{0, 1, 0}, false);
     state.settings = rtcore::readSettingsSection(root, "settings");

@@ -58,6 +58,8 @@ struct StateReport {
     std::optional<rtcore::Sky> sky = {};
     rtcore::Box3 bounds = {}; ///< of the model, all parts of it
     rtcore::SectionPlanes sections = {};
+    rtcore::KeptMeasures measures = {};              ///< the first ones of very many
+    int measureCount = 0;                            ///< of all
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing

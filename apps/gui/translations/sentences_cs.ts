@@ -460,6 +460,10 @@
         <translation>mračno bodů (PCD), které nemá plochy</translation>
     </message>
     <message>
+        <source>a point of the measure has a coordinate beyond 1e12; give one near the model</source>
+        <translation>bod míry má souřadnici za 1e12; zadejte bod u modelu</translation>
+    </message>
+    <message>
         <source>a pointer of Git LFS, not the model itself</source>
         <translation>odkaz Git LFS, ne sám model</translation>
     </message>
@@ -938,6 +942,10 @@
     <message>
         <source>download the file itself</source>
         <translation>stáhněte sám soubor</translation>
+    </message>
+    <message>
+        <source>each point of a chain has three numbers</source>
+        <translation>každý bod řetězce má tři čísla</translation>
     </message>
     <message>
         <source>edit {0} is not the last one</source>
@@ -2128,6 +2136,10 @@
         <translation>pose je {0}; musí to být "rest", "first" nebo název či číslo animace, za nímž stojí @ a sekundy</translation>
     </message>
     <message>
+        <source>positions in brackets</source>
+        <translation>polohy v závorkách</translation>
+    </message>
+    <message>
         <source>reading it takes more than the {0} MB of memory that the importer may use; raise that (--memory-limit) if the model and its images are that large, else simplify it or export it again</source>
         <translation>čtení potřebuje více než {0} MB paměti, které smí import použít; zvyšte tuto mez (--memory-limit), pokud jsou model a jeho obrázky tak velké, jinak jej zjednodušte nebo vyexportujte znovu</translation>
     </message>
@@ -2214,6 +2226,10 @@
     <message>
         <source>setting</source>
         <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>several parts are called so; give the number of one</source>
+        <translation>tak se jmenuje několik částí; zadejte číslo jedné</translation>
     </message>
     <message>
         <source>shading: an element names a normal or a material that does not exist</source>
@@ -2370,6 +2386,10 @@
     <message>
         <source>the angle {0} follows {1}; angles ascend, by a thousandth of a degree or more</source>
         <translation>po úhlu {1} je {0}; úhly rostou aspoň o tisícinu stupně</translation>
+    </message>
+    <message>
+        <source>the area or volume of a measure is a number from 0 to 1e36</source>
+        <translation>plocha nebo objem míry je číslo od 0 do 1e36</translation>
     </message>
     <message>
         <source>the background</source>
@@ -2724,12 +2744,20 @@
         <translation>jméno světla je text v UTF-8</translation>
     </message>
     <message>
+        <source>the name of a measure is UTF-8 of at most {0} bytes</source>
+        <translation>název míry je UTF-8 o nejvýše {0} bajtech</translation>
+    </message>
+    <message>
         <source>the net has {0} outputs, not 3</source>
         <translation>síť má {0} výstupů, ne 3</translation>
     </message>
     <message>
         <source>the normal is not zero</source>
         <translation>normála nesmí být nulová</translation>
+    </message>
+    <message>
+        <source>the normal of the measure is zero or too large</source>
+        <translation>normála míry je nulová nebo příliš velká</translation>
     </message>
     <message>
         <source>the normal of the section is zero or too large; give the side that is taken away</source>
@@ -2774,6 +2802,10 @@
     <message>
         <source>the pack was stopped</source>
         <translation>balení bylo zastaveno</translation>
+    </message>
+    <message>
+        <source>the part of a measure is a number from 1</source>
+        <translation>část míry je číslo od 1</translation>
     </message>
     <message>
         <source>the path {0} is not absolute</source>
@@ -2908,6 +2940,10 @@
         <translation>dílů je víc než snímků; tento je prázdný</translation>
     </message>
     <message>
+        <source>there are more than {0} measures; leave some out</source>
+        <translation>je tu více než {0} měr; některé vynechte</translation>
+    </message>
+    <message>
         <source>there are more than {0} sections; leave some out</source>
         <translation>řezů je více než {0}; některé vynechte</translation>
     </message>
@@ -2930,6 +2966,10 @@
     <message>
         <source>there are {0} lights, the most that pages may have</source>
         <translation>světel je už {0}, víc jich stránky mít nesmějí</translation>
+    </message>
+    <message>
+        <source>there are {0} measures already; remove one first</source>
+        <translation>už je tu {0} měr; nejdřív jednu odeberte</translation>
     </message>
     <message>
         <source>there is a file of this name that is no .bsp file; remove it, or name another</source>
@@ -2960,6 +3000,10 @@
         <translation>chybí ffmpeg, který by ho vytvořil; nainstalujte ho, nebo vykreslete snímky s -o frame_####.png a film z nich vytvořte tam, kde je: {0}</translation>
     </message>
     <message>
+        <source>there is no floor below the point</source>
+        <translation>pod bodem není podlaha</translation>
+    </message>
+    <message>
         <source>there is no floor below the viewpoint</source>
         <translation>pod stanovištěm není podlaha</translation>
     </message>
@@ -2982,6 +3026,10 @@
     <message>
         <source>there is no light {0}; the scene has {1}</source>
         <translation>světlo {0} tu není; scéna má {1}</translation>
+    </message>
+    <message>
+        <source>there is no measure {0}; 'measure list' lists them</source>
+        <translation>míra {0} není; vypíše je 'measure list'</translation>
     </message>
     <message>
         <source>there is no room to stand here, or no floor below; move elsewhere first</source>
@@ -3338,6 +3386,14 @@
     <message>
         <source>{0} from {1} to {2}</source>
         <translation>{0} od {1} do {2}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} points, not {2}</source>
+        <translation>{0} má bodů {1}, ne {2}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} to {2} points, not {3}</source>
+        <translation>{0} má {1} až {2} bodů, ne {3}</translation>
     </message>
     <message>
         <source>{0} has {1} values, but takes three numbers in brackets</source>

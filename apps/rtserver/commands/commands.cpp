@@ -24,8 +24,8 @@ const Functions& functions() {
         Functions table{};
         for (const auto group :
              {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(), modelFunctions(),
-              sectionFunctions(), planFunctions(), dimensionFunctions(), measureFunctions(),
-              cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
+              sectionFunctions(), planFunctions(), dimensionFunctions(), keptMeasureFunctions(),
+              measureFunctions(), cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
             for (const CommandFunction& each : group) table[static_cast<std::size_t>(each.id)] = each.run;
         }
         return table;

@@ -78,6 +78,8 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
                             .sky = document.scene()->sky,
                             .bounds = document.world().loaded.tree.bounds,
                             .sections = document.scene()->sections,
+                            .measures = document.measures(),
+                            .measureCount = static_cast<int>(document.measures().all.size()),
                             .camera = document.camera(),
                             .settings = rtcore::settingAssignments(document.settings(), true)};
     if (const auto sun = rtcore::sunOf(*document.scene()))

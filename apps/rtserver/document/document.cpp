@@ -50,6 +50,8 @@ void Document::show(std::unique_ptr<World> world) {
     camera_ = world_->loaded.camera;
     revisions_.note(rtcore::Changes::all());
     bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(world_->loaded.bookmarks);
+    const std::optional<rtcore::SceneFile>& file = world_->loaded.sceneFile;
+    measures_ = std::make_shared<const rtcore::KeptMeasures>(file ? file->measures : rtcore::KeptMeasures());
     history_.clear();
     savedState_ = history_.state();
     if (follower_ != nullptr) follower_->sceneOpened();
@@ -169,6 +171,11 @@ void Document::setBookmarks(rtcore::SceneBookmarks bookmarks) {
     bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(std::move(bookmarks));
 }
 
+void Document::setMeasures(rtcore::KeptMeasures measures) {
+    if (measures == *measures_) return;
+    measures_ = std::make_shared<const rtcore::KeptMeasures>(std::move(measures));
+}
+
 // --- Settings ---
 
 void Document::setSettings(const rtcore::RenderSettings& settings) {
@@ -230,6 +237,7 @@ void Document::makeOf(const EditStep& step, const Snapshot& from, const Snapshot
     if (changesModelUnits(step)) useModelUnits(to.modelUnits);
     if (changesScene(step)) publish(rtcore::withSkyMap(*to.scene, scene_.get()));
     if (changesBookmarks(step)) bookmarks_ = to.bookmarks;
+    if (changesMeasures(step)) measures_ = to.measures;
     if (changesCamera(step) || changesModelUnits(step)) setCamera(to.camera);
 }
 

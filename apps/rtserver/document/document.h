@@ -93,6 +93,8 @@ class Document {
     /// what does not suit the scene, or an empty one. Throws FileError, with nothing changed.
     rtcore::Sentence applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path);
     /// The scene's own, as its file is to have them.
+    const rtcore::KeptMeasures& measures() const { return *measures_; }
+    void setMeasures(rtcore::KeptMeasures measures);
     const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }
     void setBookmarks(rtcore::SceneBookmarks bookmarks);
 
@@ -114,7 +116,7 @@ class Document {
     // --- Steps ---
 
     /// The state that edits change, as it is now.
-    Snapshot snapshot() const { return {scene_, settings_, camera_, modelUnits(), bookmarks_}; }
+    Snapshot snapshot() const { return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_}; }
     /// The changes since snapshot() was `before` become one step that can be taken back. `label` and
     /// `goesOn`: as in EditHistory.
     void keepStep(std::string label, Snapshot before, const EditAuthor& by = {}, bool goesOn = false);
@@ -150,6 +152,7 @@ class Document {
     std::optional<float> playedExposure_;
     int lastBloomRadius_; ///< when it is switched on again
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks_;
+    std::shared_ptr<const rtcore::KeptMeasures> measures_;
     EditHistory history_;
     std::uint64_t savedState_ = 0;
 };

@@ -33,7 +33,7 @@ std::size_t bytesOf(const EditStep& step) {
 
 bool changesAnything(const EditStep& step) {
     return changesScene(step) || changesSettings(step) || changesCamera(step) || changesModelUnits(step) ||
-           changesBookmarks(step);
+           changesBookmarks(step) || changesMeasures(step);
 }
 
 } // namespace
@@ -50,9 +50,11 @@ bool changesModelUnits(const EditStep& step) {
 
 bool changesBookmarks(const EditStep& step) { return step.before.bookmarks != step.after.bookmarks; }
 
+bool changesMeasures(const EditStep& step) { return step.before.measures != step.after.measures; }
+
 bool placesOnlyTheCamera(const EditStep& step) {
     return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesModelUnits(step) &&
-           !changesBookmarks(step);
+           !changesBookmarks(step) && !changesMeasures(step);
 }
 
 void EditHistory::add(EditStep step, bool goesOn) {

@@ -22,6 +22,7 @@ struct Snapshot {
     rtcore::Camera camera;
     rtcore::ModelUnits modelUnits; ///< the up axis and the unit, and why
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
+    std::shared_ptr<const rtcore::KeptMeasures> measures;
 };
 
 /// Who made an edit.
@@ -40,13 +41,14 @@ struct EditStep {
     int number = 0;          ///< none is given twice, over clear(), too
 };
 
-/// Whether a step changed the scene, the settings, the camera, the up axis or the unit, the bookmarks: those
-/// that it left alone stay when it is taken back. A step that changed nothing is none.
+/// Whether a step changed the scene, the settings, the camera, the up axis or the unit, the bookmarks, the
+/// measures: those that it left alone stay when it is taken back. A step that changed nothing is none.
 bool changesScene(const EditStep& step);
 bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);
 bool changesModelUnits(const EditStep& step);
 bool changesBookmarks(const EditStep& step);
+bool changesMeasures(const EditStep& step);
 /// It changed nothing but the camera.
 bool placesOnlyTheCamera(const EditStep& step);
 

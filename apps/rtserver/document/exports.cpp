@@ -84,6 +84,7 @@ rtcore::SceneFile describe(const Document& document) {
     file.camera = document.camera();
     file.camera->nameOffset = 0;
     file.bookmarks = document.bookmarks();
+    file.measures = document.measures();
     return file;
 }
 

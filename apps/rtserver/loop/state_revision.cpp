@@ -12,6 +12,7 @@ std::uint64_t StateRevision::of(const Workspace& state, bool idle) {
     const std::span<const rtcore::KeyBinding> bindings = state.walk.bindings().list();
     Key key{.scene = shown.scene,
             .bookmarks = shown.bookmarks,
+            .measures = shown.measures,
             .source = state.document.world().source,
             .settings = shown.settings,
             .bindings = {bindings.begin(), bindings.end()},

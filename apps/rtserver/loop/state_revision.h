@@ -23,6 +23,7 @@ class StateRevision {
     struct Key {
         std::shared_ptr<const rtcore::Scene> scene;
         std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
+        std::shared_ptr<const rtcore::KeptMeasures> measures;
         std::filesystem::path source;
         rtcore::RenderSettings settings;
         std::vector<rtcore::KeyBinding> bindings;

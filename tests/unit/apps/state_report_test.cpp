@@ -62,6 +62,33 @@ TEST(StateReport, HasTheSectionsAndTheBounds) {
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
 }
 
+TEST(StateReport, HasTheMeasures) {
+    app::StateReport state = sampleReport();
+    state.measures = {
+        .all = {{.points = {{0, 1.0 / 3, 0}, {1, 0, 0}}, .name = "a \"b\""},
+                {.kind = rtcore::MeasureKind::Volume, .points = {{1, 2, 3}}, .amount = 4, .part = 2}},
+        .unit = rtcore::LengthUnit::Inch,
+        .decimals = 1};
+    state.measureCount = 2;
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+}
+
+TEST(StateReport, HasTheFirstOfVeryManyMeasures) {
+    app::StateReport state = sampleReport();
+    rtcore::KeptMeasure chain{.kind = rtcore::MeasureKind::Chain,
+                              .points = std::vector<rtcore::Vec3d>(64, {1.0 / 3, 1.0 / 7, 1.0 / 9}),
+                              .name = std::string(200, '\x01')};
+    state.measures.all.assign(1000, chain);
+    state.measureCount = 1000;
+    const std::string text = app::formatStateReport(state, 60000);
+    EXPECT_LE(text.size(), 60000U);
+    const app::StateReport read = app::parseStateReport(text);
+    EXPECT_GT(read.measures.all.size(), 4U);
+    EXPECT_LT(read.measures.all.size(), 1000U);
+    EXPECT_EQ(read.measureCount, 1000);
+    EXPECT_EQ(read.bookmarks, state.bookmarks);
+}
+
 app::ReportedLight describedLight(int id) {
     app::ReportedLight light{id, true, "spot", rtcore::LightDescription()};
     light.description->name = light.name;

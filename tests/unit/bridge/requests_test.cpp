@@ -50,10 +50,10 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
     using Names = std::set<std::string_view>;
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
-    EXPECT_EQ(
-        commandsFor(app::BrowserUse::Look),
-        (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
-               "measure point", "measure seen", "measure volume", "parts", "sections", "seen", "storeys"}));
+    EXPECT_EQ(commandsFor(app::BrowserUse::Look),
+              (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
+                     "measure list", "measure point", "measure seen", "measure volume", "parts", "sections",
+                     "seen", "storeys"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Move),
               (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
                      "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",
@@ -82,6 +82,15 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "look",
                                                          "material reset",
                                                          "material set",
+                                                         "measure keep angle",
+                                                         "measure keep chain",
+                                                         "measure keep distance",
+                                                         "measure keep face",
+                                                         "measure keep height",
+                                                         "measure keep seen",
+                                                         "measure keep volume",
+                                                         "measure remove",
+                                                         "measure unit",
                                                          "part hide",
                                                          "part isolate",
                                                          "part show",

@@ -19,11 +19,27 @@ class Revised : public test::CommandRoom {
 TEST_F(Revised, GrowsWithEachAnswerThatIsAnother) {
     std::uint64_t last = now();
     EXPECT_EQ(now(), last) << "nothing happened";
-    for (const char* const line :
-         {"set maxDepth 3", "resolution 64 48", "light 1 off", "light name 1 bulb", "environment 2", "undo",
-          "redo", "bookmark add here", "material set 1 diffuse 1 0 0", "part hide box", "camera angle 80",
-          "camera turn 10 0", "up -y", "units cm", "section add 0 0.5 0 0 1 0", "section hatching on",
-          "bind k jump", "sky on"}) {
+    for (const char* const line : {"set maxDepth 3",
+                                   "resolution 64 48",
+                                   "light 1 off",
+                                   "light name 1 bulb",
+                                   "environment 2",
+                                   "undo",
+                                   "redo",
+                                   "bookmark add here",
+                                   "measure keep distance 0 0 0 1 0 0",
+                                   "measure name 1 a",
+                                   "measure unit mm",
+                                   "material set 1 diffuse 1 0 0",
+                                   "part hide box",
+                                   "camera angle 80",
+                                   "camera turn 10 0",
+                                   "up -y",
+                                   "units cm",
+                                   "section add 0 0.5 0 0 1 0",
+                                   "section hatching on",
+                                   "bind k jump",
+                                   "sky on"}) {
         const std::string before = app::formatStateReport(stateReportOf(document, 0), 65520);
         answer(line);
         EXPECT_GT(now(), last) << line;

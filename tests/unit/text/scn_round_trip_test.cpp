@@ -25,6 +25,19 @@ Colour fraction(Random& random, float max) {
 Colour positive(Random& random) { return {random.positive(), random.positive(), random.positive()}; }
 Vec3 point(Random& random) { return {random.number(), random.number(), random.number()}; }
 
+rtcore::KeptMeasure randomMeasure(Random& random, const std::string& name) {
+    rtcore::KeptMeasure measure{.kind = static_cast<rtcore::MeasureKind>(random.below(6)), .points = {}};
+    constexpr std::array<std::size_t, 6> counts{2, 7, 3, 2, 1, 1};
+    for (std::size_t n = counts.at(static_cast<std::size_t>(measure.kind)); n > 0; --n)
+        measure.points.push_back({double{random.fraction()} / 3, n * 1e11 / 7, -1.0 / double(n)});
+    const bool sized = measure.points.size() == 1;
+    if (sized) measure.amount = double{random.fraction()} / 3;
+    if (measure.kind == rtcore::MeasureKind::Area) measure.normal = {random.fraction(), 1, 0};
+    if (measure.kind == rtcore::MeasureKind::Volume) measure.part = 7;
+    if (random.flag()) measure.name = name;
+    return measure;
+}
+
 /// With quotes, backslashes, control characters and letters of two to four bytes; never empty.
 std::string awkwardName(Random& random) {
     constexpr std::array<std::string_view, 17> pieces{
@@ -172,6 +185,10 @@ SceneFile randomScene(Random& random) {
     }
     for (std::size_t n = random.below(4); n > 0; --n)
         s.bookmarks.push_back({std::to_string(n) + awkwardName(random), randomSceneCamera(random)});
+    for (std::size_t n = random.below(4); n > 0; --n)
+        s.measures.all.push_back(randomMeasure(random, awkwardName(random)));
+    if (random.flag()) s.measures.unit = rtcore::LengthUnit::Inch;
+    s.measures.decimals = static_cast<int>(random.below(7));
     for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
     for (std::size_t n = random.below(4); n > 0; --n) s.materials.push_back(randomMaterial(random));
     for (std::size_t n = random.below(4); n > 0; --n) s.parts.push_back(randomPart(random));
@@ -207,6 +224,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.modelLights, b.modelLights);
     EXPECT_EQ(a.defaultLight, b.defaultLight);
     EXPECT_EQ(a.bookmarks, b.bookmarks);
+    EXPECT_EQ(a.measures, b.measures);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.pose, b.pose);
     EXPECT_EQ(a.deflection, b.deflection);
@@ -298,7 +316,7 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     const test::TemporaryFolder folder;
     SceneFile good;
     good.model = "a.obj";
-    std::vector<SceneFile> bad(14, good);
+    std::vector<SceneFile> bad(16, good);
     bad[0].model = "";
     bad[1].up = {0, 1, 1};
     bad[2].fog.density = -1;
@@ -310,7 +328,9 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     bad[7].walk.gravity = std::numeric_limits<float>::infinity();
     bad[8].bookmarks.resize(1);
     bad[9].bookmarks = {{"a", {}}, {"a", {}}};
-    for (std::size_t i = 10; i < bad.size(); ++i) bad[i].sky.emplace();
+    bad[14].measures.all.resize(1);
+    bad[15].measures.decimals = 7;
+    for (std::size_t i = 10; i < 14; ++i) bad[i].sky.emplace();
     bad[10].sky->turbidity = 1;
     bad[11].sky->date->day = 31; // of June
     bad[12].sky->date->latitude = 91;

@@ -120,6 +120,59 @@ TEST(Scn, ReadsBothVersions) {
               "x.scn:1:1: the version is missing; begin the file with: version = 2");
 }
 
+TEST(Scn, ReadsMeasures) {
+    const std::string head = "version = 2\nmodel = \"a.obj\"\n";
+    const auto read = [&](const std::string& text) { return parseSceneFile(head + text, "x.scn").measures; };
+    const rtcore::KeptMeasures measures =
+        read("measureUnit = \"cm\"\nmeasureDecimals = 0\n"
+             "[[measure]]\nkind = \"distance\"\npoints = [[0, 0, 0], [0.1, 1e9, 3]]\nname = \"door\"\n"
+             "[[measure]]\nkind = \"area\"\npoints = [[1, 2, 3]]\nnormal = [0, 2, 0]\narea = 4.5\n"
+             "[[measure]]\nkind = \"volume\"\npoints = [[1, 2, 3]]\npart = 3\nvolume = 0.5\n");
+    EXPECT_EQ(measures.unit, rtcore::LengthUnit::Centimetre);
+    EXPECT_EQ(measures.decimals, 0);
+    ASSERT_EQ(measures.all.size(), 3U);
+    EXPECT_EQ(measures.all[0].points[1], (rtcore::Vec3d{0.1, 1e9, 3}));
+    EXPECT_EQ(measures.all[0].name, "door");
+    EXPECT_EQ(measures.all[1].amount, 4.5);
+    EXPECT_EQ(measures.all[2].part, 3);
+}
+
+TEST(Scn, RefusesMeasuresWithTheirLine) {
+    const auto refusal = [](const std::string& text) {
+        return test::badData([&] { parseSceneFile("version = 2\nmodel = \"a\"\n" + text, "x.scn"); });
+    };
+    const auto refused = [&](const std::string& keys, const char* part) {
+        EXPECT_NE(refusal("[[measure]]\n" + keys).find(part), std::string::npos)
+            << refusal("[[measure]]\n" + keys);
+    };
+    EXPECT_EQ(refusal("[[measure]]\nkind = \"distance\"\npoints = [[0, 0, 0]]\n"),
+              "x.scn:5:10: distance has 2 points, not 1");
+    refused("kind = \"chain\"\npoints = [[0, 0, 0], [1, 0, 0]]\n", "chain has 3 to 64 points, not 2");
+    refused("kind = \"angle\"\npoints = [[0, 0, 0], [0, 0, 0], [1, 0, 0]]\n", "an angle needs two points");
+    refused("kind = \"length\"\npoints = []\n", "length");
+    refused("kind = \"distance\"\n", "points");
+    refused("kind = \"distance\"\npoints = [[0, 0], [1, 0, 0]]\n", "three numbers");
+    refused("kind = \"distance\"\npoints = [[0, 0, 0], [1, 2e12, 0]]\n", "x.scn:5:26: ");
+    refused("kind = \"distance\"\npoints = [1, 2, 3]\n", "three numbers");
+    refused("kind = \"distance\"\npoints = 7\n", "positions in brackets");
+    refused("kind = \"distance\"\npoints = [[0, 0, 0], [1, 0, 0]]\narea = 2\n", "unknown key 'area'");
+    refused("kind = \"area\"\npoints = [[0, 0, 0]]\nnormal = [0, 0, 0]\narea = 2\n", "normal");
+    refused("kind = \"area\"\npoints = [[0, 0, 0]]\nnormal = [0, 1, 0]\narea = -2\n", "area is -2");
+    refused("kind = \"area\"\npoints = [[0, 0, 0]]\narea = 2\n", "normal");
+    refused("kind = \"volume\"\npoints = [[0, 0, 0]]\npart = 0\nvolume = 1\n", "part is 0");
+    refused("kind = \"distance\"\npoints = [[0, 0, 0], [1, 0, 0]]\nname = \"" + std::string(201, 'n') +
+                "\"\n",
+            "at most 200 bytes");
+    std::string many;
+    for (int i = 0; i < 1001; ++i)
+        many += "[[measure]]\nkind = \"distance\"\npoints = [[0, 0, 0], [1, 0, 0]]\n";
+    EXPECT_NE(refusal(many).find("more than 1000 measures"), std::string::npos);
+    EXPECT_NE(refusal("measureDecimals = 7\n").find("measureDecimals is 7"), std::string::npos);
+    EXPECT_NE(sceneProblem("[[measure]]\nkind = \"distance\"\npoints = [[0, 0, 0], [1, 0, 0]]\n")
+                  .find("version = 2"),
+              std::string::npos);
+}
+
 TEST(Scn, ReadsBookmarks) {
     const std::string newest = "version = 2\nmodel = \"a\"\nup = \"+z\"\n";
     const SceneFile scene = parseSceneFile(newest + "[[bookmark]]\nname = \"door\"\neye = [1, 2, 3]\n"
@@ -483,8 +536,12 @@ TEST(Scn, PositionsAreSeenFromTheModelsZero) {
         "[camera]\neye = [458213.25, 5428760, 313.5]\nlookAt = [458213.25, 5428765, 313.5]\n"
         "[[light]]\nkind = \"point\"\nposition = [458214.1, 5428765, 312]\n"
         "[[bookmark]]\nname = \"b\"\neye = [458213, 5428765, 312.1]\nforward = [1, 0, 0]\n"
+        "[[measure]]\nkind = \"distance\"\n"
+        "points = [[458213.001, 5428765, 312], [458214.001, 5428765, 312]]\n"
         "[fog]\nkind = \"exponential\"\ngroundHeight = 311.9\n";
     const rtcore::SceneFile scene = rtcore::parseSceneFile(byHand, "x.scn", zero);
+    EXPECT_NEAR(scene.measures.all[0].points[0].x, 0.001, 1e-9);
+    EXPECT_NEAR(scene.measures.all[0].points[1].x, 1.001, 1e-9);
     EXPECT_EQ(scene.camera->eye, (rtcore::Vec3{0.25F, -5, 1.5F}));
     EXPECT_EQ(scene.camera->forward, (rtcore::Vec3{0, 5, 0}));
     EXPECT_EQ(scene.lights[0].light.position, (rtcore::Vec3{1.1F, 0, 0}));
@@ -496,6 +553,7 @@ TEST(Scn, PositionsAreSeenFromTheModelsZero) {
     EXPECT_EQ(again.camera, scene.camera);
     EXPECT_EQ(again.lights, scene.lights);
     EXPECT_EQ(again.bookmarks, scene.bookmarks);
+    EXPECT_EQ(again.measures, scene.measures);
     EXPECT_EQ(again.fog.groundHeight, scene.fog.groundHeight);
 }
 

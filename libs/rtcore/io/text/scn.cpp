@@ -110,6 +110,7 @@ class SceneReader {
         }
         readActiveEnvironment();
         scene_.bookmarks = readBookmarks(root_, scene_.up);
+        scene_.measures = readMeasures(root_);
     }
 
     void readScenePose() {
@@ -201,6 +202,7 @@ class SceneWriter {
             if (!scene_.sun.on) writer_.add("sunOn", false);
         }
         for (const SceneBookmark& bookmark : scene_.bookmarks) writeBookmark(writer_, bookmark);
+        for (const KeptMeasure& measure : scene_.measures.all) writeMeasure(writer_, measure);
         writeFog();
         writeWalk();
         writeSettingsSection(writer_, "live", scene_.live);
@@ -230,6 +232,7 @@ class SceneWriter {
         writer_.add("flipTextures", scene_.flipTextures);
         if (scene_.pose != PoseChoice{}) writer_.add("pose", poseText(scene_.pose));
         writeSectionStyle(writer_, scene_.sections);
+        writeMeasureStyle(writer_, scene_.measures);
         if (scene_.deflection != SceneFile{}.deflection) writer_.add("deflection", scene_.deflection);
     }
 

@@ -6,6 +6,7 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/environment_source.h"
+#include "rtcore/scene/kept_measure.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/material_override.h"
 #include "rtcore/scene/pose_choice.h"
@@ -91,6 +92,7 @@ struct SceneFile : SceneLook {
     std::vector<PartDescription> parts;      ///< the same
     std::vector<EnvironmentFile> environments;
     SceneBookmarks bookmarks;
+    KeptMeasures measures;
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 

@@ -27,6 +27,8 @@ EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path&
 SectionPlanes readSectionPlanes(StrictTable& root);
 Sky readSky(StrictTable& table, const Sky& usual = {});
 
+/// All [[measure]] of the root, and the unit of their labels.
+KeptMeasures readMeasures(StrictTable& root);
 /// All [[bookmark]] of the root; `up` as in readCamera().
 SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
 
@@ -40,6 +42,8 @@ void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
                       const std::filesystem::path& folder);
 void writeSectionStyle(TomlWriter& writer, const SectionPlanes& sections);
 void writeSectionPlane(TomlWriter& writer, const SectionPlane& plane);
+void writeMeasureStyle(TomlWriter& writer, const KeptMeasures& measures);
+void writeMeasure(TomlWriter& writer, const KeptMeasure& measure);
 void writeSky(TomlWriter& writer, const Sky& sky);
 void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);
 

@@ -201,6 +201,17 @@ std::optional<Vec3> StrictTable::position(std::string_view key) {
                 nearestFloat(p[2] + shift_[2])};
 }
 
+std::optional<std::vector<FilePoint>> StrictTable::positions(std::string_view key) {
+    const auto* array = typed<TextArray>(key, form("positions in brackets"));
+    if (array == nullptr) return std::nullopt;
+    std::vector<FilePoint> points;
+    for (const TextValue& item : *array) {
+        points.push_back(threeNumbers<double>({*file_, key}, item, kCoordinate));
+        for (std::size_t i = 0; i < 3; ++i) points.back()[i] += shift_[i];
+    }
+    return points;
+}
+
 std::optional<float> StrictTable::height(std::string_view key, Vec3 up) {
     if (shift_ == FilePoint{}) return number(key, kAnyNumber);
     const auto height = preciseNumber(key, kAnyNumber);

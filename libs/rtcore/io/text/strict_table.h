@@ -48,6 +48,8 @@ class StrictTable {
     std::optional<Vec3> vector(std::string_view key);
     /// Three coordinates, or one of them along an axis, as seen from the zero of readOrigin().
     std::optional<Vec3> position(std::string_view key);
+    /// Positions in brackets, in doubles.
+    std::optional<std::vector<FilePoint>> positions(std::string_view key);
     std::optional<float> height(std::string_view key, Vec3 up);
     std::optional<Colour> colour(std::string_view key, const Limits& limits);
     /// A number means grey.

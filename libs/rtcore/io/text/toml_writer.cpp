@@ -95,6 +95,14 @@ void TomlWriter::add(std::string_view key, Colour value) {
 void TomlWriter::add(std::string_view key, const FilePoint& value) {
     line(key, threeNumbers(value[0], value[1], value[2]));
 }
+
+void TomlWriter::add(std::string_view key, const std::vector<FilePoint>& values) {
+    std::string list;
+    for (const FilePoint& value : values)
+        list += (list.empty() ? "" : ", ") + threeNumbers(value[0], value[1], value[2]);
+    line(key, "[" + list + "]");
+}
+
 void TomlWriter::addPosition(std::string_view key, Vec3 value, const LocalOrigin& zero) {
     if (zero.isZero()) {
         add(key, value);

@@ -35,6 +35,7 @@ class TomlWriter {
     void add(std::string_view key, std::string_view value);
     void add(std::string_view key, Vec3 value);
     void add(std::string_view key, const FilePoint& value);
+    void add(std::string_view key, const std::vector<FilePoint>& values);
     /// In the coordinates in which that of the scene's zero is `zero`.
     void addPosition(std::string_view key, Vec3 value, const LocalOrigin& zero);
     /// Nothing when it is zero.
