@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/scene/model.h"
+#include "rtcore/scene/photometry.h"
 
 #include <cmath>
 #include <cstddef>
@@ -124,6 +125,9 @@ class SampleModel {
             light.width = number(0.1F, 1);
             light.height = number(0.1F, 1);
             light.nameOffset = buffers_.addName("light");
+            if (light.kind == rtcore::LightKind::Ies)
+                light.photometry =
+                    rtcore::keepPhotometry({{0, 45, 90}, {0, 180, 360}, {9, 8, 0, 9, 4, 1, 9, 8, 0}});
             buffers_.lights.push_back(light);
         }
     }

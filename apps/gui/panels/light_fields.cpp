@@ -337,8 +337,10 @@ void LightFields::show(const ShownLight& light, float metresPerUnit, const rtcor
     }
     mirrored_->setChecked(shines.mirrored != 0);
     const auto& file = light.description->file;
-    file_->setText(file.empty() ? tr("Choose…")
-                                : plainText(QString::fromStdString(file.filename().string())));
+    const bool ofModel = file.empty() && light.description->modelLuminaire > 0;
+    file_->setText(ofModel        ? tr("of the model")
+                   : file.empty() ? tr("Choose…")
+                                  : plainText(QString::fromStdString(file.filename().string())));
     showColour();
     showRows(traits);
     showing_ = false;

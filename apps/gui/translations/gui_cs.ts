@@ -2245,6 +2245,10 @@ Alt+%2</translation>
         <source>Luminaires (*.ies *.ldt);;All files (*)</source>
         <translation>Svítidla (*.ies *.ldt);;Všechny soubory (*)</translation>
     </message>
+    <message>
+        <source>of the model</source>
+        <translation>z modelu</translation>
+    </message>
 </context>
 <context>
     <name>gui::LightOperations</name>

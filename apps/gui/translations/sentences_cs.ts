@@ -1368,6 +1368,10 @@
         <translation>je to glTF {0}, který nelze načíst; exportujte ho jako glTF 2.0</translation>
     </message>
     <message>
+        <source>it is larger than 4 MB</source>
+        <translation>je větší než 4 MB</translation>
+    </message>
+    <message>
         <source>it is missing in the package</source>
         <translation>v balíčku chybí</translation>
     </message>
@@ -1468,6 +1472,10 @@
         <translation>potřebuje rozšíření {0}, které nelze načíst; {1}</translation>
     </message>
     <message>
+        <source>it shines either by a file or as a luminaire of the model</source>
+        <translation>svítí buď podle souboru, nebo jako svítidlo modelu</translation>
+    </message>
+    <message>
         <source>it unpacks to more than {0} times its size, as no model does; it is damaged or made to fill memory</source>
         <translation>rozbaluje se na více než {0}násobek své velikosti, což žádný model nedělá; je poškozený, nebo má zaplnit paměť</translation>
     </message>
@@ -1524,6 +1532,10 @@
         <translation>jeho kopie nenajde {0}; udělejte z něj programem BSPBuilder .bsp a zabalte ten</translation>
     </message>
     <message>
+        <source>its data are damaged or missing</source>
+        <translation>jeho data jsou poškozená nebo chybějí</translation>
+    </message>
+    <message>
         <source>its disc is out of range</source>
         <translation>jeho kotouč je mimo rozsah</translation>
     </message>
@@ -1538,6 +1550,14 @@
     <message>
         <source>its face {0} names the vertex {1} of {2}</source>
         <translation>stěna {0} odkazuje na vrchol {1} z {2}</translation>
+    </message>
+    <message>
+        <source>its file is missing; put it beside the model</source>
+        <translation>jeho soubor chybí; dejte ho vedle modelu</translation>
+    </message>
+    <message>
+        <source>its file is not read, as it lies outside of the model's folder; put it beside the model</source>
+        <translation>jeho soubor se nečte, protože leží mimo složku modelu; dejte ho vedle modelu</translation>
     </message>
     <message>
         <source>its first chunk holds no JSON; it is damaged: copy or export it again</source>
@@ -1758,6 +1778,14 @@
     <message>
         <source>lights of a look</source>
         <translation>světla vzhledu</translation>
+    </message>
+    <message>
+        <source>lights of the profile {0} shine to all sides alike: {1}</source>
+        <translation>světla s profilem {0} svítí na všechny strany stejně: {1}</translation>
+    </message>
+    <message>
+        <source>lights: they name more photometric files than a model may have</source>
+        <translation>světla: jmenují víc fotometrických souborů, než model smí mít</translation>
     </message>
     <message>
         <source>line {0} of its part {1} is no XML ({2}); copy or export it again</source>
@@ -2172,6 +2200,10 @@
         <translation>místnosti: {0}, dohromady {1} m2</translation>
     </message>
     <message>
+        <source>section lights: one names a luminaire that is not there</source>
+        <translation>sekce lights: jedno jmenuje svítidlo, které tam není</translation>
+    </message>
+    <message>
         <source>section nodes belongs to no tree</source>
         <translation>oddíl nodes nepatří k žádnému stromu</translation>
     </message>
@@ -2198,6 +2230,10 @@
     <message>
         <source>section {0} has elements of the wrong size</source>
         <translation>oddíl {0} má prvky špatné velikosti</translation>
+    </message>
+    <message>
+        <source>section {0} is no list of distributions</source>
+        <translation>sekce {0} není seznam rozložení svítivosti</translation>
     </message>
     <message>
         <source>section {0} is no text</source>
@@ -2716,16 +2752,20 @@
         <translation>lumeny zdrojů</translation>
     </message>
     <message>
-        <source>the luminaire of {0} shines to all sides alike: profiles that a model names are not read</source>
-        <translation>svítidlo {0} svítí na všechny strany stejně: profily, které model jmenuje, se nečtou</translation>
-    </message>
-    <message>
         <source>the maker</source>
         <translation>výrobce</translation>
     </message>
     <message>
         <source>the measurement was stopped</source>
         <translation>měření bylo zastaveno</translation>
+    </message>
+    <message>
+        <source>the model has more profiles than are kept, {0} or {1} numbers in all</source>
+        <translation>model má víc profilů, než kolik se uchovává: {0}, nebo celkem {1} čísel</translation>
+    </message>
+    <message>
+        <source>the model has no luminaire {0}; light {1} shines to all sides alike</source>
+        <translation>model nemá svítidlo {0}; světlo {1} svítí na všechny strany stejně</translation>
     </message>
     <message>
         <source>the model has no such material; 'materials' lists them</source>

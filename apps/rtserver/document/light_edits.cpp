@@ -144,6 +144,7 @@ void setKind(LightDescription& light, LightKind kind, const SceneExtent& extent)
     const float square = squareDistance(now.position, extent.centre, extent);
     complete(now, extent);
     changed.file.clear();
+    changed.modelLuminaire = 0;
     if (had == has) {
         scale(changed, powerFactor(light.light) / powerFactor(now));
     } else {
@@ -190,6 +191,7 @@ void setFile(LightDescription& light, const std::filesystem::path& file, const S
     LightDescription changed = light;
     setKind(changed, LightKind::Ies, extent);
     changed.file = file;
+    changed.modelLuminaire = 0;
     changed.lumens = 0.0F;
     readLuminaire(changed, metresPerUnit, warnings);
     light = changed;

@@ -47,7 +47,7 @@ struct Light {
     /// directional: sine of half the angle under which its disc is seen, 0..1; 0: it has no size
     float discSine = 0;
     std::uint32_t mirrored = 0;   ///< sphere, rectangle: 1 where mirrors and bending glass show it, 0 or 1
-    std::uint32_t photometry = 0; ///< luminaire: number of its distribution (photometry.h); 0 in files
+    std::uint32_t photometry = 0; ///< luminaire: number of its distribution (photometry.h); 0: none
 
     friend bool operator==(const Light&, const Light&) = default;
 };

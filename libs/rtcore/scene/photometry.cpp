@@ -2,6 +2,7 @@
 
 #include "rtcore/math/constants.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/scene/model_photometry.h"
 
 #include <algorithm>
 #include <array>
@@ -133,6 +134,12 @@ std::uint32_t keepPhotometry(const PhotometricWeb& web) {
     all.kept.push_back(std::make_unique<Kept>(web));
     all.rows.at(all.kept.size()).store(&all.kept.back()->rows, std::memory_order_release);
     return static_cast<std::uint32_t>(all.kept.size());
+}
+
+const PhotometricWeb* keptWeb(std::uint32_t number) {
+    Shelf& all = shelf();
+    const std::scoped_lock lock(all.writing);
+    return number > 0 && number <= all.kept.size() ? &all.kept[number - 1]->web : nullptr;
 }
 
 const Photometry& photometry(std::uint32_t number) {

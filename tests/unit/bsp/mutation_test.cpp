@@ -3,6 +3,7 @@
 
 #include "rtcore/io/bsp/bsp_version2.h"
 #include "rtcore/scene/material_textures.h"
+#include "rtcore/scene/photometry.h"
 
 #include <chrono>
 #include <cmath>
@@ -148,6 +149,8 @@ class Walker {
         for (const rtcore::Light& l : model_.lights) {
             add(l.position);
             add(l.direction);
+            const rtcore::Photometry& web = rtcore::photometryOf(l);
+            sum_ += double{web.relative[std::size_t{web.gammaCount} * web.planeCount - 1]} + web.mean;
             sum_ += double{l.intensity.r} + static_cast<double>(model_.name(l.nameOffset).size());
         }
         for (const rtcore::Camera& c : model_.cameras) {

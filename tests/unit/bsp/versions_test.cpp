@@ -1,6 +1,9 @@
 // Files of earlier and of later writers.
 #include "bsp_support.h"
 
+#include <limits>
+#include <utility>
+
 using test::Bytes;
 
 namespace {
@@ -170,7 +173,7 @@ TEST(BspVersions, MissingSectionsTakeTheirDefault) {
     rtcore::ModelBuffers expected = sample();
     parts.resizeElements("textures", offsetof(rtcore::Texture, texcoordSet));
     for (const char* name :
-         {"parts", "cameras", "lights", "texcoords", "texcoordsets", "colours", "warnings"})
+         {"parts", "cameras", "lights", "luminaires", "texcoords", "texcoordsets", "colours", "warnings"})
         parts.remove(name);
     expected.parts.clear();
     expected.cameras.clear();
@@ -276,6 +279,45 @@ TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
     expectModel(test::readFrom(parts.file()), expected);
 }
 
+// Made by the BSPBuilder of before, from a glTF of a triangle, a bulb and a luminaire.
+TEST(BspVersions, AFileFromBeforeLuminairesGivesTheSameModel) {
+    const rtcore::BspContent content = rtcore::readBsp(std::filesystem::path(RT_BEFORE_LUMINAIRES_FILE));
+    ASSERT_EQ(content.model.lights.size(), 2U);
+    EXPECT_EQ(content.model.lights[0].intensity, (rtcore::Colour{8, 8, 8}));
+    EXPECT_EQ(content.model.lights[1].kind, rtcore::LightKind::Point);
+    EXPECT_EQ(content.model.lights[1].intensity, (rtcore::Colour{5, 2.5F, 1.25F}));
+    EXPECT_EQ(content.model.name(content.model.lights[1].nameOffset), "luminaire");
+    ASSERT_EQ(content.warnings.size(), 1U);
+}
+
+TEST(BspVersions, LuminairesThatAreNotThereOrNoneAreRefused) {
+    Parts gone = sampleParts();
+    gone.remove("luminaires");
+    EXPECT_TRUE(test::refusal(gone.file()));
+    const auto refusalWith = [](std::size_t index, double number) {
+        Parts parts = sampleParts();
+        std::memcpy(parts.contents[parts.indexOf("luminaires")].data() + index * sizeof number, &number,
+                    sizeof number);
+        return test::refusal(parts.file()).value_or("");
+    };
+    const std::string refused = "no list of distributions";
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& [index, number] : std::vector<std::pair<std::size_t, double>>{{0, 1},
+                                                                                   {0, 2},
+                                                                                   {0, 1e18},
+                                                                                   {0, none},
+                                                                                   {1, 4},
+                                                                                   {1, 2.5},
+                                                                                   {2, -1},
+                                                                                   {3, 0},
+                                                                                   {4, 181},
+                                                                                   {7, 350},
+                                                                                   {8, -1},
+                                                                                   {8, none}})
+        EXPECT_NE(refusalWith(index, number).find(refused), std::string::npos) << index << ' ' << number;
+    EXPECT_EQ(refusalWith(8, 7), "") << "another one of the kind";
+}
+
 TEST(BspVersions, AModelWithoutBlocksIsWrittenAsVersion4) {
     const auto write = [](rtcore::ModelBuffers buffers) {
         const test::TemporaryFolder folder;
@@ -283,6 +325,9 @@ TEST(BspVersions, AModelWithoutBlocksIsWrittenAsVersion4) {
         return test::tableOf(test::fileContent(folder / "f.bsp"));
     };
     rtcore::ModelBuffers buffers = sample();
+    EXPECT_EQ(write(buffers).head.version, 6U);
+    EXPECT_EQ(test::nameOf(write(buffers).sections.back()), "luminaires");
+    for (rtcore::Light& light : buffers.lights) light.photometry = 0;
     EXPECT_EQ(write(buffers).head.version, 5U);
     EXPECT_EQ(test::nameOf(write(buffers).sections.back()), "texelblocks");
     buffers.blocks.clear();

@@ -201,7 +201,7 @@ TEST(GltfLightsOfNodes, OneDefinitionMayStandManyTimes) {
     EXPECT_EQ(read.model.lights[1].position, (Vec3{2, 0, 0}));
     EXPECT_EQ(read.model.lights[2].intensity, (Colour{5, 2.5F, 0}));
     expectFound(test::warningsOf(read), "is left out");
-    expectFound(test::warningsOf(read), "shines to all sides alike");
+    expectFound(test::warningsOf(read), "shine to all sides alike");
 }
 
 /// Any bytes give a model or a reason, and nothing else happens.
@@ -223,6 +223,12 @@ TEST(GltfMutation, FilesAreReadOrRefused) {
     rich.root["nodes"][0]["skin"] = 0;
     rich.node({{"camera", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
     rich.root["meshes"][0]["weights"] = {0.5};
+    rich.root["extensions"] = {
+        {"EXT_lights_ies",
+         {{"lights",
+           {{{"bufferView", rich.view("IESNA91\nTILT=NONE\n1 -1 1 2 2 1 1 0 0 0\n1 1 9\n"
+                                      "0 90\n0 90\n100 50 40 3\n")}}}}}}};
+    rich.node({{"extensions", {{"EXT_lights_ies", {{"light", 0}, {"multiplier", 2}}}}}});
     const test::TemporaryFolder folder;
     test::GltfScene scene;
     scene.colours = true;

@@ -135,6 +135,10 @@ TEST(Luminaire, IsRefusedWithoutItsFile) {
     };
     EXPECT_EQ(refusal("kind = \"point\"\nfile = \"a.ies\"\n"),
               "/x.scn:6:8: only a light of the kind ies has a file and lumens");
+    EXPECT_EQ(refusal("kind = \"point\"\nmodelLuminaire = 1\n"),
+              "/x.scn:6:18: only a light of the kind ies has a file and lumens");
+    EXPECT_EQ(refusal("kind = \"ies\"\ndirection = [0, -1, 0]\nfile = \"a.ies\"\nmodelLuminaire = 1\n"),
+              "/x.scn:8:18: it shines either by a file or as a luminaire of the model");
     EXPECT_EQ(refusal("kind = \"ies\"\ndirection = [0, -1, 0]\nlumens = 800\n"),
               "/x.scn:7:10: lumens are those of a file; name it by file, or give an intensity");
 }

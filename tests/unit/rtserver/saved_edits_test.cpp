@@ -7,6 +7,7 @@
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/io/text/scn.h"
+#include "rtcore/scene/light_power.h"
 #include "rtcore/sky/scene_sky.h"
 #include "rtserver/commands/state_report_of.h"
 #include "rtserver/document/exports.h"
@@ -100,6 +101,52 @@ TEST_F(SavedEdits, EachCommandOnTheSun) {
         expectSaved(line);
     }
     EXPECT_FALSE(imageOf(document) == before);
+}
+
+/// A model has a profile of its own, which its scenes name by number.
+TEST_F(SavedEdits, LuminairesOfTheModelShineInItsScenes) {
+    const rtcore::LoadedScene room = test::makeRoom();
+    rtcore::Light own;
+    own.kind = rtcore::LightKind::Ies;
+    own.position = {1.5F, 2, -1};
+    own.right = {1, 0, 0};
+    own.intensity = {9, 8, 7};
+    own.photometry = rtcore::keepPhotometry({{0, 30, 90}, {0, 180, 360}, {9, 8, 1, 9, 4, 1, 9, 8, 1}});
+    rtcore::Model lit = room.scene.model;
+    lit.lights = {&own, 1};
+    rtcore::writeBsp(folder / "lit.bsp", lit, &room.tree, {});
+    const std::string head = "version = 2\nmodel = 'lit.bsp'\n"
+                             "[camera]\neye = [1.5, 1.4, 1]\nlookAt = [0, 0.5, -3]\n"
+                             "[live]\nwidth = 20\nheight = 14\n";
+    std::ofstream(folder / "lit.scn") << head;
+    show(document, folder / "lit.scn");
+    EXPECT_EQ(document.scene()->lights.at(0).light.photometry, own.photometry);
+    const auto before = imageOf(document);
+    expectSaved("nothing");
+    EXPECT_NE(answer("light get 1").find("modelLuminaire = 1"), std::string::npos) << answer("light get 1");
+    answer("light copy 1 at 0.5 1.5 -2");
+    answer("light turn 1 70");
+    expectSaved("light turn");
+    EXPECT_FALSE(imageOf(document) == before);
+    answer("light kind 1 point");
+    EXPECT_EQ(answer("light get 1").find("modelLuminaire"), std::string::npos);
+    expectSaved("light kind");
+
+    // Without an intensity it is as bright as its profile.
+    std::ofstream(folder / "own.scn") << head
+                                      << "[[light]]\nkind = 'ies'\nposition = [0, 1, 0]\n"
+                                         "direction = [0, -1, 0]\nmodelLuminaire = 1\n";
+    const rtcore::SceneLight light = rtcore::loadScene(folder / "own.scn").scene.lights.at(0);
+    EXPECT_EQ(light.light.photometry, own.photometry);
+    EXPECT_NEAR(light.light.intensity.r * rtcore::kLumensPerWatt, 9, 1e-4);
+    std::ofstream(folder / "gone.scn") << head
+                                       << "[[light]]\nname = 'a'\nkind = 'ies'\nposition = [0, 1, 0]\n"
+                                          "direction = [0, -1, 0]\nmodelLuminaire = 2\n";
+    const rtcore::LoadedScene gone = rtcore::loadScene(folder / "gone.scn");
+    EXPECT_EQ(gone.scene.lights.at(0).light.photometry, 0U);
+    ASSERT_EQ(gone.warnings.size(), 1U);
+    EXPECT_EQ(gone.warnings[0].english(),
+              "the model has no luminaire 2; light 'a' shines to all sides alike");
 }
 
 TEST_F(SavedEdits, AnEditOfTheSunIsToBeSavedAndTakenBack) {

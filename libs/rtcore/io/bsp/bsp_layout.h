@@ -1,4 +1,4 @@
-/// The bytes of a .bsp file, version 5 (docs/formats.md): the head, a table of sections, then the sections in
+/// The bytes of a .bsp file, version 6 (docs/formats.md): the head, a table of sections, then the sections in
 /// the order of the table, each at the next multiple of 64 bytes behind what is before it, the gaps filled
 /// with zeros. Sections are known by name and say how large their elements are: a reader skips names that it
 /// does not know, and takes of an element what it knows. Numbers are in the byte order of the machine that
@@ -36,7 +36,8 @@ enum class BspSection : std::uint32_t {
     Strings,      ///< char; the first and the last are zero
     Warnings,     ///< char: lines about what the import left out
     Origin,       ///< char: lines of writeOrigin()
-    TexelBlocks,  ///< TexelBlock; not there where no texture is in blocks
+    TexelBlocks,  ///< TexelBlock; not there where no texture is in blocks and no Luminaires follow
+    Luminaires,   ///< double: numbersOf() each distribution; not there without any
 };
 
 /// A record grows at its end only, by whole fields of 4 bytes or more.
@@ -68,6 +69,7 @@ inline constexpr std::array kBspSectionKinds{
     BspSectionKind{"warnings", sizeof(char), 1},
     BspSectionKind{"origin", sizeof(char), 1},
     BspSectionKind{"texelblocks", sizeof(TexelBlock), 32},
+    BspSectionKind{"luminaires", sizeof(double), 8},
 };
 inline constexpr std::size_t kBspSections = kBspSectionKinds.size();
 
@@ -75,8 +77,9 @@ inline constexpr std::size_t kBspSections = kBspSectionKinds.size();
 /// them. No other format called .bsp begins so.
 inline constexpr std::array<std::uint8_t, 8> kBspMagic{0x89, 'R', 'T', 'K', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint32_t kBspByteOrder = 0x01020304;
-inline constexpr std::uint32_t kBspVersion = 5;
-inline constexpr std::uint32_t kBspVersionWithoutBlocks = 4; ///< written where no texture is in blocks
+inline constexpr std::uint32_t kBspVersion = 6;
+inline constexpr std::uint32_t kBspVersionOfBlocks = 5;      ///< written without luminaires
+inline constexpr std::uint32_t kBspVersionWithoutBlocks = 4; ///< written where no texture is in blocks, too
 inline constexpr std::uint64_t kBspAlignment = 64;           ///< of sections: a cache line
 inline constexpr std::uint32_t kMaxBspSections = 1024;       ///< known or not
 inline constexpr std::size_t kMaxBspWarningBytes = 64 * 1024;

@@ -4,6 +4,8 @@
 #include "rtcore/io/bsp/model_check.h"
 
 #include "rtcore/accel/validation.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/scene/model_photometry.h"
 
 #include <algorithm>
 #include <cstring>
@@ -30,6 +32,7 @@ class Reader {
         BspContent content;
         content.identity = table_.identity;
         content.model = readModel();
+        placeLuminaires(content.model);
         content.warnings = linesOf(readText(BspSection::Warnings, kMaxBspWarningBytes));
         content.origin = readOrigin(readText(BspSection::Origin, kMaxOriginBytes));
         KdTree tree{view<KdNode>(BspSection::Nodes), view<std::uint32_t>(BspSection::References),
@@ -100,6 +103,45 @@ class Reader {
         if (table_.find(BspSection::Materials) == nullptr) model.materials = {&kPlain, 1};
         if (table_.find(BspSection::Strings) == nullptr) model.strings = kNoNames;
         return model;
+    }
+
+    std::vector<PhotometricWeb> readLuminaires() {
+        std::span<const double> numbers = view<double>(BspSection::Luminaires);
+        std::vector<PhotometricWeb> webs;
+        const auto failHere = [&] {
+            fail(say("section {0} is no list of distributions", kindOf(BspSection::Luminaires).name));
+        };
+        if (numbers.size() > kMaxModelWebNumbers) failHere();
+        while (!numbers.empty()) {
+            auto web = takeWeb(numbers);
+            if (!web || webs.size() == kMaxModelPhotometries) failHere();
+            webs.push_back(std::move(*web));
+        }
+        return webs;
+    }
+
+    /// Lights name distributions of the file; in memory they name those that are kept.
+    void placeLuminaires(Model& model) {
+        const std::vector<PhotometricWeb> webs = readLuminaires();
+        const auto named = [](const Light& light) { return light.photometry != 0; };
+        if (std::ranges::none_of(model.lights, named)) return;
+        auto lights = std::make_shared<std::vector<Light>>(model.lights.begin(), model.lights.end());
+        for (Light& light : *lights) {
+            if (!named(light)) continue;
+            if (light.photometry > webs.size())
+                fail(form("section lights: one names a luminaire that is not there"));
+            light.photometry = keep(webs[light.photometry - 1]);
+        }
+        model.lights = *lights;
+        copies_.push_back(std::move(lights));
+    }
+
+    std::uint32_t keep(const PhotometricWeb& web) const {
+        try {
+            return keepPhotometry(web);
+        } catch (const Refusal& full) {
+            throw FileError(FailureKind::BadData, name_, full.sentence());
+        }
     }
 
     void convertMaterials(Model& model) {

@@ -5,6 +5,7 @@
 #include "rtcore/accel/mesh_bounds.h"
 #include "rtcore/accel/validation.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/scene/model_photometry.h"
 
 #include <algorithm>
 #include <string_view>
@@ -18,9 +19,28 @@ using Bytes = std::span<const std::byte>;
 
 constexpr std::array<std::byte, kBspAlignment> kZeros{};
 
-/// In the order of BspSection; without blocks as they were written before there were any.
-std::vector<Bytes> contentOf(const Model& model, const KdTree* tree, std::string_view warnings,
-                             std::string_view origin) {
+/// Lights as files have them, and the distributions that they name by their place.
+struct LightSections {
+    std::vector<Light> lights;
+    std::vector<double> luminaires;
+
+    explicit LightSections(std::span<const Light> of) : lights(of.begin(), of.end()) {
+        const std::vector<std::uint32_t> numbers = photometriesOf(of);
+        for (const std::uint32_t number : numbers) {
+            const std::vector<double> web = numbersOf(*keptWeb(number));
+            luminaires.insert(luminaires.end(), web.begin(), web.end());
+        }
+        for (Light& light : lights) {
+            if (light.photometry == 0) continue;
+            const auto at = std::ranges::find(numbers, light.photometry);
+            light.photometry = static_cast<std::uint32_t>(at - numbers.begin()) + 1;
+        }
+    }
+};
+
+/// In the order of BspSection; without blocks and luminaires as they were written before there were any.
+std::vector<Bytes> contentOf(const Model& model, const LightSections& lights, const KdTree* tree,
+                             std::string_view warnings, std::string_view origin) {
     const Mesh& mesh = model.mesh;
     const auto nodes = tree != nullptr ? tree->nodes : std::span<const KdNode>();
     const auto references = tree != nullptr ? tree->references : std::span<const std::uint32_t>();
@@ -37,13 +57,15 @@ std::vector<Bytes> contentOf(const Model& model, const KdTree* tree, std::string
                                std::as_bytes(model.materials),
                                std::as_bytes(model.textures),
                                std::as_bytes(model.texels),
-                               std::as_bytes(model.lights),
+                               std::as_bytes(std::span(lights.lights)),
                                std::as_bytes(model.cameras),
                                std::as_bytes(model.parts),
                                std::as_bytes(model.strings),
                                std::as_bytes(std::span(warnings)),
                                std::as_bytes(std::span(origin))};
-    if (!model.blocks.empty()) content.push_back(std::as_bytes(model.blocks));
+    const bool luminaires = !lights.luminaires.empty();
+    if (!model.blocks.empty() || luminaires) content.push_back(std::as_bytes(model.blocks));
+    if (luminaires) content.push_back(std::as_bytes(std::span(lights.luminaires)));
     return content;
 }
 
@@ -80,12 +102,16 @@ Box3 boundsOf(const Mesh& mesh) {
     return bounds;
 }
 
+std::uint32_t versionOf(const Model& model, const LightSections& lights) {
+    if (!lights.luminaires.empty()) return kBspVersion;
+    return model.blocks.empty() ? kBspVersionWithoutBlocks : kBspVersionOfBlocks;
+}
+
 BspHead headOf(const Model& model, const KdTree* tree, const BspIdentity& identity) {
     const Box3 bounds = tree != nullptr ? tree->bounds : boundsOf(model.mesh);
     BspHead head{};
     head.magic = kBspMagic;
     head.byteOrder = kBspByteOrder;
-    head.version = model.blocks.empty() ? kBspVersionWithoutBlocks : kBspVersion;
     head.headSize = sizeof(BspHead);
     head.sourceSize = identity.sourceSize;
     head.sourceCrc = identity.sourceCrc;
@@ -117,9 +143,11 @@ void writeBsp(const std::filesystem::path& path, const Model& model, const KdTre
               const BspIdentity& identity, std::span<const std::string> warnings, const ModelOrigin& origin) {
     refuseBadContent(path, model, tree);
     const std::string lines = linesOf(warnings), origins = writeOrigin(origin);
-    const std::vector<Bytes> sections = contentOf(model, tree, lines, origins);
+    const LightSections lights(model.lights);
+    const std::vector<Bytes> sections = contentOf(model, lights, tree, lines, origins);
     const std::vector<BspSectionEntry> table = tableOf(sections);
     BspHead head = headOf(model, tree, identity);
+    head.version = versionOf(model, lights);
     head.sectionCount = static_cast<std::uint32_t>(sections.size());
 
     std::vector<Bytes> pieces{std::as_bytes(std::span(&head, 1))};

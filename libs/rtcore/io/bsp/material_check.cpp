@@ -2,6 +2,7 @@
 
 #include "rtcore/scene/material_numbers.h"
 #include "rtcore/scene/material_textures.h"
+#include "rtcore/scene/model_photometry.h"
 
 #include <fmt/core.h>
 
@@ -106,7 +107,8 @@ Finding problemOf(const Light& l, const Model& model) {
         return form("the outer angle is not wider than the inner");
     if (!within(l.discSine, 0, 1)) return form("its disc is out of range");
     if (!isSwitch(l.on) || !isSwitch(l.mirrored)) return form("a switch is neither 0 nor 1");
-    if (l.photometry != 0) return form("it names a photometric file, which is not in it");
+    if (l.photometry != 0 && (traits.beam != Beam::Measured || keptWeb(l.photometry) == nullptr))
+        return form("it names a photometric file, which is not in it");
     if (l.nameOffset < model.strings.size()) return {};
     return form("its name lies outside of the strings");
 }
@@ -157,7 +159,14 @@ std::optional<Sentence> checkMaterials(const Model& model) {
 std::optional<Sentence> checkTextures(const Model& model) {
     return checkEach("textures", model.textures, model);
 }
-std::optional<Sentence> checkLights(const Model& model) { return checkEach("lights", model.lights, model); }
+std::optional<Sentence> checkLights(const Model& model) {
+    if (const Finding problem = checkEach("lights", model.lights, model)) return problem;
+    const std::vector<std::uint32_t> luminaires = photometriesOf(model.lights);
+    std::size_t numbers = 0;
+    for (const std::uint32_t each : luminaires) numbers += numbersOf(*keptWeb(each)).size();
+    if (luminaires.size() <= kMaxModelPhotometries && numbers <= kMaxModelWebNumbers) return {};
+    return form("lights: they name more photometric files than a model may have");
+}
 std::optional<Sentence> checkCameras(const Model& model) {
     return checkEach("cameras", model.cameras, model);
 }

@@ -30,8 +30,7 @@ inline constexpr const char *
    *kLinesAndPoints = "{0} lines and points are left out; only surfaces are shown",
    *kNeeds = "{0}: part of it is missing or wrong here", *kIgnored = "ignored, since not supported: {0}",
    *kIgnoredLost = "ignored, since not supported: {0}; lost: {1}",
-   *kPlainLuminaire =
-       "the luminaire of {0} shines to all sides alike: profiles that a model names are not read",
+   *kPlainLuminaires = "lights of the profile {0} shine to all sides alike: {1}",
    *kBrokenMeshes = "{0} of its meshes are left out: their data are damaged or missing",
    *kBrokenLists = "{0} lists of normals, colours, texture coordinates or joints are damaged and left out",
    *kDamagedPoints = "{0} of {1} points are left out: their coordinates are no numbers or beyond 1e12",

@@ -85,6 +85,7 @@ class SceneReading {
             static_cast<float>(loading_.options.import.metresPerUnit.value_or(double{file.metresPerUnit}));
         for (LightDescription light : file.lights) {
             readLuminaire(light, unit, out_.warnings);
+            takeLuminaire(scene.model.lights, light, unit, out_.warnings);
             if (!light.file.empty()) out_.files.push_back(light.file);
             putLight(scene, scene.lights.size(), light);
         }

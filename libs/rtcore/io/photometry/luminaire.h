@@ -3,8 +3,9 @@
 
 #include "rtcore/io/text/scn.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/scene/photometry.h"
 
-#include <filesystem>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -14,5 +15,13 @@ namespace rtcore {
 /// scene units. Appends what of the file does not count, with its name. Throws FileError NoInput or BadData,
 /// and as keepPhotometry().
 void readLuminaire(LightDescription& light, float metresPerUnit, std::vector<Sentence>& warnings);
+
+/// The same for a description that names a luminaire of the model, whose lights these are.
+void takeLuminaire(std::span<const Light> modelLights, LightDescription& light, float metresPerUnit,
+                   std::vector<Sentence>& warnings);
+
+/// Gives a light of the kind ies that distribution and, where lumens are to be counted, its intensity.
+/// Throws as keepPhotometry(), and BadValue where so much light cannot be counted.
+void shineBy(const PhotometricWeb& web, float metresPerUnit, LightDescription& light);
 
 } // namespace rtcore

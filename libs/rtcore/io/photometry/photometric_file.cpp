@@ -7,8 +7,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
-
 bool isIes(std::string_view text) {
     for (PhotometricLines lines(text, ""); const auto line = lines.next();)
         if (line->starts_with("TILT=")) return true;
@@ -22,7 +20,7 @@ PhotometricFile parsePhotometricFile(std::string_view text, const std::string& n
 }
 
 PhotometricFile readPhotometricFile(const std::filesystem::path& path) {
-    return parsePhotometricFile(readTextFile(path, kMaxBytes), path.string());
+    return parsePhotometricFile(readTextFile(path, kMaxPhotometricBytes), path.string());
 }
 
 } // namespace rtcore

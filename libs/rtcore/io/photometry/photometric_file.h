@@ -4,6 +4,7 @@
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/photometry.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,7 +17,10 @@ struct PhotometricFile {
     std::vector<Sentence> warnings; ///< what of the file does not count
 };
 
-/// Which of the formats it is, its content tells: IES files have a line that begins with TILT=. At most 4 MB.
+/// Larger files are refused.
+inline constexpr std::size_t kMaxPhotometricBytes = std::size_t{4} << 20;
+
+/// Which of the formats it is, its content tells: IES files have a line that begins with TILT=.
 /// Throws FileError NoInput, or BadData with the line.
 PhotometricFile readPhotometricFile(const std::filesystem::path& path);
 /// The same from memory; `name` is named in errors.

@@ -38,4 +38,15 @@ bool completeWeb(PhotometricWeb& web) {
     return isAbout(span(), 360);
 }
 
+PhotometricWeb mirroredWeb(const PhotometricWeb& web) {
+    PhotometricWeb mirrored{web.gammas, {}, {}};
+    const std::size_t count = web.gammas.size();
+    for (std::size_t i = web.planes.size(); i-- > 0;) {
+        const auto first = web.candela.begin() + static_cast<std::ptrdiff_t>(i * count);
+        mirrored.planes.push_back(360 - web.planes[i]);
+        mirrored.candela.insert(mirrored.candela.end(), first, first + static_cast<std::ptrdiff_t>(count));
+    }
+    return mirrored;
+}
+
 } // namespace rtcore

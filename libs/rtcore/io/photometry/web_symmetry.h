@@ -10,4 +10,7 @@ namespace rtcore {
 /// last one. Returns whether they are one of these.
 bool completeWeb(PhotometricWeb& web);
 
+/// What a mirror shows of a complete one in which the plane C = 0 stands upright.
+PhotometricWeb mirroredWeb(const PhotometricWeb& web);
+
 } // namespace rtcore

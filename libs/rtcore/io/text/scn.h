@@ -33,8 +33,11 @@ struct LightDescription {
     int id = 0;       ///< as in LightNotes; 0: the file says none
     float temperature = 0;           ///< kelvin; 0: none
     std::filesystem::path file = {}; ///< of a luminaire (io/photometry/luminaire.h); "": none
-    /// With a file: all that the luminaire gives off, to which its intensity has yet to be scaled, which is
-    /// its colour until then; 0: what the file says. Nothing: the intensity is as it shall be.
+    /// Of a luminaire without a file: the model's own of that number, counted from 1 (model_photometry.h);
+    /// 0: none.
+    int modelLuminaire = 0;
+    /// With one of them: all that the luminaire gives off, to which its intensity has yet to be scaled, which
+    /// is its colour until then; 0: what the file says. Nothing: the intensity is as it shall be.
     std::optional<float> lumens = {};
     friend bool operator==(const LightDescription&, const LightDescription&) = default;
 };

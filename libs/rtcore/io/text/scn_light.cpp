@@ -4,6 +4,7 @@
 #include "rtcore/platform/sentence.h"
 
 #include "rtcore/math/blackbody.h"
+#include "rtcore/scene/model_photometry.h"
 
 #include <algorithm>
 #include <array>
@@ -56,22 +57,37 @@ void setRight(const StrictTable& table, const std::optional<Vec3>& given, Light&
 /// What belongs to a luminaire.
 struct Luminaire {
     std::optional<std::filesystem::path> file;
+    std::optional<int> ofModel;
     std::optional<float> lumens;
 };
 
 /// Without an intensity it is as bright as its file says.
 void setLuminaire(const StrictTable& table, const Luminaire& luminaire, bool intensity,
                   LightDescription& to) {
-    if (traitsOf(to.light).beam != Beam::Measured && (luminaire.file || luminaire.lumens))
-        table.fail(luminaire.file ? "file" : "lumens",
+    const bool some = luminaire.file || luminaire.ofModel;
+    if (traitsOf(to.light).beam != Beam::Measured && (some || luminaire.lumens))
+        table.fail(luminaire.file      ? "file"
+                   : luminaire.ofModel ? "modelLuminaire"
+                                       : "lumens",
                    say("only a light of the kind ies has a file and lumens"));
+    if (luminaire.file && luminaire.ofModel)
+        table.fail("modelLuminaire", say("it shines either by a file or as a luminaire of the model"));
     if (luminaire.file && luminaire.file->empty())
         table.fail("file", say("file is empty; name an IES or EULUMDAT file"));
-    if (luminaire.lumens && !luminaire.file)
+    if (luminaire.lumens && !some)
         table.fail("lumens", say("lumens are those of a file; name it by file, or give an intensity"));
     to.file = luminaire.file.value_or("");
+    to.modelLuminaire = luminaire.ofModel.value_or(0);
     to.lumens = luminaire.lumens;
-    if (luminaire.file && !intensity && !to.lumens) to.lumens = 0.0F;
+    if (some && !intensity && !to.lumens) to.lumens = 0.0F;
+}
+
+/// Which of the model's luminaires it is, counted from 1; 0: none.
+int luminaireOf(const Model& model, const Light& light) {
+    if (light.photometry == 0) return 0;
+    const std::vector<std::uint32_t> numbers = photometriesOf(model.lights);
+    const auto at = std::ranges::find(numbers, light.photometry);
+    return at != numbers.end() ? static_cast<int>(at - numbers.begin()) + 1 : 0;
 }
 
 } // namespace
@@ -85,6 +101,7 @@ Light tintedLight(const LightDescription& description) {
 LightDescription describeLight(const Scene& scene, std::size_t i) {
     const auto& [light, name, notes, ofSky] = scene.lights[i];
     LightDescription result{name, light, notes.id, notes.temperature, notes.file};
+    if (notes.file.empty()) result.modelLuminaire = luminaireOf(scene.model, light);
     if (notes.temperature > 0) result.light.intensity = notes.untinted;
     result.light.nameOffset = 0;
     return result;
@@ -117,8 +134,11 @@ LightDescription readLight(StrictTable& table, const std::filesystem::path& fold
     const auto angle = table.preciseNumber("angle", kDiscAngle);
     const auto right = table.vector("right");
     const auto width = table.number("width", kNotNegative), height = table.number("height", kNotNegative);
-    const Luminaire luminaire{table.path("file", folder), table.number("lumens", kNotNegative)};
+    const Luminaire luminaire{table.path("file", folder),
+                              table.integer("modelLuminaire", 1, static_cast<int>(kMaxModelPhotometries)),
+                              table.number("lumens", kNotNegative)};
     if (luminaire.file) table.needVersion(2, "file");
+    if (luminaire.ofModel) table.needVersion(2, "modelLuminaire");
     const auto mirrored = table.boolean("mirrored");
     const auto on = table.boolean("on");
     table.finish();
@@ -160,7 +180,10 @@ void writeLight(TomlWriter& writer, const LightDescription& description, const s
     writer.add("kind", traits.name);
     if (traits.position) writer.addPosition("position", light.position, zero);
     if (traits.direction) writer.add("direction", light.direction);
-    if (!description.file.empty()) writer.add("file", pathToUtf8(pathSeenFrom(folder, description.file)));
+    if (!description.file.empty())
+        writer.add("file", pathToUtf8(pathSeenFrom(folder, description.file)));
+    else if (description.modelLuminaire > 0)
+        writer.add("modelLuminaire", description.modelLuminaire);
     writer.add("intensity", light.intensity);
     if (description.lumens) writer.add("lumens", *description.lumens);
     if (description.temperature > 0) writer.add("temperature", description.temperature);

@@ -69,7 +69,8 @@ class GltfReader {
         addMeshes(materials, assembler);
         finish(assembler);
         warn(needs, textures.missing());
-        gltf::addLights(root_, walk_, import_.model, import_.report);
+        gltf::Luminaires luminaires(root_, views_, path_, import_.report);
+        gltf::addLights(root_, walk_, luminaires, import_.model, import_.report);
         gltf::addCameras(root_, walk_, import_.model, import_.report);
         return std::move(import_);
     }

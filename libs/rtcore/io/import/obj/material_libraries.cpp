@@ -4,7 +4,6 @@
 #include "rtcore/io/import/text/statement_text.h"
 
 #include <algorithm>
-#include <system_error>
 
 namespace rtcore {
 
@@ -37,19 +36,7 @@ std::vector<std::size_t> endsOfWords(std::string_view text) {
 } // namespace
 
 LibraryFinder::LibraryFinder(const fs::path& model)
-    : folder_(model.parent_path()), namesake_(model.filename().replace_extension(".mtl")) {
-    std::error_code error;
-    homes_[0] = fs::canonical(folder_.empty() ? fs::path(".") : folder_, error);
-    homes_[1] = fs::canonical(model, error).parent_path();
-}
-
-bool LibraryFinder::isInside(const fs::path& file) const {
-    std::error_code error;
-    const fs::path real = fs::canonical(file, error);
-    return !error && std::ranges::any_of(homes_, [&](const fs::path& home) {
-        return !home.empty() && std::ranges::mismatch(home, real).in1 == home.end();
-    });
-}
+    : folder_(model.parent_path()), home_(model), namesake_(model.filename().replace_extension(".mtl")) {}
 
 std::optional<MaterialLibrary> LibraryFinder::findOne(std::string_view name, bool& isOutside) const {
     std::string spelled(unquoted(name));
@@ -61,7 +48,7 @@ std::optional<MaterialLibrary> LibraryFinder::findOne(std::string_view name, boo
     for (const fs::path& path : tried) {
         const auto file = fileOfAnyCase(folder_, path);
         if (!file) continue;
-        if (!isInside(*file)) {
+        if (!home_.holds(*file)) {
             isOutside = true;
             continue;
         }

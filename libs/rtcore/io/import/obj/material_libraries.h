@@ -1,7 +1,8 @@
 /// Where the material libraries of an OBJ file are.
 #pragma once
 
-#include <array>
+#include "rtcore/io/import/materials/model_folder.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,11 +38,10 @@ class LibraryFinder {
         std::vector<std::string> missing, outside;
     };
     void findSeveral(std::string_view names, Search& to) const;
-    bool isInside(const std::filesystem::path& file) const;
 
-    std::filesystem::path folder_;               ///< of the model
-    std::array<std::filesystem::path, 2> homes_; ///< without links: that, and the one of the model's file
-    std::filesystem::path namesake_;             ///< the name of the library that is called like the model
+    std::filesystem::path folder_; ///< of the model
+    ModelFolder home_;
+    std::filesystem::path namesake_; ///< the name of the library that is called like the model
     std::vector<std::string> missing_, outside_;
 };
 
