@@ -27,6 +27,12 @@ rtcore::RenderSettings smallSettings(const rtcore::RenderSettings& whole, rtcore
     return small;
 }
 
+void render(const rtcore::View& view, rtcore::RenderControl& control, rtcore::ImageRenderers& images,
+            rtcore::Frame& frame) {
+    if (!images.of(view.settings.integrator).render(view, control, {}, frame))
+        throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+}
+
 /// In the order of the pixels, so that the bits are always the same.
 double meanLuminance(const rtcore::HdrImage& image) {
     double sum = 0;
@@ -46,13 +52,20 @@ bool hasRecordedExposure(const rtcore::CameraFile& camera,
            });
 }
 
+rtcore::ValueScale valueScaleOf(const rtcore::View& view, const rtcore::LuminanceUnit& unit,
+                                rtcore::RenderControl& control, rtcore::ImageRenderers& images) {
+    const rtcore::RenderSettings small = smallSettings(view.settings, view.settings.integrator);
+    rtcore::Frame frame;
+    render({view.scene, view.tracer, view.camera, small}, control, images, frame);
+    return rtcore::ScaleChoice().choose(frame.radiance, view.settings.falseColours, unit, false);
+}
+
 float exposureScale(const rtcore::View& view, rtcore::RenderControl& control,
                     rtcore::ImageRenderers& images) {
     rtcore::Frame frame;
     const auto mean = [&](rtcore::Integrator integrator) {
         const rtcore::RenderSettings small = smallSettings(view.settings, integrator);
-        if (!images.of(integrator).render({view.scene, view.tracer, view.camera, small}, control, {}, frame))
-            throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+        render({view.scene, view.tracer, view.camera, small}, control, images, frame);
         return meanLuminance(frame.radiance);
     };
     const double straight = mean(rtcore::Integrator::Whitted);

@@ -1,7 +1,9 @@
-/// How much brighter an image is than by Whitted's rays, for which a recording's exposures are.
+/// Common to all images of a list: how much brighter they are than by Whitted's rays, for which a
+/// recording's exposures are, and the scale of their false colours.
 #pragma once
 
 #include "rtcore/io/text/cam.h"
+#include "rtcore/post/value_scale.h"
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/settings/settings_table.h"
 
@@ -18,5 +20,10 @@ bool hasRecordedExposure(const rtcore::CameraFile& camera,
 /// function of the view alone: the same bits for any number of threads and any instruction set. Throws
 /// rtcore::FileError Stopped when control.cancel was set.
 float exposureScale(const rtcore::View& view, rtcore::RenderControl& control, rtcore::ImageRenderers& images);
+
+/// The scale of false colours that suits a small image of the view, with the ends that its settings give. The
+/// same everywhere, too, and with the same exception.
+rtcore::ValueScale valueScaleOf(const rtcore::View& view, const rtcore::LuminanceUnit& unit,
+                                rtcore::RenderControl& control, rtcore::ImageRenderers& images);
 
 } // namespace renderer

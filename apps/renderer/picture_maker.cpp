@@ -16,10 +16,12 @@
 
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/look/light_units.h"
 #include "rtcore/look/walk_grid.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/post/legend.h"
 #include "rtcore/post/net_denoise.h"
 #include "rtcore/render/shown_tracer.h"
 #include "rtcore/render/steady_image.h"
@@ -207,6 +209,7 @@ void PictureMaker::makeLight(const std::filesystem::path& camera, const std::fil
 
 PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile) {
     Shot shot{.camera = loaded_.camera, .settings = {}};
+    if (asLoaded_) loaded_.scene = *std::exchange(asLoaded_, std::nullopt);
     loaded_.scene.lights = lights_;
     loaded_.scene.activeEnvironment = environment_;
     std::optional<rtcore::CameraFile> file;
@@ -227,11 +230,24 @@ PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile
     const rtcore::Sentence unused = unusedSettingsWarning(shot.settings, settingsFile_, options_.settings);
     if (!unused.empty() && !std::exchange(warnedOfUnused_, true))
         progress_.tell(rtcore::say("warning: {0}", unused));
+    if (shot.settings.falseColours.on) useOneUnit(shot.settings);
     return shot;
+}
+
+/// For false colours.
+void PictureMaker::useOneUnit(const rtcore::RenderSettings& settings) {
+    unit_ = rtcore::unitOfImages(loaded_.scene, settings);
+    developer_.useUnit(unit_);
+    const rtcore::Sentence warning = rtcore::unitWarning(rtcore::unitlessLight(loaded_.scene, settings));
+    if (!warning.empty() && !std::exchange(warnedOfUnit_, true))
+        progress_.tell(rtcore::say("warning: {0}", warning));
+    std::optional<rtcore::Scene> inOneUnit = rtcore::inUnitOfSky(loaded_.scene);
+    if (inOneUnit) asLoaded_ = std::exchange(loaded_.scene, *std::move(inOneUnit));
 }
 
 PictureMaker::Shot PictureMaker::prepare(const FrameTask& task) {
     Shot shot = prepare(task.camera);
+    if (options_.list && shot.settings.falseColours.on) shareScale(task, shot);
     rtcore::PathSettings& path = shot.settings.path;
     if (options_.list && path.seedPerFrame) path.seed = seedOfFrame(path.seed, task.number);
     if (!shot.recorded) return shot;
@@ -260,6 +276,25 @@ rtcore::ExposureMode PictureMaker::measured() const {
     const rtcore::RenderSettings settings = ownSettings();
     const bool incident = settings.exposure.mode == rtcore::ExposureMode::Incident;
     return incident ? rtcore::ExposureMode::Incident : rtcore::ExposureMode::Automatic;
+}
+
+/// False colours of a list have the scale of its first frame, also where another machine renders that.
+void PictureMaker::shareScale(const FrameTask& task, Shot& shot) {
+    rtcore::FalseColourSettings& own = shot.settings.falseColours;
+    if (own.from > 0 && own.to > own.from) return;
+    if (!valueScale_) {
+        const std::filesystem::path& last = firstOfList_.empty() ? task.camera : firstOfList_;
+        const Shot first = prepare(list_.empty() ? last : list_.front());
+        rtcore::RenderControl control{.threads = options_.threads};
+        const app::ProgressScope scope(
+            progress_, {"measuring the light", [&control] { return control.fraction(); }, &control.cancel});
+        const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene);
+        valueScale_ =
+            valueScaleOf({loaded_.scene, *tracer, first.camera, first.settings}, unit_, control, images_);
+        prepare(task.camera); // its lights, in place of those of the first
+    }
+    own.from = valueScale_->from;
+    own.to = valueScale_->to;
 }
 
 /// The scale of the list's first frame, also where another machine renders that frame.
@@ -360,8 +395,9 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     white_.reset();
     if (settings.exposure.mode == rtcore::ExposureMode::Incident) white_ = meter_.white(view, control);
     if (preview_ != nullptr) preview_->meter(white_);
-    const bool whole = preview_ == nullptr ? images.render(view, control, request, frame_)
-                                           : preview_->render({images, view, control, frame_}, request);
+    const bool whole = preview_ == nullptr
+                           ? images.render(view, control, request, frame_)
+                           : preview_->render({images, view, control, frame_, unit_}, request);
     if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
@@ -410,6 +446,8 @@ float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcor
     const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
     developer_.develop(radiance, settings, exposure, options_.threads, developed_);
     caps_.paint(loaded_.scene, shot.camera, developed_);
+    if (developer_.falseColours() != nullptr)
+        rtcore::paintLegend(*developer_.falseColours(), developed_.height, developed_);
     tellOfOpenParts();
     return exposure;
 }

@@ -86,6 +86,9 @@ class PictureMaker {
 
     /// The shot of a .cam file, which switches lights on and off; "": that of the scene itself.
     Shot prepare(const std::filesystem::path& cameraFile);
+    /// loaded_, for false colours, until the next prepare().
+    void useOneUnit(const rtcore::RenderSettings& settings);
+    void shareScale(const FrameTask& task, Shot& shot);
     /// The same for a frame, with the noise and the exposure that its list gives it.
     Shot prepare(const FrameTask& task);
     /// The same without any camera's.
@@ -127,7 +130,11 @@ class PictureMaker {
     std::vector<std::filesystem::path> list_;
     std::filesystem::path firstOfList_;
     SharedLight sharedLight_;
-    std::optional<float> white_;   ///< the light on what the frame shows, where its exposure is by that
+    std::optional<float> white_; ///< the light on what the frame shows, where its exposure is by that
+    std::optional<rtcore::Scene> asLoaded_;        ///< what useOneUnit() changed
+    rtcore::LuminanceUnit unit_;                   ///< of the image at hand
+    std::optional<rtcore::ValueScale> valueScale_; ///< of false colours of a list, once it is known
+    bool warnedOfUnit_ = false;
     std::optional<float> scale_;   ///< of recorded exposures, once it is known
     bool toldOfScene_ = false;     ///< what there is to tell in detail
     bool toldOfNet_ = false;       ///< that there is none

@@ -5,6 +5,7 @@
 #include "common/process/seconds_since.h"
 #include "common/process/stop.h"
 
+#include "rtcore/post/legend.h"
 #include "rtcore/settings/integrator_traits.h"
 #include "rtcore/upsample/upsample.h"
 
@@ -72,6 +73,8 @@ void Preview::begin(const Work& work) {
     begun_ = Clock::now();
     picture_ = rtcore::LdrImage(settings.width, settings.height);
     effects_ = {};
+    developer_.useUnit(work.unit);
+    developer_.holdScale(true);
     info_ = {};
     info_.samples = 0;
     info_.width = static_cast<std::uint32_t>(settings.width);
@@ -151,7 +154,8 @@ void Preview::showTiles() {
     if (!pace_.due(start)) return;
     const std::vector<rtcore::PixelArea> tiles = work_->images.takeFinishedTiles();
     if (tiles.empty()) return;
-    const rtcore::Development how = rtcore::developmentOf(work_->view.settings, status_.exposure);
+    rtcore::Development how = rtcore::developmentOf(work_->view.settings, status_.exposure);
+    how.falseColours = developer_.falseColours();
     for (const rtcore::PixelArea& tile : tiles) {
         rtcore::developPart(work_->frame.radiance, how, effects_, tile, picture_);
     }
@@ -176,12 +180,14 @@ void Preview::mark(const PictureErrors& errors) {
         picture_.pixels[i].a = app::errorByte(errors.pixels[i]);
 }
 
-/// What is shown before the last image, which has them already.
+/// What is shown before the last image, which has them already; with the legend of false colours.
 const rtcore::LdrImage& Preview::withCaps() {
     const rtcore::View& view = work_->view;
-    if (!rtcore::CapPainter::paints(view.scene)) return picture_;
+    const rtcore::FalseColours* const falseColours = developer_.falseColours();
+    if (falseColours == nullptr && !rtcore::CapPainter::paints(view.scene)) return picture_;
     capped_ = picture_;
     caps_.paint(view.scene, view.camera, capped_);
+    if (falseColours != nullptr) rtcore::paintLegend(*falseColours, capped_.height, capped_);
     return capped_;
 }
 

@@ -59,6 +59,7 @@ class Preview {
         const rtcore::View& view;
         rtcore::RenderControl& control;
         rtcore::Frame& frame;
+        rtcore::LuminanceUnit unit = {}; ///< for false colours
     };
     /// As rtcore::ImageRenderer::render, and with its result, which is not shown yet. What is shown before it
     /// has less noise than it has (PreviewFilter). Throws ipc::Error when there is no memory for frames, or

@@ -2320,6 +2320,10 @@
         <translation>tolik světla nelze vyjádřit</translation>
     </message>
     <message>
+        <source>some of the light of this scene has no absolute unit ({0}), so that false colours are true of the rest alone</source>
+        <translation>část světla této scény nemá absolutní jednotku ({0}), takže nepravé barvy platí jen pro ostatní světlo</translation>
+    </message>
+    <message>
         <source>some parts that are cut are open: they have lines and no area</source>
         <translation>některé rozříznuté části jsou otevřené: mají čáry, ale žádnou plochu</translation>
     </message>
@@ -2718,6 +2722,10 @@
     <message>
         <source>the light of its surroundings</source>
         <translation>světlo jeho okolí</translation>
+    </message>
+    <message>
+        <source>the light of this scene has no absolute unit ({0}), so that false colours tell what is brighter than what, but no cd/m2</source>
+        <translation>světlo této scény nemá absolutní jednotku ({0}), takže nepravé barvy říkají, co je jasnější než co, ale žádné cd/m2</translation>
     </message>
     <message>
         <source>the light output ratio</source>

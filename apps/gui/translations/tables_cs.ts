@@ -572,6 +572,50 @@
         <translation>šum menší než jeden stupeň skryje pruhy v plynulých přechodech</translation>
     </message>
     <message>
+        <source>False colours</source>
+        <translation>Nepravé barvy</translation>
+    </message>
+    <message>
+        <source>luminance is shown by the colours of a scale, dark to bright, in place of the image; without bloom and local exposure</source>
+        <translation>místo obrazu se ukáže jas barvami stupnice, od tmavé po světlou; bez záře a místní expozice</translation>
+    </message>
+    <message>
+        <source>lower end of the scale; automatic: by what is seen</source>
+        <translation>dolní konec stupnice; automaticky: podle toho, co je vidět</translation>
+    </message>
+    <message>
+        <source>upper end of the scale; automatic: by what is seen</source>
+        <translation>horní konec stupnice; automaticky: podle toho, co je vidět</translation>
+    </message>
+    <message>
+        <source>Isolines</source>
+        <translation>Izočáry</translation>
+    </message>
+    <message>
+        <source>lines of equal luminance at 1, 2, 5, 10, 20 and so on</source>
+        <translation>čáry stejného jasu u 1, 2, 5, 10, 20 a tak dále</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legenda</translation>
+    </message>
+    <message>
+        <source>the scale is painted into the image</source>
+        <translation>stupnice se namaluje do obrazu</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <source>cd/m2</source>
+        <translation>cd/m²</translation>
+    </message>
+    <message>
         <source>Environment filter</source>
         <translation>Filtr prostředí</translation>
     </message>

@@ -4,6 +4,7 @@
 
 #include "common/settings/settings_merge.h"
 
+#include "rtcore/look/light_units.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/sky/scene_sky.h"
@@ -46,6 +47,7 @@ void Document::show(std::unique_ptr<World> world) {
     settings_ = opening.settings;
     world_ = std::move(world);
     scene_ = std::make_shared<const rtcore::Scene>(std::move(opening.scene));
+    imageScene();
     visible_.prune(*world_, *scene_);
     camera_ = world_->loaded.camera;
     revisions_.note(rtcore::Changes::all());
@@ -79,7 +81,13 @@ void Document::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore:
 
 void Document::putScene(rtcore::Scene edited) {
     scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    imageScene();
     visible_.take(*scene_);
+}
+
+void Document::imageScene() {
+    auto inOneUnit = settings_.falseColours.on ? rtcore::inUnitOfSky(*scene_) : std::nullopt;
+    imaged_ = inOneUnit ? std::make_shared<const rtcore::Scene>(std::move(*inOneUnit)) : scene_;
 }
 
 void Document::publish(rtcore::Scene edited) {
@@ -187,7 +195,15 @@ void Document::setSettings(const rtcore::RenderSettings& settings) {
 void Document::takeSettings(const rtcore::RenderSettings& settings) {
     if (rtcore::settingAssignments(settings, true) != rtcore::settingAssignments(settings_, true))
         revisions_.note({rtcore::Change::Setting});
+    const bool other = settings.falseColours.on != settings_.falseColours.on;
     settings_ = settings;
+    if (!other || !ready()) return;
+    const rtcore::Sentence warning = rtcore::unitWarning(rtcore::unitlessLight(*scene_, settings_));
+    if (settings_.falseColours.on && !warning.empty()) messages_.warn(warning);
+    const auto before = imaged_;
+    imageScene();
+    if (imaged_ != before) // light that is kept is in another unit
+        revisions_.note({rtcore::Change::Light, rtcore::Change::Sky, rtcore::Change::Material});
 }
 
 void Document::assign(const std::vector<rtcore::SettingAssignment>& assignments) {

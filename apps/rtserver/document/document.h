@@ -51,6 +51,9 @@ class Document {
     /// As it is shown, with its lights and its environment. To be copied where it has to last: the next edit
     /// puts another one here.
     const std::shared_ptr<const rtcore::Scene>& scene() const { return scene_; }
+    /// The same for images: where false colours are on, with all of its light in one unit
+    /// (rtcore::inUnitOfSky()).
+    const std::shared_ptr<const rtcore::Scene>& imagedScene() const { return imaged_; }
     /// The revisions of all that is shown: scene, camera, settings.
     const rtcore::Revisions& revisions() const { return revisions_; }
 
@@ -133,6 +136,7 @@ class Document {
 
   private:
     void putScene(rtcore::Scene edited);
+    void imageScene();
     void useModelUnits(const rtcore::ModelUnits& units);
     void placeCamera(const rtcore::Camera& camera);
     void takeSettings(const rtcore::RenderSettings& settings);
@@ -143,7 +147,7 @@ class Document {
     Messages& messages_;
     DocumentFollower* follower_ = nullptr;
     std::unique_ptr<World> world_;
-    std::shared_ptr<const rtcore::Scene> scene_;
+    std::shared_ptr<const rtcore::Scene> scene_, imaged_;
     VisibleModel visible_;
     std::unique_ptr<rtcore::CapPainter> caps_ = std::make_unique<rtcore::CapPainter>();
     rtcore::Revisions revisions_;

@@ -111,7 +111,7 @@ void FrameDrawing::noticeScene() {
 }
 
 FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowMaps* maps) {
-    const rtcore::Scene& scene = *state_.document.scene();
+    const rtcore::Scene& scene = *state_.document.imagedScene();
     const rtcore::RenderSettings& settings = state_.document.settings();
     const bool mapped = maps != nullptr && maps->suit(settings);
     const bool changed = frames_.stale(state_.document) || (!standsStill() && !waitedFor);

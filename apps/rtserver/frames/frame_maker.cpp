@@ -1,8 +1,10 @@
 #include "rtserver/frames/frame_maker.h"
 
+#include "rtcore/look/light_units.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/post/legend.h"
 #include "rtcore/shading/fog/fog.h"
 
 #include <fmt/core.h>
@@ -20,7 +22,7 @@ namespace {
 constexpr int kMeterEvery = 8;
 
 bool canBeLive(const Document& document) {
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
     return rtcore::LiveRenderer::supports({*scene, *document.tracer(), document.camera(), settings});
 }
@@ -49,6 +51,7 @@ bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const 
     if (sameView && detail.whole() && !detail_.whole()) {
         begun_ = {adaptation_, adaptedAt_}; // before underWay() may ask for it
         gradual_.begin(coarse_, document.frameSettings(), adaptation_.value(), threads_, start);
+        gradual_.showBy(developer_.falseColours());
         control.finished = &gradual_.finished();
     }
     const bool done = detail.live() ? drawLive(document, detail, control, frame)
@@ -93,7 +96,7 @@ void FrameMaker::meter(const Document& document, const rtcore::RenderSettings& s
     white_.reset();
     unmetered_ = 0;
     if (settings.exposure.mode != rtcore::ExposureMode::Incident) return;
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     meter_.lightIndirectlyFrom(byWalk ? &walkLight_->light() : nullptr);
     white_ = live ? meter_.roughWhite(view, control) : meter_.white(view, control);
@@ -102,7 +105,7 @@ void FrameMaker::meter(const Document& document, const rtcore::RenderSettings& s
 bool FrameMaker::draw(const Workspace& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                       rtcore::RenderControl& control, rtcore::Frame& frame) {
     const Document& document = state.document;
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = settingsAt(document.frameSettings(), detail);
     const bool keeps = state.frameSeconds > 0 && canBeLive(document);
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
@@ -149,7 +152,7 @@ bool FrameMaker::lightIndirectly(const Document& document, const FrameDetail& de
 
 /// The whole size, lit by what the walk has learned.
 bool FrameMaker::showAtOnce(const Document& document, rtcore::RenderControl& control, rtcore::Frame& frame) {
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
     const rtcore::View view{*scene, *document.tracer(), document.camera(), settings};
     walkLight_->follow(document, threads_);
@@ -188,7 +191,7 @@ void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore
 
 bool FrameMaker::drawLive(const Document& document, const FrameDetail& detail, rtcore::RenderControl& control,
                           rtcore::Frame& frame) {
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     noticeChanges(document);
     seedLive();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, detail.scale);
@@ -225,7 +228,7 @@ bool FrameMaker::drawsLive(const Document& document) {
 void FrameMaker::noticeChanges(const Document& document) {
     constexpr double kFew = 0.1; // of the pixels: a live frame shows more than a coarse one
     const rtcore::Changes changes = kept_.take(document.revisions());
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = document.frameSettings();
     if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_)) {
         live_->forget();
@@ -286,10 +289,13 @@ const rtcore::LdrImage* FrameMaker::underWay(const Document& document) {
         return adaptation_.value();
     };
     const rtcore::LdrImage* const image = gradual_.step(whole_.radiance, exposure, Clock::now());
-    const std::shared_ptr<const rtcore::Scene> scene = document.scene();
-    if (image == nullptr || !rtcore::CapPainter::paints(*scene)) return image;
+    const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
+    const rtcore::FalseColours* const falseColours = developer_.falseColours();
+    const bool painted = falseColours != nullptr || rtcore::CapPainter::paints(*scene);
+    if (image == nullptr || !painted) return image;
     step_ = *image;
     document.caps().paint(*scene, document.camera(), step_);
+    if (falseColours != nullptr) rtcore::paintLegend(*falseColours, step_.height, step_);
     return &step_;
 }
 
@@ -321,8 +327,12 @@ void FrameMaker::develop(const Document& document) {
     const rtcore::RenderSettings settings = document.frameSettings();
     adapt(target_, settings.exposure);
     begun_.reset();
+    if (settings.falseColours.on) developer_.useUnit(rtcore::unitOfImages(*document.scene(), settings));
+    developer_.holdScale(!detail_.whole());
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);
-    document.caps().paint(*document.scene(), document.camera(), image_);
+    document.caps().paint(*document.imagedScene(), document.camera(), image_);
+    if (developer_.falseColours() != nullptr)
+        rtcore::paintLegend(*developer_.falseColours(), settings.height, image_);
 }
 
 } // namespace rtserver

@@ -1,5 +1,6 @@
 #include "rtserver/frames/gradual_image.h"
 
+#include <optional>
 #include <utility>
 
 namespace rtserver {
@@ -26,6 +27,11 @@ void GradualImage::begin(const rtcore::Frame& before, const rtcore::RenderSettin
     shown_ = now;
     active_ = true;
     developed_ = false;
+}
+
+void GradualImage::showBy(const rtcore::FalseColours* falseColours) {
+    const std::lock_guard lock(mutex_);
+    transition_.showBy(falseColours != nullptr ? std::optional(*falseColours) : std::nullopt);
 }
 
 void GradualImage::beginAgain(const rtcore::Frame& better, const rtcore::RenderSettings& settings,

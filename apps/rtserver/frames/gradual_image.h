@@ -24,6 +24,8 @@ class GradualImage {
     /// that exposure. `threads` = 0: all cores.
     void begin(const rtcore::Frame& before, const rtcore::RenderSettings& settings, float exposure,
                int threads, Clock::time_point now);
+    /// False colours of it from here on; null: none. Before the first step().
+    void showBy(const rtcore::FalseColours* falseColours);
     /// A better image of that view is seen from here on until the frame is finished; its tiles count from
     /// now on.
     void beginAgain(const rtcore::Frame& better, const rtcore::RenderSettings& settings, int threads);

@@ -83,7 +83,7 @@ void KeptLight::sceneShown() {
     if (off && named) messages_.warn(rtcore::lightIsUnused(from));
     if (off || from.empty() || (!named && !std::filesystem::exists(from, error))) return;
     reading_ = std::make_unique<DetachedTask<Found>>(
-        [from, named, scene = document_.scene(), tracer = document_.tracer(), settings = settings_] {
+        [from, named, scene = document_.imagedScene(), tracer = document_.tracer(), settings = settings_] {
             Found found;
             try {
                 const rtcore::LightKey key = rtcore::lightKeyOf(*scene, tracer->bounds(), settings);
@@ -149,7 +149,7 @@ void KeptLight::write() {
     try {
         auto state = std::make_shared<const rtcore::IndirectState>(light->state());
         writing_ = std::make_unique<DetachedTask<rtcore::Sentence>>([file = file_, state,
-                                                                     scene = document_.scene(),
+                                                                     scene = document_.imagedScene(),
                                                                      tracer = document_.tracer(),
                                                                      settings = document_.frameSettings()] {
             return problemOf([&] {

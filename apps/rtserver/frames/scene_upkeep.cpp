@@ -86,7 +86,7 @@ void SceneUpkeep::tellFillLights() {
     const bool before =
         std::exchange(indirect_, document_.settings().indirect.mode == rtcore::IndirectMode::Live);
     if (!indirect_ || before) return;
-    const std::shared_ptr<const rtcore::Scene> scene = document_.scene();
+    const std::shared_ptr<const rtcore::Scene> scene = document_.imagedScene();
     std::vector<std::string> names, commands;
     for (const rtcore::SceneLight* light : rtcore::fillLights(*scene)) {
         names.push_back(fmt::format("'{}'", light->name));
@@ -115,7 +115,7 @@ void SceneUpkeep::noticeChanges() {
     // Maps hold what stands where, and what light passes through it.
     const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
     const bool lights = changes.has(Change::Light) && mapped_ != nullptr &&
-                        !castAlike(mapped_->lights, document_.scene()->lights);
+                        !castAlike(mapped_->lights, document_.imagedScene()->lights);
     if (!solid && !lights) return;
     mapping_.reset();
     maps_.reset();
@@ -169,7 +169,7 @@ void SceneUpkeep::buildVisible(const Pace& pace) {
     if (visible_ == nullptr) {
         const bool needed = document_.visible().pruned() && !prunedOnly_;
         if (!needed || !pace.current || refinement_ != nullptr) return;
-        const rtcore::Scene& scene = *document_.scene();
+        const rtcore::Scene& scene = *document_.imagedScene();
         visible_ = std::make_unique<TreeRefinement>(scene, scene.hiddenParts,
                                                     document_.world().loaded.tree.bounds, options_.threads);
     }
@@ -192,7 +192,7 @@ void SceneUpkeep::mapShadows(const Pace& pace) {
         const double quick = pace.wanted;
         const bool needed = quick > 0 && (pace.coarsest > quick || (pace.idle && pace.seconds > quick));
         if (mapless_ || !needed || document_.world().loaded.fastTree) return;
-        mapped_ = document_.scene();
+        mapped_ = document_.imagedScene();
         mapping_ = std::make_unique<ShadowMapping>(mapped_, document_.tracer());
     }
     if (!mapping_->done()) return;

@@ -22,7 +22,7 @@ void WalkLight::follow(const Document& document, int threads) {
     const rtcore::RenderSettings settings = document.frameSettings();
     const rtcore::Changes changes = known_.take(document.revisions());
     const auto cut = [](const auto& scene) { return scene != nullptr && scene->sections.letLightIn(); };
-    const bool opened = changes.has(Change::Section) && (cut(scene_) || cut(document.scene()));
+    const bool opened = changes.has(Change::Section) && (cut(scene_) || cut(document.imagedScene()));
     const bool begins = light_ == nullptr || changes.has(Change::Scene) || opened,
                parts = changes.has(Change::Visibility),
                other = changes.hasAny({Change::Light, Change::Sky, Change::Material}) ||
@@ -34,7 +34,8 @@ void WalkLight::follow(const Document& document, int threads) {
     if (!begins && !parts && !other && !rebinds) return;
     if (light_ == nullptr) light_ = std::make_unique<rtcore::IndirectLight>();
     // What the light was of until now lives until it has followed the change.
-    before_.emplace_back(std::exchange(scene_, document.scene()), std::exchange(tracer_, document.tracer()));
+    before_.emplace_back(std::exchange(scene_, document.imagedScene()),
+                         std::exchange(tracer_, document.tracer()));
     settings_ = settings;
     if (begins) {
         light_->begin(*scene_, *tracer_, settings_);

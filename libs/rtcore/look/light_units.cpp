@@ -52,6 +52,11 @@ Scene withoutSky(const Scene& scene) {
     return rest;
 }
 
+bool shinesSky(const Scene& scene) {
+    const auto sun = isClearSky(scene) ? sunOf(scene) : std::nullopt;
+    return showsSky(scene) || (sun && shines(scene.lights[*sun]));
+}
+
 bool emitsLight(const Material& material) { return !isBlack(material.emission); }
 
 bool hasBrightFog(const Scene& scene) {
@@ -152,12 +157,26 @@ bool addEmission(const Scene& scene, std::vector<Sentence>& what) {
 
 LightByUnit lightByUnit(const Scene& scene) {
     LightByUnit light;
-    const auto sun = isClearSky(scene) ? sunOf(scene) : std::nullopt;
-    if (showsSky(scene) || (sun && shines(scene.lights[*sun])))
-        light.sky = LightOfUnit{skyAlone(scene), double{kLuminanceOfOne}};
+    if (shinesSky(scene)) light.sky = LightOfUnit{skyAlone(scene), double{kLuminanceOfOne}};
     Scene rest = withoutSky(scene);
     if (hasLight(rest)) light.rest = LightOfUnit{std::move(rest)};
     return light;
+}
+
+std::optional<Scene> inUnitOfSky(const Scene& scene) {
+    if (!shinesSky(scene) || !hasLight(withoutSky(scene))) return std::nullopt;
+    const auto factor = static_cast<float>(kLumensPerWatt / double{kLuminanceOfOne});
+    std::optional<Scene> result = scene;
+    for (SceneLight& each : result->lights)
+        if (!isOfSky(scene, each)) each.light.intensity = each.light.intensity * factor;
+    for (Material& material : result->materials) material.emission = material.emission * factor;
+    result->fog.colour = result->fog.colour * factor;
+    result->fog.emission = result->fog.emission * factor;
+    if (!showsSky(scene)) {
+        result->background = result->background * factor;
+        result->ambient = result->ambient * factor;
+    }
+    return result;
 }
 
 UnitlessLight unitlessLight(const Scene& scene, const RenderSettings& settings) {
@@ -168,6 +187,23 @@ UnitlessLight unitlessLight(const Scene& scene, const RenderSettings& settings) 
     if (settings.fog.on && hasBrightFog(scene)) light.what.push_back(say("fog"));
     light.all = !light.what.empty() && !sky && !lights && !emission;
     return light;
+}
+
+LuminanceUnit unitOfImages(const Scene& scene, const RenderSettings& settings) {
+    return {.ofOne = shinesSky(scene) ? kLuminanceOfOne : static_cast<float>(kLumensPerWatt),
+            .absolute = !unitlessLight(scene, settings).all};
+}
+
+Sentence unitWarning(const UnitlessLight& light) {
+    if (light.what.empty()) return {};
+    if (light.all)
+        return say("the light of this scene has no absolute unit ({0}), so that false colours tell what is "
+                   "brighter than what, but no cd/m2",
+                   light.what.front());
+    return say(
+        "some of the light of this scene has no absolute unit ({0}), so that false colours are true of "
+        "the rest alone",
+        light.what.front());
 }
 
 } // namespace rtcore

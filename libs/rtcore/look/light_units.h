@@ -3,6 +3,7 @@
 
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/light_power.h"
+#include "rtcore/scene/luminance_unit.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
 
@@ -24,6 +25,10 @@ struct LightByUnit {
 };
 LightByUnit lightByUnit(const Scene& scene);
 
+/// For an image of both: the scene with the rest dimmed, so that a radiance of 1 is kLuminanceOfOne of all
+/// its light but that of environments of files, which have no unit. Nothing where one of the two is missing.
+std::optional<Scene> inUnitOfSky(const Scene& scene);
+
 /// Whether all that the scene has of light is without an absolute unit, and what that is, for people.
 struct UnitlessLight {
     bool all = false;
@@ -35,5 +40,10 @@ struct UnitlessLight {
 /// gives off light, emission that materials have from the model's file, lights as the model's file brought
 /// them, and those of looks, by their names.
 UnitlessLight unitlessLight(const Scene& scene, const RenderSettings& settings);
+
+/// That of images of the scene, or of inUnitOfSky() it where there is one.
+LuminanceUnit unitOfImages(const Scene& scene, const RenderSettings& settings);
+/// What is to be told where false colours do not show true numbers, or not of all light; else empty.
+Sentence unitWarning(const UnitlessLight& light);
 
 } // namespace rtcore

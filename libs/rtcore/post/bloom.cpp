@@ -64,14 +64,16 @@ Colour spreadAt(const HdrImage& spread, int block, int x, int y) {
     return mixed(row.before) * (1 - row.fraction) + mixed(row.after) * row.fraction;
 }
 
-constinit const EffectRow kBloomEffect{
-    .name = "bloom",
-    .stage = EffectStage::Radiance,
-    .wanted =
-        [](const RenderSettings& settings) { return settings.bloom.radius > 0 && settings.bloom.share > 0; },
-    .bytesPerPixel = sizeof(Colour),
-    .needsAovs = false,
-    .needsGuides = false,
-    .make = &makeEffect<Bloom>};
+constinit const EffectRow kBloomEffect{.name = "bloom",
+                                       .stage = EffectStage::Radiance,
+                                       .wanted =
+                                           [](const RenderSettings& settings) {
+                                               return settings.bloom.radius > 0 && settings.bloom.share > 0 &&
+                                                      !settings.falseColours.on;
+                                           },
+                                       .bytesPerPixel = sizeof(Colour),
+                                       .needsAovs = false,
+                                       .needsGuides = false,
+                                       .make = &makeEffect<Bloom>};
 
 } // namespace rtcore

@@ -112,6 +112,8 @@ void PictureDeveloper::develop(const HdrImage& radiance, const RenderSettings& s
     if (image.width != radiance.width || image.height != radiance.height) {
         image = LdrImage(radiance.width, radiance.height);
     }
+    if (settings.falseColours.on) return paintFalseColours(radiance, settings, threads, image);
+    falseColours_.reset();
     const Development how = developmentOf(settings, exposure);
     const auto team = static_cast<std::size_t>(threadsFor(threads));
     const auto width = static_cast<std::size_t>(radiance.width);
@@ -130,8 +132,28 @@ void PictureDeveloper::develop(const HdrImage& radiance, const RenderSettings& s
     }
 }
 
+void PictureDeveloper::paintFalseColours(const HdrImage& radiance, const RenderSettings& settings,
+                                         [[maybe_unused]] int threads, LdrImage& image) {
+    const FalseColourSettings& wanted = settings.falseColours;
+    falseColours_ = {.scale = scale_.choose(radiance, wanted, unit_, holdsScale_),
+                     .unit = unit_,
+                     .isolines = wanted.isolines,
+                     .legend = wanted.legend};
+    const int team = threadsFor(threads);
+    painters_.resize(std::max(painters_.size(), static_cast<std::size_t>(team)));
+    const PixelArea all{0, 0, radiance.width, radiance.height};
+    const int bands = (radiance.height + kFalseColourRows - 1) / kFalseColourRows;
+#pragma omp parallel for schedule(static) num_threads(team)
+    for (int i = 0; i < bands; ++i) {
+        const int first = i * kFalseColourRows, last = std::min(first + kFalseColourRows, radiance.height);
+        painters_[static_cast<std::size_t>(threadNumber())].paint(radiance, *falseColours_, all, first, last,
+                                                                  image);
+    }
+}
+
 void developPart(const HdrImage& radiance, const Development& how, const EffectChain& effects,
                  const PixelArea& part, LdrImage& image) {
+    if (how.falseColours != nullptr) return paintFalseColours(radiance, *how.falseColours, part, image);
     const int right = part.left + part.columns;
     std::vector<Colour> changed(effects.changesRows() ? static_cast<std::size_t>(right) : 0);
     for (int y = part.top; y < part.top + part.rows; ++y) {

@@ -3,6 +3,7 @@
 
 #include "rtcore/post/effect_chain.h"
 #include "rtcore/post/exposure.h"
+#include "rtcore/post/false_colours.h"
 #include "rtcore/post/net_report.h"
 #include "rtcore/post/tone_map_block.h"
 #include "rtcore/render/frame.h"
@@ -42,12 +43,20 @@ class PictureDeveloper {
                            std::atomic<float>* netFraction = nullptr);
 
     /// The effects of EffectStage::Display, then tone mapping with the constant `exposure`, quantised into
-    /// `image`, whose memory is reused when the size fits.
+    /// `image`, whose memory is reused when the size fits. Or false colours, in place of all that.
     void develop(const HdrImage& radiance, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
     /// The same for finish() of the frame.
     void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
+
+    /// The unit of the light in images from now on, for false colours.
+    void useUnit(const LuminanceUnit& unit) { unit_ = unit; }
+    /// Whether the scale of false colours stays as it is while it roughly suits the images: for those that
+    /// move.
+    void holdScale(bool hold) { holdsScale_ = hold; }
+    /// Those of the last develop(), for paintLegend(); null where it showed none.
+    const FalseColours* falseColours() const { return falseColours_ ? &*falseColours_ : nullptr; }
 
     /// For images from now on whose settings ask for it (netOf()); null: they stay as they are.
     void useNet(std::shared_ptr<const UNet> net) { net_ = std::move(net); }
@@ -57,6 +66,8 @@ class PictureDeveloper {
     const std::vector<float>& netErrors() const { return netErrors_; }
 
   private:
+    void paintFalseColours(const HdrImage& radiance, const RenderSettings& settings, int threads,
+                           LdrImage& image);
     std::optional<float> average(const Frame& frame, bool background, int threads);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
@@ -65,12 +76,17 @@ class PictureDeveloper {
     NetReport netReport_;
     std::vector<float> netErrors_;
     std::vector<std::vector<Colour>> rows_; ///< by thread
+    LuminanceUnit unit_;
+    bool holdsScale_ = false;
+    ScaleChoice scale_;
+    std::optional<FalseColours> falseColours_;
+    std::vector<FalseColourPainter> painters_; ///< by thread
 };
 
 /// A part of what develop() makes of a frame's radiance, into an image of its size, by one thread. `effects`
 /// know the image from afar, by EffectChain::beginRows(EffectStage::Radiance, ...) of a coarser one of the
 /// same view; before that there are none. Reads no other pixels of `radiance`, so others may still be
-/// rendered.
+/// rendered. With `how.falseColours` the part is that of FalseColourPainter, by those.
 void developPart(const HdrImage& radiance, const Development& how, const EffectChain& effects,
                  const PixelArea& part, LdrImage& image);
 

@@ -1,6 +1,7 @@
 #include "rtcore/post/local_exposure.h"
 
 #include "rtcore/platform/threads.h"
+#include "rtcore/post/quick_log.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,17 +16,6 @@ constexpr int kColumns = 200;     ///< of the small image, about
 constexpr int kWindows = 16;      ///< windows of the average, in its width
 constexpr float kContrast = 0.5F; ///< variance of log2 luminance above which there is an edge
 constexpr float kFarthest = 8;    ///< from the average, in powers of two, that is told apart
-
-/// log2 of a normal x > 0, within 1e-6.
-float quickLog2(float x) {
-    const auto bits = std::bit_cast<std::uint32_t>(x);
-    // The exponent for a mantissa in [sqrt(1/2), sqrt(2)).
-    const std::uint32_t shifted = bits + (0x3F800000U - 0x3F3504F3U);
-    const float exponent = static_cast<float>(static_cast<int>(shifted >> 23)) - 127;
-    const float m = std::bit_cast<float>((shifted & 0x7FFFFFU) + 0x3F3504F3U);
-    const float s = (m - 1) / (m + 1), z = s * s;
-    return exponent + s * (2.88539008F + z * (0.961796694F + z * (0.577078016F + z * 0.412198583F)));
-}
 
 /// 2^x of |x| <= 100, within 4e-6 of it.
 float quickExp2(float x) {
@@ -138,13 +128,16 @@ void LocalExposure::changeRow(const RowPart& part, const Colour* radiance, Colou
     }
 }
 
-constinit const EffectRow kLocalExposureEffect{
-    .name = "local exposure",
-    .stage = EffectStage::Display,
-    .wanted = [](const RenderSettings& settings) { return settings.exposure.local > 0; },
-    .bytesPerPixel = 0, // a row for each thread, and a small image
-    .needsAovs = false,
-    .needsGuides = false,
-    .make = &makeEffect<LocalExposure>};
+constinit const EffectRow kLocalExposureEffect{.name = "local exposure",
+                                               .stage = EffectStage::Display,
+                                               .wanted =
+                                                   [](const RenderSettings& settings) {
+                                                       return settings.exposure.local > 0 &&
+                                                              !settings.falseColours.on;
+                                                   },
+                                               .bytesPerPixel = 0, // a row for each thread, and a small image
+                                               .needsAovs = false,
+                                               .needsGuides = false,
+                                               .make = &makeEffect<LocalExposure>};
 
 } // namespace rtcore

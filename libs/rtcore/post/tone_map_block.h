@@ -10,14 +10,20 @@ namespace rtcore {
 
 inline constexpr std::size_t kToneBlock = 64;
 
+struct FalseColours;
+
 struct Development {
     ToneMapping toneMapping = ToneMapping::Luminance;
     bool dithering = true;
     float contrast = 0; ///< RenderSettings::toneContrast
     float exposure = 1; ///< the constant c of L = Y / (Y + c); the other curves get Y / c
+    const FalseColours* falseColours = nullptr; ///< in place of all that (developPart()); null: none
 };
 inline Development developmentOf(const RenderSettings& settings, float exposure) {
-    return {settings.toneMapping, settings.dithering, settings.toneContrast, exposure};
+    return {.toneMapping = settings.toneMapping,
+            .dithering = settings.dithering,
+            .contrast = settings.toneContrast,
+            .exposure = exposure};
 }
 
 /// The exposure by which a grey of radiance `white` is shown as 236 of 255.

@@ -84,7 +84,9 @@ void Transition::expose(float exposure) {
 }
 
 void Transition::develop(const PixelArea& area) {
-    developPart(radiance_, developmentOf(settings_, exposure_), effects_, area, image_);
+    Development how = developmentOf(settings_, exposure_);
+    if (falseColours_) how.falseColours = &*falseColours_;
+    developPart(radiance_, how, effects_, area, image_);
 }
 
 } // namespace rtcore

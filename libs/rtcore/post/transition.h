@@ -3,6 +3,7 @@
 
 #include "rtcore/post/effect_chain.h"
 #include "rtcore/post/exposure.h"
+#include "rtcore/post/false_colours.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
 #include "rtcore/scene/image.h"
@@ -23,6 +24,8 @@ class Transition {
     /// Begins with the radiance of `before`, of any size up to that of the settings, upsampled to it. Nothing
     /// is shown before expose(). `threads` = 0: all cores.
     void begin(const Frame& before, const RenderSettings& settings, int threads);
+    /// False colours of images from expose() on; nothing: none.
+    void showBy(const std::optional<FalseColours>& falseColours) { falseColours_ = falseColours; }
     /// From here on all is shown with that exposure, and with the settings' effects, as far as parts can have
     /// them (developPart()). By the calling thread.
     void expose(float exposure);
@@ -43,6 +46,7 @@ class Transition {
 
     RenderSettings settings_;
     float exposure_ = 1;
+    std::optional<FalseColours> falseColours_;
     EffectChain effects_;
     HdrImage radiance_;
     LdrImage image_;

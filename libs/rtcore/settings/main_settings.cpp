@@ -15,7 +15,8 @@ constexpr MainSetting kMain[]{{"exposure.mode", "Exposure"},
                               {"ambientOcclusion.on", "Ambient occlusion"},
                               {"skyLight.on", "Sky light"},
                               {"depthOfField.on", "Depth of field"},
-                              {"bloom.radius", "Bloom"}};
+                              {"bloom.radius", "Bloom"},
+                              {"falseColours.on", "False colours"}};
 
 } // namespace
 

@@ -131,6 +131,18 @@ struct ExposureSettings {
     friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };
 
+/// Luminance by the colours of a scale, in place of tone mapping, bloom and local exposure. Ends of the scale
+/// are in cd/m^2 where the light has an absolute unit, else radiance.
+struct FalseColourSettings {
+    bool on = false;
+    float from = 0; ///< 0 = by what is seen; so is an end that leaves less than the other one
+    float to = 0;
+    bool isolines = true;
+    bool legend = true;
+
+    friend bool operator==(const FalseColourSettings&, const FalseColourSettings&) = default;
+};
+
 struct RenderSettings {
     int width = 640;      ///< pixels
     int height = 480;     ///< pixels
@@ -159,6 +171,7 @@ struct RenderSettings {
     ToneMapping toneMapping = ToneMapping::Luminance;
     float toneContrast = 0; ///< 0..3, of ToneMapping::AgX: 0 its base, 1 its look "punchy", and beyond
     bool dithering = true;
+    FalseColourSettings falseColours;
     TexelFilter environmentFilter = TexelFilter::Bilinear;
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;

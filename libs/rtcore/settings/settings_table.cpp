@@ -171,6 +171,7 @@ std::vector<Setting> makeTable() {
     using Bloom = BloomSettings;
     using Exposure = ExposureSettings;
     using Lens = DepthOfFieldSettings;
+    using False = FalseColourSettings;
     return {
         row<&S::width>("width", {1, 32768}, "pixels", "width of the image")
             .changing(SettingChange::Samples)
@@ -388,6 +389,23 @@ std::vector<Setting> makeTable() {
             .in("exposure")
             .changing(SettingChange::Display),
         row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients")
+            .changing(SettingChange::Display),
+        row<&S::falseColours, &False::on>("falseColours.on",
+                                          "luminance is shown by the colours of a scale, dark to bright, in "
+                                          "place of the image; without bloom and local exposure")
+            .changing(SettingChange::Display),
+        row<&S::falseColours, &False::from>("falseColours.from", {0, 1e30}, "cd/m2",
+                                            "lower end of the scale; automatic: by what is seen")
+            .zeroIs("automatic")
+            .changing(SettingChange::Display),
+        row<&S::falseColours, &False::to>("falseColours.to", {0, 1e30}, "cd/m2",
+                                          "upper end of the scale; automatic: by what is seen")
+            .zeroIs("automatic")
+            .changing(SettingChange::Display),
+        row<&S::falseColours, &False::isolines>("falseColours.isolines",
+                                                "lines of equal luminance at 1, 2, 5, 10, 20 and so on")
+            .changing(SettingChange::Display),
+        row<&S::falseColours, &False::legend>("falseColours.legend", "the scale is painted into the image")
             .changing(SettingChange::Display),
         row<&S::environmentFilter>("environmentFilter", "lookup in environment maps").in("rays"),
     };

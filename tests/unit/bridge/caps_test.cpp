@@ -27,6 +27,8 @@ const std::set<std::string_view> kCheap{
     "exposure.brighterSeconds",
     "exposure.darkerSeconds",
     "exposure.local",
+    "falseColours.from",
+    "falseColours.to",
     "toneContrast",
 };
 

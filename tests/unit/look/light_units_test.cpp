@@ -83,6 +83,38 @@ TEST(LightByUnit, TheSunShinesBesideAnotherEnvironment) {
     EXPECT_TRUE(light.rest->scene.lights.empty());
 }
 
+TEST(UnitOfSky, DimsAllOtherLight) {
+    Scene scene = underSky();
+    scene.lights.push_back({test::pointLight({0, 5, 0}, 10), "bulb"});
+    scene.materials[0].emission = {2, 2, 2};
+    const auto one = inUnitOfSky(scene);
+    ASSERT_TRUE(one);
+    constexpr float kFactor = 683.0F / rtcore::kLuminanceOfOne;
+    EXPECT_EQ(one->lights[0].light.intensity, scene.lights[0].light.intensity) << "the sun's";
+    EXPECT_FLOAT_EQ(one->lights[1].light.intensity.r, kFactor * scene.lights[1].light.intensity.r);
+    EXPECT_FLOAT_EQ(one->materials[0].emission.g, kFactor * 2);
+    EXPECT_EQ(one->environment(), scene.environment());
+    EXPECT_FALSE(inUnitOfSky(underSky()));
+    EXPECT_FALSE(inUnitOfSky(dark()));
+}
+
+TEST(UnitOfImages, IsThatOfTheSkyOrOfLights) {
+    Scene scene = dark();
+    scene.lights = {{test::pointLight({0, 5, 0}, 10), "bulb"}};
+    EXPECT_EQ(unitOfImages(scene, {}), (rtcore::LuminanceUnit{.ofOne = 683, .absolute = true}));
+    EXPECT_TRUE(unitWarning(unitlessLight(scene, {})).empty());
+    scene.background = {1, 1, 1};
+    EXPECT_TRUE(unitOfImages(scene, {}).absolute) << "of the bulb";
+    EXPECT_EQ(
+        unitWarning(unitlessLight(scene, {})).english(),
+        "some of the light of this scene has no absolute unit (the background), so that false colours are "
+        "true of the rest alone");
+    scene.lights.clear();
+    EXPECT_FALSE(unitOfImages(scene, {}).absolute);
+    EXPECT_EQ(unitOfImages(underSky(), {}),
+              (rtcore::LuminanceUnit{.ofOne = rtcore::kLuminanceOfOne, .absolute = true}));
+}
+
 TEST(UnitlessLight, IsToldByWhatThereIs) {
     EXPECT_EQ(told(dark()), "");
     EXPECT_EQ(told(underSky()), "");

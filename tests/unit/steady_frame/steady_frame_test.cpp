@@ -106,6 +106,14 @@ TEST(SteadyFrame, OfOneThreadAllocatesNothing) {
     }
 }
 
+TEST(SteadyFrame, OfFalseColoursAllocatesNothing) {
+    Pictures pictures(test::sampleScene());
+    RenderSettings settings = settingsWith(1, true, 5);
+    settings.falseColours.on = true;
+    EXPECT_GT(pictures.make(settings, 1), 0U);
+    EXPECT_EQ(pictures.make(settings, 1), 0U);
+}
+
 TEST(SteadyFrame, OfALiveWalkAllocatesNothing) {
     const test::TracedScene traced(test::sampleScene());
     const RenderSettings settings = settingsWith(1, true, 5);

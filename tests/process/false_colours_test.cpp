@@ -1,0 +1,85 @@
+/// Luminance as colours, by the Renderer.
+#include "process/sample_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Pixel = std::array<int, 3>;
+
+/// A panel of 10 x 10 that emits a radiance of 1 and fills the image.
+class PanelOfLight : public testing::Test {
+  protected:
+    PanelOfLight() {
+        test::writeText(folder / "panel.mtl", "newmtl light\nKd 0 0 0\n");
+        test::writeText(folder / "panel.obj", "mtllib panel.mtl\nusemtl light\nv -5 -5 0\nv 5 -5 0\nv 5 5 0\n"
+                                              "v -5 5 0\nf 1 2 3 4\n");
+        writeScene("panel.scn", "");
+    }
+    void writeScene(const std::string& name, const std::string& more) const {
+        test::writeText(folder / name, "version = 2\nmodel = \"panel.obj\"\ndefaultLight = false\n" + more +
+                                           "[camera]\neye = [0, 0, 3]\nforward = [0, 0, -1]\nfov = 40\n"
+                                           "[[material]]\nname = \"light\"\nemission = [1, 1, 1]\n");
+    }
+    test::ProgramResult render(std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"-o", "a.ppm", "-w", "160", "-h", "120", "--force"});
+        return test::renderer(arguments, {.folder = folder.path()});
+    }
+    std::string picture(std::vector<std::string> settings, const std::string& scene = "panel.scn") {
+        std::vector<std::string> arguments{scene, "--setting=falseColours.on=true"};
+        for (const std::string& each : settings) arguments.push_back("--setting=falseColours." + each);
+        const test::ProgramResult result = render(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+        error = result.error;
+        return test::readBytes(folder / "a.ppm");
+    }
+    static Pixel pixel(const std::string& ppm, int x, int y) {
+        const std::size_t at = ppm.size() - 3 * (160 * 120) + 3 * static_cast<std::size_t>(160 * y + x);
+        const auto code = [&](std::size_t i) { return int{static_cast<unsigned char>(ppm.at(at + i))}; };
+        return {code(0), code(1), code(2)};
+    }
+
+    test::TemporaryFolder folder;
+    std::string error;
+};
+
+// A third of the way from 6.83 to 6 830 000 cd/m^2 in the logarithm: the sixth of 16 colours.
+TEST_F(PanelOfLight, HasTheColourOfItsLuminance) {
+    constexpr Pixel kExpected{0x31, 0x68, 0x8E};
+    EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}), 20, 60), kExpected);
+    EXPECT_EQ(error, "") << "the light has a unit";
+    EXPECT_EQ(pixel(picture({"from=683", "to=6830"}), 20, 60), (Pixel{0x44, 0x01, 0x54}));
+    EXPECT_EQ(pixel(picture({"from=68.3", "to=683"}), 20, 60), (Pixel{0xFD, 0xE7, 0x25}));
+}
+
+TEST_F(PanelOfLight, HasALegendAtTheRight) {
+    const std::string with = picture({"from=6.83", "to=6830000"}),
+                      without = picture({"from=6.83", "to=6830000", "legend=false"});
+    EXPECT_EQ(pixel(with, 20, 60), pixel(without, 20, 60));
+    EXPECT_NE(pixel(with, 150, 30), pixel(without, 150, 30));
+}
+
+// Sky and panel in one image: each in its own unit. The panel is not as bright as without the sky.
+TEST_F(PanelOfLight, BesideASkyHasTheSameColour) {
+    writeScene("sky.scn", "[sky]\n");
+    EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}, "sky.scn"), 20, 60), (Pixel{0x31, 0x68, 0x8E}));
+}
+
+TEST_F(PanelOfLight, WithoutAUnitIsToldOnce) {
+    test::writeText(folder / "panel.mtl", "newmtl light\nKd 0 0 0\nKe 1 1 1\n");
+    test::writeText(folder / "bare.scn",
+                    "version = 2\nmodel = \"panel.obj\"\ndefaultLight = false\n[camera]\n"
+                    "eye = [0, 0, 3]\nforward = [0, 0, -1]\nfov = 40\n");
+    picture({}, "bare.scn");
+    EXPECT_NE(
+        error.find("the light of this scene has no absolute unit (surfaces that emit as the model's file "
+                   "says)"),
+        std::string::npos)
+        << error;
+}
+
+} // namespace
