@@ -304,7 +304,7 @@ const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
     row.resize(rowLength(plane) + kMaxLanes);
     const auto rowAt = [&](int at) { return &nearest_[firstPixel(plane, std::clamp(at, -1, plane.height))]; };
     const std::uint64_t* const rows[] = {rowAt(y - 2), rowAt(y - 1), rowAt(y), rowAt(y + 1), rowAt(y + 2)};
-    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, eyeMoves_, static_cast<std::size_t>(plane.width), row.data());
+    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, gaps_, static_cast<std::size_t>(plane.width), row.data());
     return row.data();
 }
 
@@ -347,7 +347,8 @@ void Reprojection::takeSpecular(const LiveSamples& past, const std::uint64_t* en
 
 void Reprojection::reproject(const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done) {
     const LiveSamples& surface = present.surface;
-    eyeMoves_ = past.surface.plane().eye != surface.plane().eye;
+    const ImagePlane &before = past.surface.plane(), &now = surface.plane();
+    gaps_ = now.parallel ? !now.shiftedFrom(before) : now.eye != before.eye;
     staleness_.resize(surface.size());
     const auto forEachRow = [&](auto&& work, bool last) {
         forEachRows(surface.plane().height, kRowsOfBand, threads, [&](int from, int to) {
