@@ -117,16 +117,16 @@ bool isAlike(const ImagePlane& before, const ImagePlane& now) {
     return length(now.axis - before.axis) < kMax && times > 1 - kMax && times < 1 / (1 - kMax);
 }
 
-/// Whether a parallel view shows half of some samples of another, or more.
+/// Whether a parallel view shows half of the surfaces of another, by some samples.
 bool showsHalf(const LiveSamples& samples, const ImagePlane& now) {
     constexpr std::size_t kEvery = 97;
     std::size_t known = 0, seen = 0;
     for (std::size_t i = 0; i < samples.size(); i += kEvery) {
-        if (!samples.known(i)) continue;
+        if (!samples.known(i) || samples.background(i)) continue;
         ++known;
         const Vec3 offset = samples.points[i].position - now.eye;
         const float x = dot(now.column, offset - now.corner), y = dot(now.row, offset - now.corner);
-        const bool ahead = samples.background(i) || dot(now.axis, offset) > 0;
+        const bool ahead = dot(now.axis, offset) > 0;
         const auto width = static_cast<float>(now.width), height = static_cast<float>(now.height);
         seen += ahead && x >= 0 && x < width && y >= 0 && y < height ? 1U : 0U;
     }

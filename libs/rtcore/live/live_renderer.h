@@ -70,7 +70,7 @@ class LiveRenderer {
     /// Whether the samples can be reused for this view, which has the same projection. Perspective: the
     /// distance to what was seen before is about the same, else things behind would be seen through gaps
     /// between samples; and no surface lies between the old eye and the new one. Parallel: it has about the
-    /// same direction and width, and shows half of what was seen before, or more.
+    /// same direction and width, and shows half of the surfaces that were seen before.
     bool canReuse(const View& view);
     bool empty() const { return past_.surface.size() == 0; } ///< nothing is kept
 
