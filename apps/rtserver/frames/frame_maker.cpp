@@ -21,11 +21,15 @@ namespace {
 /// Live frames per measurement of the light: they trace few pixels, and an eye does not follow sooner.
 constexpr int kMeterEvery = 8;
 
-bool canBeLive(const Document& document) {
+/// Calls `use` with the view that a live frame of the whole size shows.
+template <typename Use>
+bool ofLiveView(const Document& document, Use&& use) {
     const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = liveSettingsAt(document.frameSettings(), *scene, 1);
-    return rtcore::LiveRenderer::supports({*scene, *document.tracer(), document.camera(), settings});
+    return use(rtcore::View{*scene, *document.tracer(), document.camera(), settings});
 }
+
+bool canBeLive(const Document& document) { return ofLiveView(document, rtcore::LiveRenderer::supports); }
 
 /// Everywhere.
 bool changesLight(const rtcore::Changes& changes) {
@@ -220,7 +224,7 @@ bool FrameMaker::drawsLive(const Document& document) {
     noticeChanges(document);
     seedLive();
     return !live_->empty() && canBeLive(document) &&
-           live_->canReuse(document.camera().eye, *document.tracer());
+           ofLiveView(document, [&](const rtcore::View& view) { return live_->canReuse(view); });
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights

@@ -4,6 +4,7 @@
 #include "rtcore/math/packed_direction.h"
 #include "rtcore/platform/parts.h"
 #include "rtcore/platform/threads.h"
+#include "rtcore/shading/fog/fog.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,8 +19,37 @@ namespace {
 
 constexpr int kRowsOfPart = 16;
 
-Vec3 towardsMiddle(const ImagePlane& plane, int x, int y) {
-    return plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+/// LiveSample::position of the background in the middle of that pixel. `depth`: of the surfaces around: as
+/// the view turns, it moves as they do.
+Vec3 backgroundAt(const ImagePlane& plane, int x, int y, float depth) {
+    const float middleX = static_cast<float>(x) + 0.5F, middleY = static_cast<float>(y) + 0.5F;
+    return plane.parallel ? plane.inDepth(middleX, middleY, depth) : plane.towards(middleX, middleY);
+}
+
+/// The mean depth of `count` points, some of them: positionAt(i) is null where there is none. 0 where the
+/// background needs no depth.
+template <typename PositionAt>
+float meanDepth(const ImagePlane& plane, std::size_t count, PositionAt&& positionAt) {
+    constexpr std::size_t kEvery = 97;
+    if (!plane.parallel) return 0;
+    double sum = 0;
+    int points = 0;
+    for (std::size_t i = 0; i < count; i += kEvery) {
+        const Vec3* const position = positionAt(i);
+        if (position == nullptr) continue;
+        sum += static_cast<double>(plane.depthOf(*position));
+        ++points;
+    }
+    return points > 0 ? static_cast<float>(sum / points) : 0;
+}
+float meanDepth(const LiveSamples& samples) {
+    return meanDepth(samples.plane(), samples.size(), [&](std::size_t i) {
+        return samples.known(i) && !samples.background(i) ? &samples.points[i].position : nullptr;
+    });
+}
+float meanDepth(const ImagePlane& plane, const std::vector<SeenPoint>& seen) {
+    return meanDepth(plane, seen.size(),
+                     [&](std::size_t i) { return seen[i].any ? &seen[i].position : nullptr; });
 }
 
 template <typename Work>
@@ -34,11 +64,13 @@ void forEachChosen(std::size_t count, int threads, Work&& work) {
 /// Where the surface of `seen` is in the middle of the pixel.
 Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int y) {
     constexpr float kMaxChange = 0.05F;
-    const Vec3 towards = towardsMiddle(plane, x, y), offset = seen.position - plane.eye;
+    const float middleX = static_cast<float>(x) + 0.5F, middleY = static_cast<float>(y) + 0.5F;
+    const Vec3 start = plane.inDepth(middleX, middleY, 0), offset = seen.position - start;
+    const Vec3 towards = plane.parallel ? plane.axis : plane.towards(middleX, middleY);
     const float depth = dot(seen.normal, offset) / dot(seen.normal, towards),
                 before = dot(plane.axis, offset);
-    const bool near = std::fabs(depth - before) < kMaxChange * before; // not of NaN
-    return near ? plane.eye + towards * depth : seen.position;
+    const bool near = std::fabs(depth - before) < kMaxChange * (before + plane.addedDepth); // not of NaN
+    return near ? start + towards * depth : seen.position;
 }
 
 bool mirrors(const SeenPoint& seen) { return seen.specularDistance != 0; }
@@ -64,16 +96,41 @@ void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSa
         return;
     }
     const ImagePlane& plane = layers.surface.plane();
-    const Vec3 towards = surface.position - plane.eye;
     specular.light = over(specular.light * (kWhite - seen.surfaceFraction), seen.tint);
     layers.tints[i] = packLight(seen.tint);
     specular.unreliable = seen.specularDistance < 0;
     specular.mirrors = false;
     specular.background = std::isinf(seen.specularDistance);
-    specular.position = specular.background
-                            ? towards
-                            : plane.eye + towards * (std::fabs(seen.specularDistance) / length(towards));
+    if (!specular.background) {
+        specular.position = plane.alongRay(surface.position, std::fabs(seen.specularDistance));
+    } else if (!plane.parallel) {
+        specular.position = surface.position - plane.eye;
+    }
     layers.specular.set(i, specular);
+}
+
+/// Whether surfaces of a parallel view have about as many samples in each pixel of another: it has nearly
+/// that direction and size.
+bool isAlike(const ImagePlane& before, const ImagePlane& now) {
+    constexpr float kMax = 0.25F; // of a perspective view's distance (LiveRenderer::isFar)
+    const float times = now.addedDepth / before.addedDepth;
+    return length(now.axis - before.axis) < kMax && times > 1 - kMax && times < 1 / (1 - kMax);
+}
+
+/// Whether a parallel view shows half of the surfaces of another, by some samples.
+bool showsHalf(const LiveSamples& samples, const ImagePlane& now) {
+    constexpr std::size_t kEvery = 97;
+    std::size_t known = 0, seen = 0;
+    for (std::size_t i = 0; i < samples.size(); i += kEvery) {
+        if (!samples.known(i) || samples.background(i)) continue;
+        ++known;
+        const Vec3 offset = samples.points[i].position - now.eye;
+        const float x = dot(now.column, offset - now.corner), y = dot(now.row, offset - now.corner);
+        const bool ahead = dot(now.axis, offset) > 0;
+        const auto width = static_cast<float>(now.width), height = static_cast<float>(now.height);
+        seen += ahead && x >= 0 && x < width && y >= 0 && y < height ? 1U : 0U;
+    }
+    return 2 * seen >= known;
 }
 
 template <typename Use>
@@ -83,22 +140,27 @@ void forEachPixel(const PixelArea& area, Use&& use) {
     }
 }
 
+/// The age of samples of a whole frame, and meanDepth() there.
+struct Seeds {
+    std::uint8_t age = 0;
+    float depth = 0;
+};
+
 /// The samples of an area of a whole frame.
-void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, LiveLayers& layers) {
+void setSamplesOf(const Frame& frame, const PixelArea& area, const Seeds& seeds, LiveLayers& layers) {
     const ImagePlane& plane = layers.surface.plane();
     // Indirect light is learned about true points: others may lie behind a wall.
     const bool updates = layers.updatesLight && !frame.matter.empty();
     forEachPixel(area, [&](int x, int y) {
         const std::size_t i = layers.surface.index(x, y);
         const SeenPoint& seen = frame.seen[i];
-        const Vec3 towards = towardsMiddle(plane, x, y);
         setSamples(layers, i, seen,
-                   {.position = !seen.any ? towards
+                   {.position = !seen.any ? backgroundAt(plane, x, y, seeds.depth)
                                 : updates ? seen.position
                                           : positionInMiddle(plane, seen, x, y),
                     .light = frame.radiance.pixels[i],
                     .lights = {},
-                    .age = age});
+                    .age = seeds.age});
         if (updates) layers.surface.matter[i] = frame.matter[i];
     });
 }
@@ -108,8 +170,8 @@ void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, L
 bool LiveRenderer::supports(const View& view) {
     const RenderSettings& settings = view.settings;
     const bool fits = static_cast<double>(settings.width) * settings.height < Reprojection::kMaxPixels;
-    return fits && view.camera.kind == CameraKind::Perspective && settings.antialiasing == 1 &&
-           settings.sampling == SamplingPattern::Grid && !settings.depthOfField.on;
+    return fits && settings.antialiasing == 1 && settings.sampling == SamplingPattern::Grid &&
+           !settings.depthOfField.on;
 }
 
 ImagePlane LiveRenderer::planeOf(const View& view) {
@@ -119,6 +181,7 @@ ImagePlane LiveRenderer::planeOf(const View& view) {
 
 bool LiveRenderer::render(const View& view, double newSamples, RenderControl& control, Frame& frame) {
     const int threads = threadsFor(control.threads);
+    forgetOtherProjection(planeOf(view));
     present_.mirrors = past_.mirrors;
     present_.updatesLight = indirect_ != nullptr;
     if (present_.updatesLight && !past_.updatesLight) past_.beginUpdating();
@@ -132,8 +195,7 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     frame.seen.clear();
     frame.matter.clear();
     selector_.begin(present_.surface.plane());
-    reprojection_.reproject(past_, present_, threads,
-                            [&](int first, int last) { selector_.look(present_, first, last); });
+    reproject(view.tracer, threads, [&](int first, int last) { selector_.look(present_, first, last); });
     selector_.choose(present_, reprojection_.staleness(), newSamples, number_, threads);
     const auto begun = std::chrono::steady_clock::now();
     if (!lightSamples(view, control, frame)) return false;
@@ -144,6 +206,20 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     std::swap(past_, present_);
     ++number_;
     return true;
+}
+
+/// Where samples of one are seen by the other, pixels would show too few of them or too many.
+void LiveRenderer::forgetOtherProjection(const ImagePlane& plane) {
+    if (!empty() && past_.surface.plane().parallel != plane.parallel) forget();
+}
+
+/// The samples of the past that are still seen, in the view of `present_`.
+void LiveRenderer::reproject(const RayTracer& tracer, int threads, const Reprojection::RowsDone& done) {
+    entering_.find(past_.surface.plane(), present_.surface.plane(), tracer, threads);
+    reprojection_.reproject(past_, present_, threads, [&](int first, int last) {
+        entering_.forgetHidden(present_, first, last);
+        done(first, last);
+    });
 }
 
 void LiveRenderer::seed(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age) {
@@ -163,17 +239,20 @@ void LiveRenderer::seed(const ImagePlane& plane, const Frame& frame, int threads
     if (past_.mirrors) past_.resizeSpecular(plane);
     past_.updatesLight = !frame.matter.empty();
     if (past_.updatesLight) past_.surface.matter.resize(past_.surface.size());
+    const Seeds seeds{.age = age, .depth = meanDepth(plane, frame.seen)};
     forEachPart([&](int first, int last) {
-        setSamplesOf(frame, {0, first, plane.width, last - first}, age, past_);
+        setSamplesOf(frame, {0, first, plane.width, last - first}, seeds, past_);
     });
 }
 
 void LiveRenderer::seedParts(const View& view, const Frame& frame, std::span<const PixelArea> parts,
                              int threads) {
+    forgetOtherProjection(planeOf(view));
     present_.mirrors = past_.mirrors;
     present_.updatesLight = past_.updatesLight;
     present_.resize(planeOf(view));
-    reprojection_.reproject(past_, present_, threadsFor(threads), [](int, int) {});
+    reproject(view.tracer, threadsFor(threads), [](int, int) {});
+    const Seeds seeds{.depth = meanDepth(present_.surface)};
     if (!frame.matter.empty() && !present_.updatesLight) present_.beginUpdating();
     const auto mirrorsIn = [&](const PixelArea& part) {
         bool any = false;
@@ -182,7 +261,7 @@ void LiveRenderer::seedParts(const View& view, const Frame& frame, std::span<con
     };
     if (!present_.mirrors && std::ranges::any_of(parts, mirrorsIn)) beginMirroring();
     forEachPart(parts.size(), threadsFor(threads),
-                [&](std::size_t i) { setSamplesOf(frame, parts[i], 0, present_); });
+                [&](std::size_t i) { setSamplesOf(frame, parts[i], seeds, present_); });
     std::swap(past_, present_);
 }
 
@@ -215,8 +294,13 @@ void LiveRenderer::beginMirroring() {
     present_.specular.clear(plane);
 }
 
-bool LiveRenderer::canReuse(Vec3 eye, const RayTracer& tracer) {
-    return empty() || (!isFar(eye) && !crossesSurface(eye, tracer));
+bool LiveRenderer::canReuse(const View& view) {
+    if (empty()) return true;
+    const ImagePlane before = past_.surface.plane(), now = planeOf(view);
+    if (before.parallel != now.parallel) return false;
+    if (!now.parallel) return !isFar(now.eye) && !crossesSurface(now.eye, view.tracer);
+    return isAlike(before, now) && showsHalf(past_.surface, now) &&
+           !entering_.coverHalf(before, now, view.tracer);
 }
 
 bool LiveRenderer::isFar(Vec3 eye) const {
@@ -282,16 +366,37 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
     const ImagePlane& plane = present_.surface.plane();
     if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) beginMirroring();
     check();
+    const float depth = meanDepth(present_.surface);
     forEachChosen(chosen.size(), threads, [&](std::size_t i) {
         const int x = chosen[i].x, y = chosen[i].y;
         setSamples(present_, present_.surface.index(x, y), seen_[i],
-                   {.position = seen_[i].any ? seen_[i].position : towardsMiddle(plane, x, y),
+                   {.position = seen_[i].any ? seen_[i].position : backgroundAt(plane, x, y, depth),
                     .light = light_[i],
                     .lights = visibility_[i]});
         if (indirect_ != nullptr) present_.surface.matter[present_.surface.index(x, y)] = matter_[i];
         selector_.traced(plane, x, y, luminance(light_[i]));
     });
+    updateBackground(view, threads);
     return true;
+}
+
+/// All of a parallel view's background lies in one direction. When that turns, a new sample tells of all.
+void LiveRenderer::updateBackground(const View& view, int threads) {
+    LiveSamples& surface = present_.surface;
+    const ImagePlane& plane = surface.plane();
+    if (!plane.parallel || plane.axis == past_.surface.plane().axis) return;
+    if (fogMedium(view.scene, view.settings).on) return; // it differs from point to point
+    const auto found = std::ranges::find_if(seen_, [](const SeenPoint& seen) { return !seen.any; });
+    if (found == seen_.end()) return;
+    const Colour light = light_[static_cast<std::size_t>(found - seen_.begin())];
+    forEachRows(plane.height, kRowsOfPart, threads, [&](int first, int last) {
+        forEachPixel({0, first, plane.width, last - first}, [&](int x, int y) {
+            const std::size_t i = surface.index(x, y);
+            if (!surface.known(i) || !surface.background(i)) return;
+            surface.lights[i].radiance = packLight(light);
+            selector_.traced(plane, x, y, luminance(light));
+        });
+    });
 }
 
 void LiveRenderer::lightIndirectly(IndirectLight* light, const GatherBudget& budget, int turns) {

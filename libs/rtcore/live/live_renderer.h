@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rtcore/gathering/indirect_light.h"
+#include "rtcore/live/entering_surfaces.h"
 #include "rtcore/live/light_change.h"
 #include "rtcore/live/live_samples.h"
 #include "rtcore/live/pixel_selector.h"
@@ -31,8 +32,8 @@ class LiveRenderer {
     /// The same in addition, with lightIndirectly().
     static constexpr std::size_t kMatterBytesPerPixel = 2 * sizeof(LiveSamples::Matter);
 
-    /// Whether such a view can be rendered: of a perspective camera, one sample per pixel in its middle,
-    /// fewer than Reprojection::kMaxPixels.
+    /// Whether such a view can be rendered: one sample per pixel in its middle, fewer than
+    /// Reprojection::kMaxPixels.
     static bool supports(const View& view);
     static ImagePlane planeOf(const View& view);
 
@@ -66,10 +67,11 @@ class LiveRenderer {
         number_ = 0;
         forgetChecks();
     }
-    /// Whether the samples can be reused for a view from `eye`: the distance to what was seen before is about
-    /// the same, else things behind would be seen through gaps between samples; and no surface lies between
-    /// the old eye and the new one.
-    bool canReuse(Vec3 eye, const RayTracer& tracer);
+    /// Whether the samples can be reused for this view, which has the same projection. Perspective: the
+    /// distance to what was seen before is about the same, else things behind would be seen through gaps
+    /// between samples; and no surface lies between the old eye and the new one. Parallel: it has about the
+    /// same direction and width, and shows half of the surfaces that were seen before.
+    bool canReuse(const View& view);
     bool empty() const { return past_.surface.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took, but what indirect light learned of them.
@@ -79,6 +81,9 @@ class LiveRenderer {
     double unknown() const { return selector_.unknown(); }
 
   private:
+    void forgetOtherProjection(const ImagePlane& plane);
+    void reproject(const RayTracer& tracer, int threads, const Reprojection::RowsDone& done);
+    void updateBackground(const View& view, int threads);
     bool isFar(Vec3 eye) const;
     bool crossesSurface(Vec3 eye, const RayTracer& tracer);
     void check();
@@ -96,6 +101,7 @@ class LiveRenderer {
 
     FrameRenderer renderer_;
     Reprojection reprojection_;
+    EnteringSurfaces entering_;
     PixelSelector selector_;
     Reconstruction reconstruction_;
     std::vector<Colour> light_;               ///< of the chosen pixels

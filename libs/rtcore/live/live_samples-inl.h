@@ -39,11 +39,20 @@ HWY_INLINE Float3 radianceOf(const LiveSamples::Light& first) {
 /// LiveLayers::tints
 HWY_INLINE Float3 tintOf(const std::uint32_t& first) { return unpackedLight<Float>(load(&first)); }
 
-/// Where samples are seen in an image, in pixels from its upper left corner. `depth` along the axis of view.
+/// Where samples are seen in an image, in pixels from its upper left corner. `depth` along the axis of view,
+/// with ImagePlane::addedDepth; 0 or less is behind the eye.
 struct SeenAt {
     Float x, y, depth;
 };
+HWY_INLINE SeenAt seenInParallel(const LivePoints& points, const ImagePlane& plane) {
+    const Float3 offset = points.position - broadcast(plane.eye + plane.corner);
+    const Float depth = dot(offset, broadcast(plane.axis));
+    return {dot(offset, broadcast(plane.column)), dot(offset, broadcast(plane.row)),
+            select(points.has(LiveSamples::kBackground), Float(plane.addedDepth),
+                   selectOrZero(depth > 0.0F, depth + plane.addedDepth))};
+}
 HWY_INLINE SeenAt seenAt(const LivePoints& points, const ImagePlane& plane) {
+    if (plane.parallel) return seenInParallel(points, plane);
     const Mask background = points.has(LiveSamples::kBackground);
     const Float3 offset = points.position - selectOrZero(!background, broadcast(plane.eye));
     const Float depth = dot(offset, broadcast(plane.axis));

@@ -18,8 +18,10 @@ namespace rtcore {
 
 /// One sample of the scene, as it was traced.
 struct LiveSample {
-    Vec3 position = {}; ///< where it seems to be, in the scene; of the background its direction
-    Colour light = {};  ///< radiance towards the eye that it was traced from
+    /// Where it seems to be, in the scene; of the background its direction, in a parallel view any point of
+    /// its ray.
+    Vec3 position = {};
+    Colour light = {}; ///< radiance towards the eye that it was traced from
     LightVisibility lights = {};
     bool background = false;
     bool mirrors = false;    ///< mirrors or lets through other light, which is not in `light`

@@ -54,11 +54,12 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Key of a sample of that state, (dx, dy) from the middle of the pixel that shows it. `depth` > 0.
-HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
+/// `unreliableBits` of states.
+HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state, std::uint32_t unreliableBits) {
     // Each frame counts as so many square pixels.
     constexpr float kAged = 0.003F, kAgedUnreliable = 0.25F;
     const Float age = toFloat(toInt(state & LiveSamples::kAge));
-    const Mask unreliable = (state & LiveSamples::kUnreliable) != 0U;
+    const Mask unreliable = (state & unreliableBits) != 0U;
     const Float stale = dx * dx + dy * dy + age * select(unreliable, Float(kAgedUnreliable), Float(kAged));
     const Int steps = truncate(min(stale * kKeySteps, static_cast<float>(kStalenessOfKey)));
     return (bitsOf(depth) & ~kStalenessOfKey) | toUint(steps);
@@ -69,6 +70,9 @@ HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
 PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std::size_t first,
                           std::size_t count, std::int32_t* pixels, std::uint32_t* keys) {
     constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
+    // Rays of a parallel view that turns pass by where those of the background did before.
+    const bool turns = plane.parallel && plane.axis != past.plane().axis;
+    const std::uint32_t unreliable = LiveSamples::kUnreliable | (turns ? LiveSamples::kBackground : 0U);
     Int min = kMax, max = -1;
     const auto width = static_cast<float>(plane.width), height = static_cast<float>(plane.height);
     for (std::size_t i = 0; i < count; i += lanes()) {
@@ -94,7 +98,8 @@ PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std:
         max = select(high > max, high, max);
         store(select(seen, pixel | direction, Int(-1)), &pixels[i]);
         const Mask background = points.has(LiveSamples::kBackground);
-        store(keyOf(select(background, std::numeric_limits<float>::max(), depth), dx, dy, points.state),
+        store(keyOf(select(background, std::numeric_limits<float>::max(), depth), dx, dy, points.state,
+                    unreliable),
               &keys[i]);
     }
     std::int32_t lows[kLanes], highs[kLanes];
@@ -304,7 +309,7 @@ const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
     row.resize(rowLength(plane) + kMaxLanes);
     const auto rowAt = [&](int at) { return &nearest_[firstPixel(plane, std::clamp(at, -1, plane.height))]; };
     const std::uint64_t* const rows[] = {rowAt(y - 2), rowAt(y - 1), rowAt(y), rowAt(y + 1), rowAt(y + 2)};
-    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, eyeMoves_, static_cast<std::size_t>(plane.width), row.data());
+    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, gaps_, static_cast<std::size_t>(plane.width), row.data());
     return row.data();
 }
 
@@ -347,7 +352,8 @@ void Reprojection::takeSpecular(const LiveSamples& past, const std::uint64_t* en
 
 void Reprojection::reproject(const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done) {
     const LiveSamples& surface = present.surface;
-    eyeMoves_ = past.surface.plane().eye != surface.plane().eye;
+    const ImagePlane &before = past.surface.plane(), &now = surface.plane();
+    gaps_ = now.parallel ? !now.shiftedFrom(before) : now.eye != before.eye;
     staleness_.resize(surface.size());
     const auto forEachRow = [&](auto&& work, bool last) {
         forEachRows(surface.plane().height, kRowsOfBand, threads, [&](int from, int to) {

@@ -21,7 +21,8 @@ class Reprojection {
     /// stale. A sample that loses its pixel moves to the empty neighbour nearest to it. A pixel without a
     /// sample borrows one of its neighbours', if they have any. So does one, where the eye has moved, in
     /// which something far is seen through a gap of up to two pixels between near samples: surfaces that come
-    /// nearer have such gaps. The same for any number of `threads`; both images may differ in size.
+    /// nearer have such gaps, and in parallel views those that turn or are magnified. The same for any number
+    /// of `threads`; both images may differ in size. Both are perspective, or both parallel.
     ///
     /// `done` is called by them with each part of the rows that is done, from the first row to before the
     /// last: all layers of these pixels are there then.
@@ -58,7 +59,7 @@ class Reprojection {
     void takeSpecular(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
                       std::size_t first, std::size_t last);
 
-    bool eyeMoves_ = false;
+    bool gaps_ = false; ///< something far may be seen through surfaces that are spread
     std::vector<Part> parts_;
     // By sample of the past.
     PixelArray<std::int32_t> pixels_{6}; ///< the pixel that shows it, the direction to the next; -1: none

@@ -33,6 +33,9 @@ std::vector<rtcore::Camera> readCameras(const WalkOptions& options) {
     for (const std::filesystem::path& file : rtcore::readCameraList(options.list)) {
         if (options.frames > 0 && std::ssize(cameras) == options.frames) break;
         cameras.push_back(rtcore::readCameraFile(file).camera);
+        if (options.parallelWidth <= 0) continue;
+        cameras.back().kind = rtcore::CameraKind::Orthographic;
+        cameras.back().orthographicWidth = options.parallelWidth;
     }
     if (cameras.empty()) throw std::runtime_error(options.list.string() + " names no camera");
     return cameras;

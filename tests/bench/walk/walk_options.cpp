@@ -36,6 +36,12 @@ OptionGroup walkGroup() {
           .help = "the first N cameras [all]",
           .minimum = 1,
           .maximum = 1'000'000},
+         {.name = "parallel",
+          .value = ValueKind::Number,
+          .argument = "WIDTH",
+          .help = "the cameras without perspective, so many scene units wide",
+          .minimum = 1e-6,
+          .maximum = 1e9},
          {.name = "fixed", .help = "draw every camera at the full size, however long that takes"},
          {.name = "new",
           .value = ValueKind::Number,
@@ -171,6 +177,7 @@ const app::ProgramSpec& walkSpec() {
                       "at 30 frames per second, as in the window"},
                      {"bench_walk nave.scn nave.lst --fixed --threads 1", "what a whole frame costs"},
                      {"bench_walk nave.scn nave.lst --new 0.02 --threads 1", "what a live frame costs"},
+                     {"bench_walk nave.scn nave.lst --parallel 20", "the same way, 20 units of it in view"},
                      {"bench_walk nave.scn nave.lst --replay steps.txt", "the frames of an earlier walk"},
                      {"bench_walk flat.scn flat.lst --truth=paths --references DIR",
                       "each 30th moment beside all light that there is"}},
@@ -193,6 +200,7 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
     options.threads = app::threadsOf(arguments);
     options.framesPerSecond = arguments.number("fps").value_or(options.framesPerSecond);
     if (const auto frames = arguments.integer("frames")) options.frames = static_cast<int>(*frames);
+    options.parallelWidth = static_cast<float>(arguments.number("parallel").value_or(0));
     options.fixed = arguments.has("fixed");
     options.newSamples = arguments.number("new").value_or(0);
     if (const auto light = arguments.text("light")) options.light = *light;

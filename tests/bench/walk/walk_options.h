@@ -33,6 +33,7 @@ struct WalkOptions {
     int truthWidth = 512, truthHeight = 310; ///< its pixels
     int every = 1;                           ///< only each n-th moment is compared
     int frames = 0;                          ///< of the walk; 0 = all
+    float parallelWidth = 0; ///< above 0: the cameras without perspective, so many scene units wide
     std::filesystem::path references;
     std::optional<std::filesystem::path> csv, sheet, pictures;
     std::optional<std::filesystem::path> trace;  ///< gets the steps of the walk

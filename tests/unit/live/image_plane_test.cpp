@@ -25,6 +25,28 @@ TEST(ImagePlane, FindsThePointOfARayAtItsPixel) {
     }
 }
 
+TEST(ImagePlane, FindsThePointOfAParallelRayAtItsPixel) {
+    Camera camera = test::sampleCamera();
+    camera.kind = CameraKind::Orthographic;
+    camera.orthographicWidth = 7;
+    const CameraRays rays(camera, 101, 67);
+    const ImagePlane plane(rays, 101, 67);
+    EXPECT_NEAR(plane.addedDepth, 7, 1e-5F);
+    for (const float x : {0.5F, 33.25F, 100.5F}) {
+        for (const float y : {0.5F, 12.75F, 66.5F}) {
+            for (const float t : {0.0F, 1.0F, 50.0F}) {
+                const Ray ray = rays.at(x, y);
+                const Vec3 point = ray.origin + ray.direction * t, offset = point - plane.eye - plane.corner;
+                EXPECT_NEAR(dot(plane.column, offset), x, 1e-3F);
+                EXPECT_NEAR(dot(plane.row, offset), y, 1e-3F);
+                EXPECT_NEAR(plane.depthOf(point), t, 1e-5F * (1 + t));
+                EXPECT_NEAR(length(plane.inDepth(x, y, t) - point), 0, 1e-5F * (1 + t));
+                EXPECT_NEAR(length(plane.alongRay(point, 3) - plane.inDepth(x, y, 3)), 0, 1e-4F);
+            }
+        }
+    }
+}
+
 TEST(ImagePlane, HasNothingInItThatIsBehindTheEye) {
     const CameraRays rays(test::sampleCamera(), 101, 67);
     const ImagePlane plane(rays, 101, 67);

@@ -357,6 +357,14 @@ TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     camera.kind = rtcore::CameraKind::Orthographic;
     camera.orthographicWidth = 4;
     document.setCamera(camera);
+    EXPECT_FALSE(frames.drawsLive(document)) << "of another projection";
+    test::draw(frames, state, rtserver::kCoarsest);
+    EXPECT_TRUE(frames.drawsLive(document));
+    camera.orthographicWidth = 4.4F;
+    document.setCamera(camera);
+    EXPECT_TRUE(frames.drawsLive(document));
+    camera.kind = rtcore::CameraKind::Perspective;
+    document.setCamera(camera);
     EXPECT_FALSE(frames.drawsLive(document));
 }
 
