@@ -128,6 +128,7 @@ const rtcore::LdrImage& PictureMaker::picture(const rtcore::Camera& camera, int 
     shot.settings.width = width;
     shot.settings.height = height;
     loaded_.scene.sections = sections;
+    loaded_.scene.uncutParts = nullptr; // drawings know none
     chooseNet(shot.settings);
     shareLight(task, shot.settings);
     render(shot.camera, shot.settings, 1, 1);

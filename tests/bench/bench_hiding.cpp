@@ -68,7 +68,7 @@ class Hiding {
         const rtcore::Mesh& mesh = loaded.scene.mesh();
         std::vector<std::uint8_t> hidden;
         const double mask = millisecondsOf(
-            [&] { hidden = hiddenTriangles(loaded.scene.model, hideSome(loaded.scene.model, fraction)); });
+            [&] { hidden = partTriangles(loaded.scene.model, hideSome(loaded.scene.model, fraction)); });
         const auto left = std::count(hidden.begin(), hidden.end(), 0);
         auto whole = std::make_unique<KdRayTracer>(loaded.tree, mesh, chooseLeafRecords(loaded.tree, 0));
         const double prune = millisecondsOf([&] { pruned_ = visibleTree(loaded.tree, hidden); });

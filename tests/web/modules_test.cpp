@@ -51,6 +51,7 @@ TEST_F(PageModules, CommandLetsGoOfKeysAndTheWheelHasSteps) { passes("input_test
 TEST_F(PageModules, AModelInTheHandNeverFallsBehind) { passes("orbit_test.js"); }
 TEST_F(PageModules, ADoubleClickTurnsThere) { passes("directions_test.js"); }
 TEST_F(PageModules, TheScreenIsKeptOnOnce) { passes("wake_lock_test.js"); }
+TEST_F(PageModules, SectionsHaveASideAndATrack) { passes("sections_test.js"); }
 
 TEST_F(PageModules, UndoWaitsForTheLastOne) { passes("edits_test.js"); }
 TEST_F(PageModules, ARefusedEditIsToldOnceItIsOver) { passes("edits_test.js"); }

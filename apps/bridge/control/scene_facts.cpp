@@ -100,6 +100,24 @@ json skyJson(const app::StateReport& state) {
     return row;
 }
 
+json sectionsJson(const app::StateReport& state) {
+    const rtcore::SectionPlanes& sections = state.sections;
+    json planes = json::array();
+    for (const rtcore::SectionPlane& plane : sections.planes)
+        planes.push_back(
+            {{"point", positionJson(plane.point, state.origin)}, {"normal", vectorJson(plane.normal)}});
+    const rtcore::Box3 bounds = state.bounds.empty() ? rtcore::Box3{{}, {}} : state.bounds;
+    const rtcore::Colour colour = sections.caps.colour;
+    return {{"planes", planes},
+            {"most", rtcore::kMaxSectionPlanes},
+            {"bounds",
+             {{"lo", positionJson(bounds.lo, state.origin)}, {"hi", positionJson(bounds.hi, state.origin)}}},
+            {"light", nameOf(sections.light)},
+            {"caps", nameOf(sections.caps.colours)},
+            {"colour", {colour.r, colour.g, colour.b}},
+            {"hatching", sections.caps.hatched}};
+}
+
 json valuesJson(const std::vector<rtcore::SettingAssignment>& settings) {
     json values = json::object();
     for (const rtcore::SettingAssignment& each : settings) values[each.name] = settingJson(each.value);
@@ -156,6 +174,7 @@ json sceneJson(const app::StateReport& state) {
                {"environments", environmentsJson(state.environments)},
                {"map", nullptr},
                {"sky", skyJson(state)},
+               {"sections", sectionsJson(state)},
                {"bookmarks", state.bookmarks},
                {"undo", stepJson(state.undo)},
                {"redo", stepJson(state.redo)},

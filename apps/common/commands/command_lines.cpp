@@ -173,6 +173,8 @@ std::string sectionCaps(const std::string& colours) { return line(CommandId::Sec
 std::string sectionColour(const std::array<float, 3>& linear) {
     return line(CommandId::SectionColour, linear);
 }
+std::string sectionLeave(const Words& parts) { return line(CommandId::SectionLeave, parts); }
+std::string sectionCut(const Words& parts) { return line(CommandId::SectionCut, parts); }
 std::string sectionHatching(bool on) { return line(CommandId::SectionHatching, on ? "on" : "off"); }
 
 std::string plan(const std::string& file, const std::string& side, double scale, const std::string& paper,

@@ -108,6 +108,8 @@ std::string seen(double right, double down);   ///< 0..1
 std::string mask(bool ofMaterial, int number); ///< of a part, else
 
 // Sections, counted from 1.
+std::string sectionLeave(const std::vector<std::string>& parts); ///< numbers or patterns
+std::string sectionCut(const std::vector<std::string>& parts);
 std::string sectionHere(double right, double down);  ///< 0..1
 std::string sectionThrough(const std::string& axis); ///< "-z"
 std::string sectionAt(int number, const Position& point);

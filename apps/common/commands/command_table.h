@@ -148,6 +148,8 @@ enum class CommandId {
     SectionCaps,
     SectionColour,
     SectionHatching,
+    SectionLeave,
+    SectionCut,
     Plan,
     Storeys,
     StoreyGo,

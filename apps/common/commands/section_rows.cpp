@@ -8,7 +8,8 @@ namespace app {
 using enum CommandEffect;
 
 std::vector<CommandSpec> sectionCommands() {
-    const CommandArgument section = whole("N", 1, rtcore::kMaxSectionPlanes);
+    const CommandArgument section = whole("N", 1, rtcore::kMaxSectionPlanes),
+                          part = text("PART", ArgumentType::Part);
     return {
         {.id = CommandId::Sections,
          .name = "sections",
@@ -20,8 +21,8 @@ std::vector<CommandSpec> sectionCommands() {
          .more = "A line each, `1 0 1.2 0 0 1 0`, and `light whole` or `light cut`, `caps own`, `colour 0.1 "
                  "0.1 0.1` "
                  "and `hatching off` at the end; then `open NAME` for each part that is cut and has no cap, "
-                 "since it "
-                 "is not closed. The model is taken away on the side that the normal points to"},
+                 "since it is not closed, and `uncut NAME` for each that is left whole. The model is taken "
+                 "away on the side that the normal points to"},
         {.id = CommandId::SectionAdd,
          .name = "section add",
          .arguments = numbers({"X", "Y", "Z", "NX", "NY", "NZ"}),
@@ -105,6 +106,21 @@ std::vector<CommandSpec> sectionCommands() {
          .step = "section",
          .browser = BrowserUse::Edit,
          .help = "lines across caps"},
+        {.id = CommandId::SectionLeave,
+         .name = "section leave",
+         .arguments = {part, manyOf(part)},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "leave these parts whole, whatever is cut",
+         .more =
+             "PART is a number or a pattern for names: `section leave 'house/stairs*'`. Such parts have no "
+             "caps, and stay in the way of a walker"},
+        {.id = CommandId::SectionCut,
+         .name = "section cut",
+         .arguments = {part, manyOf(part)},
+         .step = "section",
+         .browser = BrowserUse::Edit,
+         .help = "cut these parts again"},
     };
 }
 

@@ -75,23 +75,28 @@ Selection readSelection(const Arguments& arguments) {
             selection.parts.push_back({given.value, given.name == "hide"});
     }
     selection.sections = readSections(arguments);
+    selection.uncut = arguments.all("section-except");
     selection.lights = arguments.text("lights");
     return selection;
 }
 
 void selectParts(const Selection& selection, rtcore::Scene& scene) {
-    if (selection.isolated.empty() && selection.parts.empty()) return;
+    if (selection.isolated.empty() && selection.parts.empty() && selection.uncut.empty()) return;
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
     std::vector<std::uint8_t> chosen(parts.size());
     for (const std::string& text : selection.isolated) chooseParts("--isolate", text, parts, chosen);
     rtcore::HiddenParts hidden = scene.hiddenParts;
-    if (!selection.isolated.empty()) hidden = onlyParts(scene.model, parts, chosen);
+    if (!selection.isolated.empty()) hidden = allButParts(scene.model, parts, chosen);
     for (const Selection::Part& part : selection.parts) {
         std::ranges::fill(chosen, std::uint8_t{0});
         chooseParts(part.hide ? "--hide" : "--show", part.text, parts, chosen);
         hidden = withParts(scene.model, parts, chosen, part.hide, hidden);
     }
     scene.hiddenParts = hidden;
+    if (selection.uncut.empty()) return;
+    std::ranges::fill(chosen, std::uint8_t{0});
+    for (const std::string& text : selection.uncut) chooseParts("--section-except", text, parts, chosen);
+    scene.uncutParts = withParts(scene.model, parts, chosen, true, scene.uncutParts);
 }
 
 void selectLights(const Selection& selection, rtcore::Scene& scene) {

@@ -21,6 +21,7 @@ struct Selection {
     std::vector<std::string> isolated; ///< these alone; empty: no change
     std::vector<Part> parts;           ///< then, in order
     SectionChoice sections;
+    std::vector<std::string> uncut;    ///< parts that sections leave whole, beside those of the scene
     std::optional<std::string> lights; ///< "all", "none", or names and ids, parted by commas
 };
 

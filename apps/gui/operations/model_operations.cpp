@@ -70,6 +70,10 @@ void ModelOperations::connectPanel() {
             [&editor](const QStringList& parts) { editor.edit(command::partShow(wordsOf(parts))); });
     connect(panel_, &ModelPanel::isolateWanted, this,
             [&editor](const QStringList& parts) { editor.edit(command::partIsolate(wordsOf(parts))); });
+    connect(panel_, &ModelPanel::leaveWanted, this,
+            [&editor](const QStringList& parts) { editor.edit(command::sectionLeave(wordsOf(parts))); });
+    connect(panel_, &ModelPanel::cutWanted, this,
+            [&editor](const QStringList& parts) { editor.edit(command::sectionCut(wordsOf(parts))); });
     connect(panel_, &ModelPanel::showAllWanted, this, [&editor] { editor.edit(command::partShowAll()); });
     connect(panel_, &ModelPanel::partChosen, this, [this](int number) { select(false, number); });
     connect(panel_, &ModelPanel::materialChosen, this, [this](int number) {
@@ -180,8 +184,10 @@ void ModelOperations::openMenu(const QPoint& place) {
         menu->addAction(tr("&Hide"), this, [&editor, part] { editor.edit(command::partHide(part)); });
     QAction* isolate =
         menu->addAction(tr("&Isolate"), this, [&editor, part] { editor.edit(command::partIsolate(part)); });
+    QAction* leave = menu->addAction(tr("Do &not cut"), this,
+                                     [&editor, part] { editor.edit(command::sectionLeave(part)); });
     QAction* fit = menu->addAction(tr("&Go there"), this, &ModelOperations::fitSelected);
-    for (QAction* action : {hide, isolate, fit}) action->setEnabled(marked_ != 0);
+    for (QAction* action : {hide, isolate, leave, fit}) action->setEnabled(marked_ != 0);
     menu->addAction(tr("Show &all"), this, [&editor] { editor.edit(command::partShowAll()); });
     menu->addSeparator();
     menu->addAction(tr("Edit the &material"), this, [this] {

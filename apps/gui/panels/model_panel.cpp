@@ -202,6 +202,8 @@ void ModelPanel::fillMenu(QMenu& menu) {
     add(tr("&Hide"), &ModelPanel::hideWanted);
     add(tr("&Show"), &ModelPanel::showWanted);
     add(tr("&Isolate"), &ModelPanel::isolateWanted);
+    add(tr("Do &not cut"), &ModelPanel::leaveWanted);
+    add(tr("&Cut"), &ModelPanel::cutWanted);
     menu.addSeparator();
     menu.addAction(tr("Show &all"), this, &ModelPanel::showAllWanted);
 }

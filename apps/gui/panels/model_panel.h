@@ -44,6 +44,8 @@ class ModelPanel : public QWidget {
     void hideWanted(const QStringList& parts);
     void showWanted(const QStringList& parts);
     void isolateWanted(const QStringList& parts);
+    void leaveWanted(const QStringList& parts); ///< by sections
+    void cutWanted(const QStringList& parts);
     void showAllWanted();
 
   private:

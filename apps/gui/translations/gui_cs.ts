@@ -2472,6 +2472,10 @@ Alt+%2</translation>
         <source>No part is selected: a right click on the image, or a row of the model panel, selects one.</source>
         <translation>Žádná část není vybrána: vybere ji pravé tlačítko v obraze nebo řádek panelu modelu.</translation>
     </message>
+    <message>
+        <source>Do &amp;not cut</source>
+        <translation>&amp;Neřezat</translation>
+    </message>
 </context>
 <context>
     <name>gui::ModelPanel</name>
@@ -2510,6 +2514,14 @@ Alt+%2</translation>
     <message>
         <source>Show &amp;all</source>
         <translation>Zobrazit &amp;vše</translation>
+    </message>
+    <message>
+        <source>Do &amp;not cut</source>
+        <translation>&amp;Neřezat</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>Ř&amp;ezat</translation>
     </message>
 </context>
 <context>

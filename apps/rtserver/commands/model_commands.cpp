@@ -76,7 +76,7 @@ Result partShow(const Call& call) {
 Result partIsolate(const Call& call) {
     const rtcore::Scene& scene = sceneOf(call);
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
-    hideParts(call.document(), onlyParts(scene.model, parts, partsNamed(parts, call.arguments)));
+    hideParts(call.document(), allButParts(scene.model, parts, partsNamed(parts, call.arguments)));
     return {};
 }
 

@@ -84,7 +84,7 @@ std::string materialLines(const rtcore::Scene& scene, int first) {
 std::string partLines(const rtcore::Scene& scene, int first) {
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
     return lines(first, parts.size(), [&](std::size_t i) {
-        const char* const shown = isHidden(parts[i], scene.hiddenParts) ? "hidden" : "shown";
+        const char* const shown = isIn(parts[i], scene.hiddenParts) ? "hidden" : "shown";
         return withName(fmt::format("{} {} {}", i + 1, shown, parts[i].triangles), parts[i].name);
     });
 }

@@ -1,5 +1,6 @@
 // Commands for the planes that cut the model open.
 #include "rtserver/commands/command_call.h"
+#include "rtserver/commands/model_objects.h"
 #include "rtserver/commands/seen_surface.h"
 #include "rtserver/document/model_edits.h"
 
@@ -40,6 +41,10 @@ Result sections(const Call& call) {
                         rtcore::settingText(c.b), all.caps.hatched ? "on" : "off");
     for (const std::string& part : call.document().caps().openParts(*call.document().scene()))
         text += "\nopen " + rtcore::inQuotes(part);
+    const rtcore::Scene& scene = *call.document().scene();
+    if (scene.uncutParts == nullptr) return {.answer = text};
+    for (const rtcore::NamedPart& part : rtcore::namedParts(scene.model))
+        if (isIn(part, scene.uncutParts)) text += "\nuncut " + rtcore::inQuotes(part.name);
     return {.answer = text};
 }
 
@@ -172,6 +177,23 @@ Result sectionHatching(const Call& call) {
     return style(call, [&](rtcore::CapStyle& caps) { caps.hatched = call[0] == "on"; });
 }
 
+void setUncut(const Call& call, bool uncut) {
+    const rtcore::Scene& scene = *call.document().scene();
+    const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
+    const std::vector<std::uint8_t> chosen = partsNamed(parts, call.arguments);
+    leaveUncut(call.document(), withParts(scene.model, parts, chosen, uncut, scene.uncutParts));
+}
+
+Result sectionLeave(const Call& call) {
+    setUncut(call, true);
+    return {};
+}
+
+Result sectionCut(const Call& call) {
+    setUncut(call, false);
+    return {};
+}
+
 constexpr std::array kSectionFunctions{
     CommandFunction{app::CommandId::Sections, sections},
     CommandFunction{app::CommandId::SectionAdd, sectionAdd},
@@ -187,6 +209,8 @@ constexpr std::array kSectionFunctions{
     CommandFunction{app::CommandId::SectionCaps, sectionCaps},
     CommandFunction{app::CommandId::SectionColour, sectionColour},
     CommandFunction{app::CommandId::SectionHatching, sectionHatching},
+    CommandFunction{app::CommandId::SectionLeave, sectionLeave},
+    CommandFunction{app::CommandId::SectionCut, sectionCut},
 };
 
 } // namespace

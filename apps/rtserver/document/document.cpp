@@ -29,8 +29,9 @@ rtcore::Changes changesBetween(const rtcore::Scene& before, const rtcore::Scene&
                                          after.activeEnvironment != before.activeEnvironment ||
                                          after.environments != before.environments);
     changes.set(rtcore::Change::Material, after.materials != before.materials);
-    changes.set(rtcore::Change::Section, after.sections != before.sections);
-    changes.set(rtcore::Change::Visibility, !rtcore::sameHidden(after.hiddenParts, before.hiddenParts));
+    changes.set(rtcore::Change::Section,
+                after.sections != before.sections || !rtcore::sameParts(after.uncutParts, before.uncutParts));
+    changes.set(rtcore::Change::Visibility, !rtcore::sameParts(after.hiddenParts, before.hiddenParts));
     return changes;
 }
 
@@ -72,7 +73,7 @@ void Document::useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayT
 
 void Document::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
                               const rtcore::HiddenParts& hidden) {
-    if (!rtcore::sameHidden(hidden, scene_->hiddenParts)) return;
+    if (!rtcore::sameParts(hidden, scene_->hiddenParts)) return;
     visible_.replace(std::move(tree), std::move(tracer), *scene_);
     if (follower_ != nullptr) follower_->treeReplaced();
 }

@@ -29,22 +29,33 @@ rtcore::SceneFile descriptionOf(const World& world) {
     return file;
 }
 
-void addHiddenParts(const rtcore::Scene& scene, rtcore::SceneFile& file) {
-    file.parts.clear();
-    if (scene.hiddenParts == nullptr) return;
-    const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
-    const auto hidden = static_cast<std::size_t>(
-        std::count_if(parts.begin(), parts.end(),
-                      [&](const rtcore::NamedPart& part) { return isHidden(part, scene.hiddenParts); }));
-    const bool mostHidden = 2 * hidden > parts.size();
-    if (mostHidden) file.parts.push_back({"*", {}, true});
+/// Those of the set, or, where these are fewer, all and then the others.
+void addParts(const rtcore::Model& model, const rtcore::PartSet& set,
+              std::optional<bool> rtcore::PartDescription::*key, rtcore::SceneFile& file) {
+    if (set == nullptr) return;
+    const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(model);
+    const auto in = static_cast<std::size_t>(std::count_if(
+        parts.begin(), parts.end(), [&](const rtcore::NamedPart& part) { return isIn(part, set); }));
+    const bool mostIn = 2 * in > parts.size();
+    const auto add = [&](std::string pattern, std::optional<int> number, bool value) {
+        rtcore::PartDescription part{std::move(pattern), number, {}, {}};
+        part.*key = value;
+        file.parts.push_back(std::move(part));
+    };
+    if (mostIn) add("*", {}, true);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (isHidden(parts[i], scene.hiddenParts) == mostHidden) continue;
+        if (isIn(parts[i], set) == mostIn) continue;
         if (parts[i].name.empty() || rtcore::isPattern(parts[i].name))
-            file.parts.push_back({"", static_cast<int>(i) + 1, !mostHidden});
+            add("", static_cast<int>(i) + 1, !mostIn);
         else
-            file.parts.push_back({std::string(parts[i].name), {}, !mostHidden});
+            add(std::string(parts[i].name), {}, !mostIn);
     }
+}
+
+void addParts(const rtcore::Scene& scene, rtcore::SceneFile& file) {
+    file.parts.clear();
+    addParts(scene.model, scene.hiddenParts, &rtcore::PartDescription::hidden, file);
+    addParts(scene.model, scene.uncutParts, &rtcore::PartDescription::uncut, file);
 }
 
 void addLights(const rtcore::Scene& scene, rtcore::SceneFile& file) {
@@ -79,7 +90,7 @@ rtcore::SceneFile describe(const Document& document) {
     addLights(scene, file);
     file.environments = scene.environmentFiles;
     addMaterialEdits(scene, file.materials);
-    addHiddenParts(scene, file);
+    addParts(scene, file);
     file.cameraFile.reset();
     file.camera = document.camera();
     file.camera->nameOffset = 0;

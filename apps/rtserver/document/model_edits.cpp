@@ -27,6 +27,12 @@ void hideParts(Document& document, rtcore::HiddenParts hidden) {
     document.publish(std::move(edited));
 }
 
+void leaveUncut(Document& document, rtcore::PartSet uncut) {
+    rtcore::Scene edited = *document.scene();
+    edited.uncutParts = std::move(uncut);
+    document.publish(std::move(edited));
+}
+
 void cutOpen(Document& document, rtcore::SectionPlanes sections) {
     rtcore::Scene edited = *document.scene();
     edited.sections = std::move(sections);

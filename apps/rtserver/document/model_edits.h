@@ -19,6 +19,8 @@ void resetMaterials(Document& document, std::span<const std::size_t> materials);
 /// Parts of this model. Rays and bodies pass through what is hidden.
 void hideParts(Document& document, rtcore::HiddenParts hidden);
 
+/// In place of those that sections left whole.
+void leaveUncut(Document& document, rtcore::PartSet uncut);
 /// By these planes, at most kMaxSectionPlanes.
 void cutOpen(Document& document, rtcore::SectionPlanes sections);
 

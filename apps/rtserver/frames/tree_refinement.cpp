@@ -18,8 +18,8 @@ TreeRefinement::TreeRefinement(const rtcore::Scene& scene, const rtcore::HiddenP
           options.threads = threads;
           Result result;
           result.tree = hidden == nullptr ? buildKdTree(model.mesh, options, nullptr, &progress_)
-                                          : buildVisibleTree(model.mesh, hiddenTriangles(model, hidden),
-                                                             bounds, options, &progress_);
+                                          : buildVisibleTree(model.mesh, partTriangles(model, hidden), bounds,
+                                                             options, &progress_);
           result.tracer = std::make_shared<const rtcore::KdRayTracer>(result.tree, model.mesh,
                                                                       chooseLeafRecords(result.tree, 0));
           result.hidden = hidden;

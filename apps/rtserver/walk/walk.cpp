@@ -78,11 +78,18 @@ void Walk::sceneEdited(const rtcore::Scene& before, const rtcore::Changes& chang
     }
     if (!changes.has(rtcore::Change::Visibility) && !changes.has(rtcore::Change::Section)) return;
     treeReplaced();
-    player_->useSections(document_.scene()->sections.planes);
+    useSections();
     if (!walking()) return;
     player_->setMode(rtcore::MotionMode::View);
     player_->setMode(rtcore::MotionMode::Walk);
     takeCamera();
+}
+
+void Walk::useSections() {
+    const rtcore::Scene& scene = *document_.scene();
+    const bool some = scene.uncutParts != nullptr;
+    player_->useSections(scene.sections.planes,
+                         some ? partTriangles(scene.model, scene.uncutParts) : std::vector<std::uint8_t>());
 }
 
 void Walk::treeReplaced() { player_->useTree(document_.visible().tree()); }
@@ -109,7 +116,7 @@ void Walk::makePlayer() {
         document_.visible().tree(), document_.world().loaded.scene.model.mesh,
         rtcore::PlayerOptions{
             .up = scene.up, .metresPerUnit = double{scene.metresPerUnit}, .walk = scene.walk});
-    player_->useSections(scene.sections.planes);
+    useSections();
     player_->setCamera(document_.camera());
 }
 

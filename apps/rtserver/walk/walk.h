@@ -94,6 +94,7 @@ class Walk final : private DocumentFollower {
     void unitsChanged() override;
     void cameraPlaced() override;
 
+    void useSections();
     void makePlayer();
     void takeCamera() { document_.moveCamera(player_->camera()); }
     void beginWalking();

@@ -23,8 +23,8 @@ constexpr float kAnotherLight = 0.1F; ///< by such a difference what was known o
 
 /// Whether emissive triangles are hidden in the scene or there alone.
 bool emittersDiffer(const Scene& scene, const HiddenParts& hidden) {
-    const std::vector<std::uint8_t> here = hiddenTriangles(scene.model, scene.hiddenParts),
-                                    there = hiddenTriangles(scene.model, hidden);
+    const std::vector<std::uint8_t> here = partTriangles(scene.model, scene.hiddenParts),
+                                    there = partTriangles(scene.model, hidden);
     for (std::size_t i = 0; i < here.size(); ++i) {
         const bool differs = (here[i] != 0) != (there[i] != 0);
         if (differs && !isBlack(scene.material(scene.mesh().shading[i].material).emission)) return true;
@@ -53,8 +53,8 @@ void IndirectLight::changeLight(const Scene& scene, const RayTracer& tracer, con
 void IndirectLight::changeParts(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                                 int threads) {
     ChangedSurfaces changed;
-    changed.find(scene.model.mesh, hiddenTriangles(scene.model, lit_.scene().hiddenParts),
-                 hiddenTriangles(scene.model, scene.hiddenParts));
+    changed.find(scene.model.mesh, partTriangles(scene.model, lit_.scene().hiddenParts),
+                 partTriangles(scene.model, scene.hiddenParts));
     if (changed.empty()) {
         rebind(scene, tracer, settings);
         return;
@@ -67,7 +67,7 @@ void IndirectLight::changeParts(const Scene& scene, const RayTracer& tracer, con
         for (auto i = static_cast<std::uint32_t>(change_->records()); i < cache_.size(); ++i) forget(i);
     }
     forgetNear(changed, threads);
-    if (sameHidden(change_->before().scene().hiddenParts, scene.hiddenParts)) {
+    if (sameParts(change_->before().scene().hiddenParts, scene.hiddenParts)) {
         cells_ = std::move(change_->cells());
         change_.reset();
         lit_.prepare(scene, tracer, settings);

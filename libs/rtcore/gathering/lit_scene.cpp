@@ -25,7 +25,7 @@ void LitScene::prepare(const Scene& scene, const RayTracer& tracer, const Render
     settings_ = settings;
     fog_ = fogMedium(scene, settings_);
     materials_.prepare(scene, settings_, Colour{});
-    lights_.prepare(scene, settings_, tracer.bounds(), hiddenTriangles(scene.model, scene.hiddenParts));
+    lights_.prepare(scene, settings_, tracer.bounds(), partTriangles(scene.model, scene.hiddenParts));
     darkened_ = nullptr;
 }
 
@@ -36,8 +36,8 @@ void LitScene::prepareBeside(const Scene& scene, const RayTracer& tracer, const 
     while (dark < scene.materials.size() && emits(dark)) ++dark;
     prepare(scene, tracer, settings);
     if (dark == scene.materials.size()) return; // nothing to make them of
-    const std::vector<std::uint8_t> here = hiddenTriangles(scene.model, scene.hiddenParts);
-    std::vector<std::uint8_t> inBoth = hiddenTriangles(scene.model, other);
+    const std::vector<std::uint8_t> here = partTriangles(scene.model, scene.hiddenParts);
+    std::vector<std::uint8_t> inBoth = partTriangles(scene.model, other);
     // Rays do not meet them, so that any material which emits nothing will do.
     const std::span<const ShadingTriangle> shading = scene.mesh().shading;
     auto darkened = std::make_shared<Darkened>();

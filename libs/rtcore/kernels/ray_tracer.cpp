@@ -1,5 +1,6 @@
 #include "rtcore/kernels/ray_tracer.h"
 
+#include "rtcore/accel/visible_tree.h"
 #include "rtcore/kernels/hit_distance.h"
 #include "rtcore/kernels/leaf_records.h"
 #include "rtcore/kernels/single_ray.h"
@@ -99,6 +100,16 @@ void KdRayTracer::occluded(RayKind /*kind*/, const RayWave& rays, std::vector<st
 void RayTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> /*clear*/,
                               std::vector<Obstacle>& found) const {
     found.assign(rays.size(), Obstacle::Unknown);
+}
+
+std::shared_ptr<const RayTracer> RayTracer::without(std::span<const std::uint8_t> /*left*/) const {
+    return nullptr;
+}
+
+std::shared_ptr<const RayTracer> KdRayTracer::without(std::span<const std::uint8_t> left) const {
+    auto tracer = std::make_shared<KdRayTracer>(visibleTree(tree_, left), *this);
+    tracer->scene_.filter = scene_.filter;
+    return tracer;
 }
 
 void KdRayTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,

@@ -9,6 +9,7 @@
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,11 @@ class RayTracer {
     /// Closest hit of each ray in [tMin, tMax]; of several on one surface (one_surface.h) the triangle with
     /// the lowest index. Resizes `hits`.
     virtual void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const = 0;
+    /// The same for rays of the kind Scattered that no surface has scattered yet, as those in mirrors:
+    /// sections cut them, too, where they cut for the camera alone. This implementation knows none.
+    virtual void intersectSeen(const RayWave& rays, HitWave& hits) const {
+        intersect(RayKind::Scattered, rays, hits);
+    }
     /// 1 for each ray that hits anything in [tMin, tMax], else 0. Resizes `occluded`.
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;
     /// The obstacle to each ray in [tMin, tMax]; `clear` has an element for each material, not 0 where light
@@ -37,6 +43,10 @@ class RayTracer {
                                std::vector<Obstacle>& found) const;
     /// Bounds of all that rays may hit.
     virtual Box3 bounds() const = 0;
+
+    /// A tracer of the same surfaces without these triangles, for as long as this one; `left` has one value
+    /// for each, not 0: it is left out. This implementation has none: null.
+    virtual std::shared_ptr<const RayTracer> without(std::span<const std::uint8_t> left) const;
 };
 
 /// How leaves find the corners of their triangles.
@@ -64,6 +74,8 @@ class KdRayTracer final : public RayTracer {
     void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                        std::vector<Obstacle>& found) const override;
     Box3 bounds() const override { return tree_.bounds; }
+    /// At once, with LeafRecords::Shared.
+    std::shared_ptr<const RayTracer> without(std::span<const std::uint8_t> left) const override;
 
     /// From now on rays hit only what `filter` keeps, whose arrays and holes must outlive that. Not while
     /// other threads trace.

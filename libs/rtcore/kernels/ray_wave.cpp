@@ -52,4 +52,11 @@ void HitWave::take(const HitWave& from, std::size_t first, std::size_t count) {
     if (!from.clearance.empty()) takeSome(clearance, from.clearance);
 }
 
+void HitWave::put(std::size_t i, const HitWave& from, std::size_t j) {
+    set(i, from.hit(j));
+    if (clearance.empty() && from.clearanceOf(j) == 0) return;
+    clearance.resize(size());
+    clearance[i] = from.clearanceOf(j);
+}
+
 } // namespace rtcore

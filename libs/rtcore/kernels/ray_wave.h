@@ -67,6 +67,8 @@ struct HitWave {
     void resize(std::size_t count);
     /// Becomes `count` hits of another wave.
     void take(const HitWave& from, std::size_t first, std::size_t count);
+    /// The hit `i` becomes the hit `j` of another wave.
+    void put(std::size_t i, const HitWave& from, std::size_t j);
     float clearanceOf(std::size_t i) const { return clearance.empty() ? 0 : clearance[i]; }
     bool isHit(std::size_t i) const { return triangle[i] != kNoTriangle; }
     Hit hit(std::size_t i) const { return {t[i], triangle[i], u[i], v[i]}; }

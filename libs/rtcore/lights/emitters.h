@@ -27,7 +27,7 @@ struct EmitterRows {
 
 /// Which triangles are left to rays that hit them by chance, or hit by none.
 struct EmitterChoice {
-    std::span<const std::uint8_t> hidden = {}; ///< by triangle of the model, not 0: it is (hiddenTriangles())
+    std::span<const std::uint8_t> hidden = {}; ///< by triangle of the model, not 0: it is (partTriangles())
     /// By material, not 0: its emission is visible, but lights nothing.
     std::span<const std::uint8_t> emitsNoLight = {};
     bool textures = true; ///< as RenderSettings::textures

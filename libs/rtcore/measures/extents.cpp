@@ -28,7 +28,7 @@ double areaOf(const Mesh& mesh, std::uint32_t triangle) {
 Indices inPlaneOf(const Scene& scene, std::uint32_t triangle) {
     constexpr double kParallel = 0.99999; // within a quarter of a degree
     const Mesh& mesh = scene.model.mesh;
-    const std::vector<std::uint8_t> hidden = hiddenTriangles(scene.model, scene.hiddenParts);
+    const std::vector<std::uint8_t> hidden = partTriangles(scene.model, scene.hiddenParts);
     Box3 bounds;
     for (const Vertex& vertex : mesh.vertices) bounds.extend(vertex.position());
     const double near = 8 * double{roundingOf(bounds)};

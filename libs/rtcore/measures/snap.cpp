@@ -50,7 +50,7 @@ class EdgesNear {
             if (!sight.hits.isHit(i) || sight.hits.triangle[i] >= mesh_.triangles.size()) continue;
             for (const std::uint32_t v : mesh_.triangles[sight.hits.triangle[i]].v) marked[v] = 1;
         }
-        const std::vector<std::uint8_t> hidden = hiddenTriangles(scene.model, scene.hiddenParts);
+        const std::vector<std::uint8_t> hidden = partTriangles(scene.model, scene.hiddenParts);
         Indices triangles, corners;
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
             if (!hidden.empty() && hidden[t] != 0) continue;
@@ -159,7 +159,7 @@ class Catcher {
             const double away = std::hypot((*pixel)[0] - pixel_[0], (*pixel)[1] - pixel_[1]);
             if (away > limit) continue;
             const auto hit = surfaceAt(point);
-            if (!hit || !isSeen(point)) continue;
+            if (!hit || !isSeen(point, sight_.hits.triangle[*hit])) continue;
             limit = away;
             caught = at(kind, point, *hit);
         }
@@ -179,7 +179,7 @@ class Catcher {
         return std::nullopt;
     }
 
-    bool isSeen(Vec3 point) const {
+    bool isSeen(Vec3 point, std::uint32_t triangle) const {
         constexpr float kClose = 0.999F;
         const auto pixel = *pixelOf(camera_, point);
         Ray ray = camera_.at(static_cast<float>(pixel[0]), static_cast<float>(pixel[1]));
@@ -188,7 +188,11 @@ class Catcher {
         rays.push(ray);
         std::vector<std::uint8_t> occluded;
         shown_.occluded(RayKind::Primary, rays, occluded);
-        return occluded[0] == 0 && !clip().removes(point);
+        return occluded[0] == 0 && (isUncut(triangle) || !clip().removes(point));
+    }
+    bool isUncut(std::uint32_t triangle) const {
+        return scene_.uncutParts != nullptr && triangle < scene_.model.mesh.triangles.size() &&
+               partTriangles(scene_.model, scene_.uncutParts)[triangle] != 0;
     }
     SectionClip clip() const { return SectionClip(scene_.sections, shown_.bounds()); }
 

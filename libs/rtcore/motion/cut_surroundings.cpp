@@ -17,9 +17,9 @@ bool carries(const SolidTriangle& t, Vec3d feet, double step, double walkable) {
 
 } // namespace
 
-CutSurroundings::CutSurroundings(std::span<const SectionPlane> planes, const WorldFrame& frame,
-                                 double further, double walkable)
-    : walkable_(walkable) {
+CutSurroundings::CutSurroundings(std::span<const SectionPlane> planes, std::span<const std::uint8_t> uncut,
+                                 const WorldFrame& frame, double further, double walkable)
+    : uncut_(uncut.begin(), uncut.end()), walkable_(walkable) {
     for (const SectionPlane& plane : planes) {
         const Vec3d normal = normalize(frame.turn(normalize(plane.normal)));
         halves_.push_back(
@@ -33,7 +33,8 @@ void CutSurroundings::cut(const SolidTriangle& triangle, Vec3d feet, double step
         return std::ranges::all_of(halves_, [p](const Half& half) { return half.above(p) <= 0; });
     };
     const bool whole = isKept(triangle.a) && isKept(triangle.b) && isKept(triangle.c);
-    if (whole || carries(triangle, feet, step, walkable_)) return left.push_back(triangle);
+    if (whole || isUncut(triangle) || carries(triangle, feet, step, walkable_))
+        return left.push_back(triangle);
     std::vector<Vec3d> corners{triangle.a, triangle.b, triangle.c}, next;
     for (const Half& half : halves_) {
         next.clear();

@@ -5,6 +5,7 @@
 #include "rtcore/motion/world_frame.h"
 #include "rtcore/scene/section_planes.h"
 
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,10 +16,11 @@ namespace rtcore {
 class CutSurroundings {
   public:
     CutSurroundings() = default;
-    /// Planes lie `further` out, scene units, as those of rays do (SectionClip): faces in them stay.
-    /// `walkable`: cosine of the steepest floor.
-    CutSurroundings(std::span<const SectionPlane> planes, const WorldFrame& frame, double further,
-                    double walkable);
+    /// Planes lie `further` out, scene units, as those of rays do (SectionClip): faces in them stay. `uncut`
+    /// has a value for each triangle of the mesh that is not 0 where it stays whole, or is empty. `walkable`:
+    /// cosine of the steepest floor.
+    CutSurroundings(std::span<const SectionPlane> planes, std::span<const std::uint8_t> uncut,
+                    const WorldFrame& frame, double further, double walkable);
 
     /// Nothing is cut.
     bool empty() const { return halves_.empty(); }
@@ -40,7 +42,12 @@ class CutSurroundings {
         double above(Vec3d p) const { return dot(normal, p) - offset; }
     };
 
+    bool isUncut(const SolidTriangle& triangle) const {
+        return triangle.number < uncut_.size() && uncut_[triangle.number] != 0;
+    }
+
     std::vector<Half> halves_;
+    std::vector<std::uint8_t> uncut_;
     double walkable_ = 0;
 };
 

@@ -19,7 +19,8 @@ SolidTriangle solidTriangle(Vec3d a, Vec3d b, Vec3d c) {
             b,
             c,
             {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-             {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}}};
+             {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}},
+            kNoTriangle};
 }
 
 void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found) {
@@ -76,9 +77,10 @@ void NearbyTriangles::find(const Box3d& box) {
     findTriangles(tree_, toScene(box), indices_);
     found_.clear();
     for (const std::uint32_t i : indices_) {
-        const SolidTriangle t =
+        SolidTriangle t =
             solidTriangle(frame_.toMetres(mesh_.position(i, 0)), frame_.toMetres(mesh_.position(i, 1)),
                           frame_.toMetres(mesh_.position(i, 2)));
+        t.number = i;
         if (isFinite(t.a) && isFinite(t.b) && isFinite(t.c) && t.box.overlaps(box)) found_.push_back(t);
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/ray_wave.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/motion/world_frame.h"
 #include "rtcore/scene/mesh.h"
@@ -30,6 +31,7 @@ struct Box3d {
 struct SolidTriangle {
     Vec3d a, b, c;
     Box3d box;
+    std::uint32_t number = kNoTriangle; ///< of the mesh; kNoTriangle: none of it
 };
 
 SolidTriangle solidTriangle(Vec3d a, Vec3d b, Vec3d c);

@@ -38,7 +38,9 @@ class Player {
     /// Another tree of the same mesh, or of a part of it; must outlive it. Nothing moves.
     void useTree(const KdTree& tree);
     /// The planes that cut the model: Walker::useSections(). Nothing moves.
-    void useSections(std::span<const SectionPlane> planes) { walker_.useSections(planes); }
+    void useSections(std::span<const SectionPlane> planes, std::span<const std::uint8_t> uncut = {}) {
+        walker_.useSections(planes, uncut);
+    }
 
     /// Jumps there. In walk-through mode the body comes along; where there is no room for it the mode becomes
     /// View.

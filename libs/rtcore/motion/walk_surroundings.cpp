@@ -36,8 +36,9 @@ void WalkSurroundings::useTree(const KdTree& tree) {
     nearby_.useTree(tree);
 }
 
-void WalkSurroundings::useSections(std::span<const SectionPlane> planes) {
-    cut_ = CutSurroundings(planes, frame_, double{roundingOf(tree_.bounds)}, shape_.walkable);
+void WalkSurroundings::useSections(std::span<const SectionPlane> planes,
+                                   std::span<const std::uint8_t> uncut) {
+    cut_ = CutSurroundings(planes, uncut, frame_, double{roundingOf(tree_.bounds)}, shape_.walkable);
 }
 
 std::span<const SolidTriangle> WalkSurroundings::leftOf(std::span<const SolidTriangle> triangles, Vec3d feet,
@@ -64,7 +65,7 @@ std::span<const SolidTriangle> WalkSurroundings::withUnseenFloor(std::span<const
     const Vec3d a{x - 2 * far, y - far, lowest_}, b{x + 2 * far, y - far, lowest_},
         c{x, y + 2 * far, lowest_};
     withFloor_.assign(triangles.begin(), triangles.end());
-    withFloor_.push_back({a, b, c, {{a.x, a.y, lowest_}, {b.x, c.y, lowest_}}});
+    withFloor_.push_back({a, b, c, {{a.x, a.y, lowest_}, {b.x, c.y, lowest_}}, kNoTriangle});
     return withFloor_;
 }
 

@@ -23,8 +23,8 @@ class WalkSurroundings {
 
     /// Another tree of the same mesh, or of a part of it; must outlive it.
     void useTree(const KdTree& tree);
-    /// What they take away counts from the next gather() on.
-    void useSections(std::span<const SectionPlane> planes);
+    /// What they take away counts from the next gather() on; `uncut` as CutSurroundings has it.
+    void useSections(std::span<const SectionPlane> planes, std::span<const std::uint8_t> uncut);
 
     /// Finds the triangles that a body with this state may touch while it goes at most `move` metres.
     void gather(const WalkState& state, double move);

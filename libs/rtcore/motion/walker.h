@@ -22,9 +22,10 @@ class Walker {
 
     /// Another tree of the same mesh, or of a part of it; must outlive it.
     void useTree(const KdTree& tree) { around_.useTree(tree); }
-    /// What they take away of the model is no wall any more, but still carries.
-    void useSections(std::span<const SectionPlane> planes) {
-        around_.useSections(planes);
+    /// What they take away of the model is no wall any more, but still carries; triangles whose value in
+    /// `uncut` is not 0 stay as they are.
+    void useSections(std::span<const SectionPlane> planes, std::span<const std::uint8_t> uncut = {}) {
+        around_.useSections(planes, uncut);
         settled_ = false;
     }
 

@@ -49,10 +49,11 @@ std::vector<std::uint8_t> noEmitters(const Scene& scene, const Box3& bounds,
     std::vector<std::uint8_t> none(hidden.begin(), hidden.end());
     if (!scene.sections.letLightIn()) return none;
     const SectionClip clip(scene.sections, bounds);
+    const std::vector<std::uint8_t> uncut = partTriangles(scene.model, scene.uncutParts);
     const Mesh& mesh = scene.model.mesh;
     none.resize(mesh.triangles.size());
     for (std::uint32_t t = 0; t < none.size(); ++t)
-        for (int corner = 0; corner < 3 && none[t] == 0; ++corner)
+        for (int corner = 0; corner < 3 && none[t] == 0 && uncut[t] == 0; ++corner)
             none[t] = clip.removes(mesh.position(t, corner)) ? 1 : 0;
     return none;
 }

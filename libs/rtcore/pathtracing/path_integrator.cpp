@@ -1,5 +1,6 @@
 #include "rtcore/pathtracing/path_integrator.h"
 
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/lights/mirrored_light.h"
 #include "rtcore/pathtracing/light_hits.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
@@ -25,8 +26,8 @@ void PathIntegrator::begin(const PathFrame& frame) {
     frame_.statistics = &statistics_;
     frame_.clock = &clock_;
     const SectionPlanes& sections = frame.scene.sections;
-    seenClip_ =
-        sections.light == SectionLight::Whole ? SectionClip(sections, frame.tracer.bounds()) : SectionClip();
+    cutsSeen_ =
+        sections.light == SectionLight::Whole && !SectionClip(sections, frame.tracer.bounds()).empty();
     lights_ = &frame.lights;
     rows_ = frame.lights.rows();
     limits_ = frame.settings.path;
@@ -144,9 +145,10 @@ void PathIntegrator::startInMedia(std::uint32_t first) {
 void PathIntegrator::tracePaths() {
     const std::span<PathBatch> batches = current_.batches();
     rays_.clear();
-    for (PathBatch& batch : batches) clipUnscattered(batch);
     for (const PathBatch& batch : batches) rays_.append(batch.queue.rays, 0, batch.queue.size());
+    takeSeen(batches);
     startStep(RayKind::Scattered, rays_);
+    traceSeen();
     std::size_t first = 0;
     for (PathBatch& batch : batches) {
         if (frame_.stopped()) return;
@@ -159,13 +161,29 @@ void PathIntegrator::tracePaths() {
     addKept();
 }
 
-/// What the camera sees in mirrors and through glass is cut open, too, where light is not.
-void PathIntegrator::clipUnscattered(PathBatch& batch) const {
-    if (seenClip_.empty()) return;
-    RayWave& rays = batch.queue.rays;
-    for (std::size_t i = 0; i < batch.queue.size(); ++i)
-        if ((batch.scattered().state[i] & path_state::kScatters) == 0)
-            seenClip_.clip(rays.ray(i), rays.tMin[i], rays.tMax[i]);
+/// What the camera sees in mirrors and through glass is cut open, too, where light is not: such rays leave
+/// `rays_`, where they become empty, for a wave of their own.
+void PathIntegrator::takeSeen(std::span<const PathBatch> batches) {
+    seenRays_.clear();
+    seenIndices_.clear();
+    if (!cutsSeen_) return;
+    std::size_t first = 0;
+    for (const PathBatch& batch : batches) {
+        for (std::size_t i = 0; i < batch.queue.size(); ++i) {
+            if ((batch.scattered().state[i] & path_state::kScatters) != 0) continue;
+            seenRays_.push(rays_.ray(first + i));
+            seenIndices_.push_back(first + i);
+            rays_.tMax[first + i] = -1;
+        }
+        first += batch.queue.size();
+    }
+}
+
+void PathIntegrator::traceSeen() {
+    if (seenRays_.empty()) return;
+    frame_.tracer->intersectSeen(seenRays_, seenHits_);
+    for (std::size_t i = 0; i < seenIndices_.size(); ++i) hits_.put(seenIndices_[i], seenHits_, i);
+    clock_.lap(Stage::Trace);
 }
 
 /// Finds what the rays of a step hit; nothing follows from them yet.

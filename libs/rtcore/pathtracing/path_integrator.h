@@ -6,7 +6,6 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/kernels/section_clip.h"
 #include "rtcore/pathtracing/kept_light.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/next_event.h"
@@ -27,6 +26,7 @@
 #include "rtcore/shading/wave_lighting.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -83,7 +83,8 @@ class PathIntegrator {
     void traceOnward();
     bool leavesLightsOut(std::size_t ray) const;
     bool leavesDiscsOut(std::size_t ray) const;
-    void clipUnscattered(PathBatch& batch) const;
+    void takeSeen(std::span<const PathBatch> batches);
+    void traceSeen();
     void startStep(RayKind kind, const RayWave& rays);
     void shade(std::size_t first, std::size_t count);
     void scatter();
@@ -121,7 +122,10 @@ class PathIntegrator {
     RayWave cameraRays_;
     StartMedia startMedia_; ///< of cameraRays_
     PathBatch startBatch_;  ///< those rays, where some begin in solids
-    SectionClip seenClip_;  ///< of rays of the camera alone
+    bool cutsSeen_ = false; ///< sections cut for rays of the camera alone
+    RayWave seenRays_;      ///< of a step: those that no surface has scattered
+    HitWave seenHits_;
+    std::vector<std::size_t> seenIndices_; ///< of them in rays_
     PathBatches current_, next_;
     PathBatch* paths_ = nullptr;  ///< of the wave's rays; null for those of the camera
     PathBatch* onward_ = nullptr; ///< of next_: takes the rays that follow

@@ -33,7 +33,7 @@ Vec3 rounded(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)
 class EdgeFinder {
   public:
     EdgeFinder(const Scene& scene, const CutPlane& plane)
-        : mesh_(scene.model.mesh), plane_(plane), hidden_(hiddenTriangles(scene.model, scene.hiddenParts)) {}
+        : mesh_(scene.model.mesh), plane_(plane), hidden_(partTriangles(scene.model, scene.hiddenParts)) {}
 
     std::vector<SpaceLine> lines() {
         Indices triangles, corners;

@@ -25,7 +25,7 @@ struct Level {
 std::vector<Level> levelsOf(const Scene& scene, double& top) {
     const Mesh& mesh = scene.model.mesh;
     const Vec3d up = exact(scene.up);
-    const std::vector<std::uint8_t> hidden = hiddenTriangles(scene.model, scene.hiddenParts);
+    const std::vector<std::uint8_t> hidden = partTriangles(scene.model, scene.hiddenParts);
     std::vector<Level> levels;
     top = -1e300;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -18,6 +18,9 @@ class GroundTracer final : public RayTracer {
     GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const SkyGround> ground);
 
     void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
+    void intersectSeen(const RayWave& rays, HitWave& hits) const override {
+        surfaces_->intersectSeen(rays, hits);
+    }
     void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
     void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                        std::vector<Obstacle>& found) const override;

@@ -118,7 +118,7 @@ void LightProbe::begin(std::span<const ProbedLight> parts, const RayTracer& trac
             static_cast<int>(mixBits(seed + 0x9E3779B9U * static_cast<std::uint32_t>(parts_.size())) >> 1);
         part->materials.prepare(*each.scene, part->settings, Colour{});
         part->lights.prepare(*each.scene, part->settings, tracer.bounds(),
-                             hiddenTriangles(each.scene->model, each.scene->hiddenParts));
+                             partTriangles(each.scene->model, each.scene->hiddenParts));
         parts_.push_back(std::move(part));
     }
 }

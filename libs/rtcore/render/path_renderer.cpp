@@ -136,7 +136,7 @@ void PathRenderer::begin(const View& view, int surveyed, int threads, const std:
     statistics_ = {};
     materials_.prepare(view.scene, view.settings, Colour{});
     lights_.prepare(view.scene, view.settings, view.tracer.bounds(),
-                    hiddenTriangles(view.scene.model, view.scene.hiddenParts));
+                    partTriangles(view.scene.model, view.scene.hiddenParts));
     aim(view);
     workers_.resize(std::max(workers_.size(), static_cast<std::size_t>(threadsFor(threads))));
     lookAround(surveyed, threads, stop);

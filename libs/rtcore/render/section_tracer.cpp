@@ -15,8 +15,9 @@ const RayWave& clipped(const SectionClip& clip, const RayWave& rays) {
 
 } // namespace
 
-SectionTracer::SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections)
-    : surfaces_(std::move(surfaces)), clip_(sections, surfaces_->bounds()),
+SectionTracer::SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections,
+                             std::shared_ptr<const RayTracer> uncut)
+    : surfaces_(std::move(surfaces)), uncut_(std::move(uncut)), clip_(sections, surfaces_->bounds()),
       all_(sections.light == SectionLight::Cut) {}
 
 bool SectionTracer::clips(RayKind kind) const {
@@ -24,21 +25,54 @@ bool SectionTracer::clips(RayKind kind) const {
 }
 
 void SectionTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
-    surfaces_->intersect(kind, clips(kind) ? clipped(clip_, rays) : rays, hits);
+    clips(kind) ? intersectLeft(kind, rays, hits) : surfaces_->intersect(kind, rays, hits);
+}
+
+void SectionTracer::intersectSeen(const RayWave& rays, HitWave& hits) const {
+    intersectLeft(RayKind::Scattered, rays, hits);
+}
+
+/// Of clipped surfaces and those that are left whole.
+void SectionTracer::intersectLeft(RayKind kind, const RayWave& rays, HitWave& hits) const {
+    surfaces_->intersect(kind, clipped(clip_, rays), hits);
+    if (uncut_ == nullptr) return;
+    thread_local HitWave whole;
+    uncut_->intersect(kind, rays, whole);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!whole.isHit(i)) continue;
+        const Hit hit = whole.hit(i), other = hits.hit(i);
+        const bool nearer = hit.t < other.t || (hit.t == other.t && hit.triangle < other.triangle);
+        if (!hits.isHit(i) || nearer) hits.put(i, whole, i);
+    }
 }
 
 void SectionTracer::occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const {
     surfaces_->occluded(kind, clips(kind) ? clipped(clip_, rays) : rays, occluded);
+    if (uncut_ == nullptr || !clips(kind)) return;
+    thread_local std::vector<std::uint8_t> whole;
+    uncut_->occluded(kind, rays, whole);
+    for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] |= whole[i];
 }
 
 void SectionTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                                   std::vector<Obstacle>& found) const {
     surfaces_->findObstacles(all_ ? clipped(clip_, rays) : rays, clear, found);
+    if (uncut_ == nullptr || !all_) return;
+    thread_local std::vector<Obstacle> whole;
+    uncut_->findObstacles(rays, clear, whole);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (found[i] == Obstacle::None || whole[i] == Obstacle::Opaque) found[i] = whole[i];
 }
 
 std::shared_ptr<const RayTracer> withSections(std::shared_ptr<const RayTracer> surfaces, const Scene& scene) {
     if (SectionClip(scene.sections, surfaces->bounds()).empty()) return surfaces;
-    return std::make_shared<const SectionTracer>(std::move(surfaces), scene.sections);
+    std::shared_ptr<const RayTracer> uncut;
+    if (scene.uncutParts != nullptr) {
+        std::vector<std::uint8_t> others = partTriangles(scene.model, scene.uncutParts);
+        for (std::uint8_t& triangle : others) triangle = triangle == 0 ? 1 : 0;
+        uncut = surfaces->without(others);
+    }
+    return std::make_shared<const SectionTracer>(std::move(surfaces), scene.sections, std::move(uncut));
 }
 
 } // namespace rtcore

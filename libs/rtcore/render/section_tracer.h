@@ -12,13 +12,17 @@
 
 namespace rtcore {
 
-/// Traces clipped rays with another tracer. Where light is whole, rays of the kinds Shadow, Occlusion and
-/// Scattered pass it as they are; PathIntegrator clips those of a path that has not scattered.
+/// Traces clipped rays with another tracer, and rays that are not with one of surfaces that sections leave
+/// whole, if any. Where light is whole, rays of the kinds Shadow, Occlusion and
+/// Scattered pass it as they are, but for intersectSeen().
 class SectionTracer final : public RayTracer {
   public:
-    SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections);
+    /// `uncut` may be null.
+    SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections,
+                  std::shared_ptr<const RayTracer> uncut);
 
     void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
+    void intersectSeen(const RayWave& rays, HitWave& hits) const override;
     void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
     void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                        std::vector<Obstacle>& found) const override;
@@ -27,8 +31,9 @@ class SectionTracer final : public RayTracer {
 
   private:
     bool clips(RayKind kind) const;
+    void intersectLeft(RayKind kind, const RayWave& rays, HitWave& hits) const;
 
-    std::shared_ptr<const RayTracer> surfaces_;
+    std::shared_ptr<const RayTracer> surfaces_, uncut_;
     SectionClip clip_;
     bool all_; ///< rays of any kind
 };

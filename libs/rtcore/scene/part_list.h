@@ -12,11 +12,15 @@
 
 namespace rtcore {
 
-/// One value for each of Model::parts, immutable, shared by all copies of a scene: 1 where no ray hits its
-/// triangles. Null where none is hidden.
-using HiddenParts = std::shared_ptr<const std::vector<std::uint8_t>>;
+/// One value for each of Model::parts, immutable, shared by all copies of a scene: 1 where it is in the set.
+/// Null where none is.
+using PartSet = std::shared_ptr<const std::vector<std::uint8_t>>;
+/// No ray hits their triangles.
+using HiddenParts = PartSet;
 
-bool sameHidden(const HiddenParts& a, const HiddenParts& b);
+bool sameParts(const PartSet& a, const PartSet& b);
+/// Those of either.
+PartSet eitherParts(const PartSet& a, const PartSet& b);
 
 /// All pieces of one name, which are hidden and shown together.
 struct NamedPart {
@@ -28,16 +32,16 @@ struct NamedPart {
 /// In the order in which their names first appear. The names are the model's, which must outlive them.
 std::vector<NamedPart> namedParts(const Model& model);
 
-/// Whether all pieces are hidden.
-bool isHidden(const NamedPart& part, const HiddenParts& hidden);
-/// `hidden` with these parts hidden or shown. `chosen` has one value for each of `parts`; those of 0 stay.
-HiddenParts withParts(const Model& model, std::span<const NamedPart> parts,
-                      std::span<const std::uint8_t> chosen, bool hide, const HiddenParts& hidden);
-/// The chosen ones shown, all others hidden.
-HiddenParts onlyParts(const Model& model, std::span<const NamedPart> parts,
-                      std::span<const std::uint8_t> chosen);
+/// Whether all its pieces are.
+bool isIn(const NamedPart& part, const PartSet& set);
+/// `set` with these parts, or without them. `chosen` has one value for each of `parts`; those of 0 stay.
+PartSet withParts(const Model& model, std::span<const NamedPart> parts, std::span<const std::uint8_t> chosen,
+                  bool in, const PartSet& set);
+/// All but the chosen ones.
+PartSet allButParts(const Model& model, std::span<const NamedPart> parts,
+                    std::span<const std::uint8_t> chosen);
 
-/// One value for each triangle: 1 where it is hidden.
-std::vector<std::uint8_t> hiddenTriangles(const Model& model, const HiddenParts& hidden);
+/// One value for each triangle: 1 where it is of a part of the set.
+std::vector<std::uint8_t> partTriangles(const Model& model, const PartSet& set);
 
 } // namespace rtcore

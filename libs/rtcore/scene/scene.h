@@ -77,6 +77,7 @@ struct Scene : SceneLook {
     std::vector<EnvironmentFile> environmentFiles; ///< what those of files were loaded from, where known
     std::shared_ptr<const SkyGround> ground;       ///< below the model, once a sky was to show one
     HiddenParts hiddenParts;                       ///< of the model; visibleTree() is of what is left
+    PartSet uncutParts;                            ///< of the model: sections leave them whole
     ClosedSurfaces closed;                         ///< findClosedSurfaces() of the mesh with these materials
     std::shared_ptr<const GlassSolids> solids;     ///< findGlassSolids() of the same
 

@@ -6,7 +6,8 @@ namespace rtcore {
 
 const SectionCaps& CapPainter::capsOf(const Scene& scene) {
     const bool sameModel = known_ && model_ == scene.model.storage;
-    if (sameModel && planes_ == scene.sections.planes && hidden_ == scene.hiddenParts && up_ == scene.up)
+    if (sameModel && planes_ == scene.sections.planes && hidden_ == scene.hiddenParts &&
+        uncut_ == scene.uncutParts && up_ == scene.up)
         return caps_;
     if (!sameModel) {
         pieces_.reset();
@@ -16,6 +17,7 @@ const SectionCaps& CapPainter::capsOf(const Scene& scene) {
     }
     planes_ = scene.sections.planes;
     hidden_ = scene.hiddenParts;
+    uncut_ = scene.uncutParts;
     up_ = scene.up;
     caps_ = sectionCapsOf(scene, *pieces_);
     return caps_;

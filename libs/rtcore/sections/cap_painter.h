@@ -30,7 +30,7 @@ class CapPainter {
     std::optional<Model> known_;
     std::optional<ClosedPieces> pieces_;
     std::vector<SectionPlane> planes_;
-    HiddenParts hidden_;
+    PartSet hidden_, uncut_;
     Vec3 up_;
     SectionCaps caps_;
 };

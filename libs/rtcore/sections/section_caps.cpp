@@ -64,9 +64,10 @@ SectionCaps sectionCapsOf(const Scene& scene, ClosedPieces& pieces) {
         planes.push_back(cutPlaneOf(plane, bounds, scene.up));
     SectionCaps caps;
     std::set<std::string> open;
+    const PartSet uncut = eitherParts(scene.hiddenParts, scene.uncutParts);
     for (std::size_t i = 0; i < planes.size(); ++i) {
         PlaneCaps cut{planes[i], {}};
-        for (const CutOutline& outline : cutOutlines(scene.model, scene.hiddenParts, planes[i], pieces)) {
+        for (const CutOutline& outline : cutOutlines(scene.model, uncut, planes[i], pieces)) {
             if (!outline.closed) {
                 const std::uint32_t part = pieces.ranges()[outline.range].part;
                 const bool named = part != PartRange::kNoPart;

@@ -186,6 +186,8 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::SectionCaps, command::sectionCaps("one")},
         {CommandId::SectionColour, command::sectionColour({1, 0.5F, 0})},
         {CommandId::SectionHatching, command::sectionHatching(true)},
+        {CommandId::SectionLeave, command::sectionLeave({"3", "a b*"})},
+        {CommandId::SectionCut, command::sectionCut({"3"})},
         {CommandId::Plan, command::plan("/plan.pdf", "above", 50, "A3", 2, 1.2, 300)},
         {CommandId::Storeys, command::storeys()},
         {CommandId::StoreyGo, command::storeyGo(2)},

@@ -43,7 +43,7 @@ app::Selection selectionOf(const Words& words) {
 Flags hiddenBy(const Words& words) {
     rtcore::Scene scene = house();
     app::selectParts(selectionOf(words), scene);
-    return hiddenTriangles(scene.model, scene.hiddenParts);
+    return partTriangles(scene.model, scene.hiddenParts);
 }
 
 Flags onBy(const std::string& list) {
@@ -85,11 +85,19 @@ TEST(Selection, WhatTheSceneHidesIsShown) {
     rtcore::Scene scene = house();
     app::selectParts(selectionOf({"--hide=ball", "--hide=1"}), scene);
     app::selectParts({}, scene);
-    EXPECT_EQ(hiddenTriangles(scene.model, scene.hiddenParts), (Flags{1, 0, 1, 0, 0})) << "nothing is said";
+    EXPECT_EQ(partTriangles(scene.model, scene.hiddenParts), (Flags{1, 0, 1, 0, 0})) << "nothing is said";
     app::selectParts(selectionOf({"--show=ball"}), scene);
-    EXPECT_EQ(hiddenTriangles(scene.model, scene.hiddenParts), (Flags{1, 0, 0, 0, 0}));
+    EXPECT_EQ(partTriangles(scene.model, scene.hiddenParts), (Flags{1, 0, 0, 0, 0}));
     app::selectParts(selectionOf({"--show=*"}), scene);
     EXPECT_EQ(scene.hiddenParts, nullptr);
+}
+
+TEST(Selection, LeavesPartsUncut) {
+    rtcore::Scene scene = house();
+    app::selectParts(selectionOf({"--section-except=room/*", "--hide=ball", "--section-except=5"}), scene);
+    EXPECT_EQ(partTriangles(scene.model, scene.uncutParts), (Flags{1, 1, 0, 1, 1}));
+    EXPECT_EQ(partTriangles(scene.model, scene.hiddenParts), (Flags{0, 0, 1, 0, 0}));
+    EXPECT_THROW(app::selectParts(selectionOf({"--section-except=cellar"}), scene), app::UsageError);
 }
 
 TEST(Selection, SwitchesLights) {

@@ -52,6 +52,22 @@ TEST(SceneFacts, DescribeLights) {
     EXPECT_EQ(light["angle"], 0);
 }
 
+// In the coordinates of the model's file, which no float holds.
+TEST(SceneFacts, DescribeSections) {
+    bridge::SceneFacts facts;
+    app::StateReport state = sample();
+    state.origin.at = {1e7, 0, 0};
+    state.bounds = {{-1, 0, -2}, {1, 3, 2}};
+    state.sections = {{{{0.5F, 1, 0}, {0, 1, 0}}}, rtcore::SectionLight::Cut, {}};
+    ASSERT_TRUE(readState(facts, state));
+    const json sections = facts.all()["sections"];
+    EXPECT_EQ(sections["planes"], json::parse(R"([{"point": [10000000.5, 1, 0], "normal": [0, 1, 0]}])"));
+    EXPECT_EQ(sections["bounds"]["hi"], json({10000001.0, 3.0, 2.0}));
+    EXPECT_EQ(sections["light"], "cut");
+    EXPECT_EQ(sections["caps"], "own");
+    EXPECT_EQ(sections["most"], 6);
+}
+
 TEST(SceneFacts, TellOnlyWhatChanged) {
     bridge::SceneFacts facts;
     app::StateReport state = sample();

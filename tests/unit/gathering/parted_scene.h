@@ -41,7 +41,7 @@ class PartedScene {
     void hide(const std::vector<std::uint8_t>& hidden) { change(withHidden(state_->scene, hidden)); }
     /// Another scene of the same model: of lights and materials, or of parts.
     void change(rtcore::Scene scene) {
-        const bool parts = !rtcore::sameHidden(scene.hiddenParts, state_->scene.hiddenParts);
+        const bool parts = !rtcore::sameParts(scene.hiddenParts, state_->scene.hiddenParts);
         if (!light.changing()) before_.clear();
         before_.push_back(std::exchange(state_, std::make_shared<VisibleScene>(whole_, std::move(scene))));
         if (parts)

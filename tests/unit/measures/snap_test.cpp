@@ -122,9 +122,8 @@ TEST(SnapAt, LeavesWhatIsHidden) {
     EXPECT_EQ(snap->kind, SnapKind::Face) << "the screen is before it";
     scene.scene.hiddenParts =
         std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 1});
-    scene.tree =
-        buildVisibleTree(scene.scene.model.mesh, hiddenTriangles(scene.scene.model, scene.scene.hiddenParts),
-                         scene.tree.bounds);
+    scene.tree = buildVisibleTree(
+        scene.scene.model.mesh, partTriangles(scene.scene.model, scene.scene.hiddenParts), scene.tree.bounds);
     scene.surfaces = std::make_shared<const KdRayTracer>(scene.tree, scene.scene.model.mesh);
     EXPECT_EQ(Pointer(scene, camera).at({1, -1, 1})->kind, SnapKind::Corner);
 }

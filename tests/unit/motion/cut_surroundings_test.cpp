@@ -48,6 +48,15 @@ TEST(CutSurroundings, LetWalkThroughAWallThatIsTakenAway) {
     EXPECT_NEAR(again->state().feet.y, 2.7, 0.02) << "without the section it is there";
 }
 
+TEST(CutSurroundings, KeepWhatIsLeftWhole) {
+    WalkWorld world = walled();
+    const auto walker = world.walker(2, 0, 0);
+    const std::vector<std::uint8_t> uncut(world.view().triangles.size(), 1);
+    walker->useSections(from(0), uncut);
+    walkFor(*walker, ahead(), 300);
+    EXPECT_NEAR(walker->state().feet.y, 2.7, 0.02);
+}
+
 TEST(CutSurroundings, KeepAFaceInThePlane) {
     WalkWorld world = walled();
     const auto walker = world.walker(0, 0, 0);
@@ -105,7 +114,7 @@ TEST(CutSurroundings, LeaveWhatNoSectionTakesAway) {
             const rtcore::Vec3 at = random.vector(1);
             planes.push_back({at, random.unitVector()});
         }
-        const rtcore::CutSurroundings cut(planes, rtcore::WorldFrame({0, 0, 1}, 1), 0, 2);
+        const rtcore::CutSurroundings cut(planes, {}, rtcore::WorldFrame({0, 0, 1}, 1), 0, 2);
         const rtcore::SolidTriangle whole = rtcore::solidTriangle(point(), point(), point());
         std::vector<rtcore::SolidTriangle> left;
         cut.cut(whole, {}, 0, left);

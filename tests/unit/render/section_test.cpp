@@ -46,6 +46,9 @@ double beyond(const SectionPlanes& sections, Doubles point) {
     return farthest;
 }
 
+/// Of the 60 triangles of a soup the first 20 are a part, which sections may leave whole.
+constexpr std::uint32_t kUncut = 20;
+
 /// By all triangles, each cut by itself.
 class CutTriangles {
   public:
@@ -67,8 +70,9 @@ class CutTriangles {
             const double inside = std::min({u, v, 1 - u - v}), t = dotOf(f, q) / determinant;
             if (inside < -1e-4 || t < 0) continue;
             const double out = beyond(scene_.sections, {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z});
-            if (inside < 1e-4 || std::fabs(out) < 1e-4) sure = false;
-            if (out < 0 && (!best || t < *best)) best = t;
+            const bool uncut = scene_.uncutParts != nullptr && i < kUncut;
+            if (inside < 1e-4 || (!uncut && std::fabs(out) < 1e-4)) sure = false;
+            if ((uncut || out < 0) && (!best || t < *best)) best = t;
         }
         return best;
     }
@@ -84,14 +88,18 @@ SectionPlanes randomPlanes(test::Random& random, std::size_t count) {
     return sections;
 }
 
-test::TracedScene soup(test::Random& random, SectionPlanes sections) {
+test::TracedScene soup(test::Random& random, SectionPlanes sections, bool uncut) {
     test::SceneBuilder b;
     const std::uint32_t white = b.material(test::matte(0.7F));
     for (int i = 0; i < 60; ++i) {
         const Vec3 first = random.vector(2), second = random.vector(2);
         b.triangle(first, second, random.vector(2), white);
     }
+    b.buffers.parts = {{b.buffers.addName("first"), 0, kUncut}, {b.buffers.addName("rest"), kUncut, 40}};
     b.scene.sections = std::move(sections);
+    if (uncut)
+        b.scene.uncutParts =
+            std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 0});
     return test::TracedScene(b.finish());
 }
 
@@ -131,7 +139,7 @@ TEST(Sections, RaysMeetWhatIsLeft) {
     Compared compared;
     for (int round = 0; round < 12; ++round) {
         const test::TracedScene s =
-            soup(random, randomPlanes(random, 1 + static_cast<std::size_t>(round) % 6));
+            soup(random, randomPlanes(random, 1 + static_cast<std::size_t>(round) % 6), round % 3 == 2);
         const auto tracer = tracerOf(s);
         const CutTriangles truth(s.scene);
         for (int wave = 0; wave < raysOfScene() / kWave; ++wave) {
@@ -164,6 +172,9 @@ TEST(Sections, ClipTheRaysOfTheCameraAloneWhereLightIsWhole) {
         EXPECT_FLOAT_EQ(met(kind), 4) << static_cast<int>(kind);
     for (const RayKind kind : {RayKind::Shadow, RayKind::Occlusion, RayKind::Scattered})
         EXPECT_FLOAT_EQ(met(kind), 2) << static_cast<int>(kind);
+    HitWave seen;
+    tracerOf(s)->intersectSeen(down, seen);
+    EXPECT_FLOAT_EQ(seen.t[0], 4) << "what no surface has scattered";
     s.scene.sections.light = SectionLight::Cut;
     for (const RayKind kind : {RayKind::Primary, RayKind::Shadow, RayKind::Occlusion, RayKind::Scattered})
         EXPECT_FLOAT_EQ(met(kind), 4) << static_cast<int>(kind);
@@ -179,6 +190,37 @@ TEST(Sections, OfPlanesBesideTheModelCostNothing) {
     b.scene.sections.planes = {{{0, 1.5F, 0}, {0, 1, 0}}, {{-2, 0, 0}, {-1, 0, 0}}};
     const test::TracedScene s(b.finish());
     EXPECT_EQ(tracerOf(s).get(), static_cast<const RayTracer*>(&s.tracer));
+}
+
+/// A block above which a roof is left whole, and what a shadow ray meets of both where light is cut, too.
+TEST(Sections, LeavePartsWhole) {
+    test::SceneBuilder b = test::block();
+    const auto first = static_cast<std::uint32_t>(b.buffers.triangles.size());
+    b.square({0, 2, 0}, {0, 1, 0}, 1, b.material(test::matte(0.5F)));
+    b.buffers.parts = {{b.buffers.addName("roof"), first, 2}};
+    b.scene.sections = {{{{0, 0, 0}, {0, 1, 0}}}, SectionLight::Cut, {}};
+    test::TracedScene s(b.finish());
+    RayWave down;
+    down.push({{0.2F, 3, 0.1F}, 0, {0, -1, 0}, kFar});
+    down.push({{0.2F, 1.5F, 0.1F}, 0, {0, -1, 0}, 1});
+    const auto check = [&](std::uint8_t roof) {
+        const auto tracer = tracerOf(s);
+        HitWave hits;
+        tracer->intersect(RayKind::Primary, down, hits);
+        EXPECT_FLOAT_EQ(hits.t[0], roof != 0 ? 1 : 4);
+        std::vector<std::uint8_t> occluded;
+        tracer->occluded(RayKind::Shadow, down, occluded);
+        EXPECT_EQ(occluded, (std::vector<std::uint8_t>{1, 0}));
+        std::vector<Obstacle> found;
+        const std::vector<std::uint8_t> clear(s.scene.materials.size());
+        RayWave up;
+        up.push({{0.2F, 0.5F, 0.1F}, 0, {0, 1, 0}, kFar});
+        tracer->findObstacles(up, clear, found);
+        EXPECT_EQ(found[0], roof != 0 ? Obstacle::Opaque : Obstacle::None);
+    };
+    check(0);
+    s.scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(1, std::uint8_t{1});
+    check(1);
 }
 
 /// A face in a plane stays, whichever way rays come.

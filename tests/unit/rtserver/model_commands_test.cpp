@@ -231,7 +231,7 @@ TEST_F(ModelCommands, AWrittenSceneShowsTheSame) {
     const auto whole = frame();
     show(folder / "e.scn");
     EXPECT_EQ(document.scene()->materials, edited.materials);
-    EXPECT_TRUE(rtcore::sameHidden(document.scene()->hiddenParts, edited.hiddenParts));
+    EXPECT_TRUE(rtcore::sameParts(document.scene()->hiddenParts, edited.hiddenParts));
     EXPECT_NE(document.scene()->hiddenParts, nullptr);
     EXPECT_EQ(document.scene()->sections, edited.sections);
     EXPECT_FALSE(edited.sections.empty());

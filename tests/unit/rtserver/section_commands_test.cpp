@@ -55,6 +55,23 @@ TEST_F(SectionCommands, AreToldAndEdited) {
     EXPECT_FALSE(sections().caps.hatched);
 }
 
+TEST_F(SectionCommands, LeavePartsWhole) {
+    answer("section add 0 0.5 0 0 1 0");
+    answer("section leave box");
+    const std::string all = answer("sections");
+    EXPECT_EQ(all.substr(all.find("hatching")), "hatching off\nuncut 'box'");
+    EXPECT_EQ(document.scene()->sections.planes.size(), 1U);
+    const rtcore::SceneFile file = sceneFileOf(document);
+    ASSERT_EQ(file.parts.size(), 1U);
+    EXPECT_EQ(file.parts[0], (rtcore::PartDescription{"*", {}, {}, true}));
+    answer("undo");
+    EXPECT_EQ(answer("sections").find("uncut"), std::string::npos);
+    answer("redo");
+    answer("section cut 1");
+    EXPECT_EQ(document.scene()->uncutParts, nullptr);
+    EXPECT_EQ(refusal("section leave roof").code, 1);
+}
+
 TEST_F(SectionCommands, GoThroughTheMiddleAndThroughAPoint) {
     answer("section through y");
     answer("section through -x");

@@ -38,15 +38,15 @@ TEST(NamedParts, AreHiddenAndShown) {
     const HiddenParts door = withParts(model, parts, Flags{1, 0}, true, nullptr);
     EXPECT_TRUE(isHidden(parts[0], door));
     EXPECT_FALSE(isHidden(parts[1], door));
-    EXPECT_EQ(hiddenTriangles(model, door), (Flags{1, 1, 1, 0, 0, 0, 1, 1, 1, 1}));
+    EXPECT_EQ(partTriangles(model, door), (Flags{1, 1, 1, 0, 0, 0, 1, 1, 1, 1}));
     const HiddenParts both = withParts(model, parts, Flags{0, 1}, true, door);
-    EXPECT_EQ(hiddenTriangles(model, both), (Flags{1, 1, 1, 1, 1, 0, 1, 1, 1, 1}));
+    EXPECT_EQ(partTriangles(model, both), (Flags{1, 1, 1, 1, 1, 0, 1, 1, 1, 1}));
     const HiddenParts wall = withParts(model, parts, Flags{1, 0}, false, both);
-    EXPECT_EQ(hiddenTriangles(model, wall), (Flags{0, 0, 0, 1, 1, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(partTriangles(model, wall), (Flags{0, 0, 0, 1, 1, 0, 0, 0, 0, 0}));
     EXPECT_EQ(withParts(model, parts, Flags{1, 1}, false, both), nullptr) << "nothing is hidden";
-    EXPECT_TRUE(rtcore::sameHidden(door, withParts(model, parts, Flags{1, 0}, true, nullptr)));
-    EXPECT_FALSE(rtcore::sameHidden(door, both));
-    EXPECT_FALSE(rtcore::sameHidden(door, nullptr));
+    EXPECT_TRUE(rtcore::sameParts(door, withParts(model, parts, Flags{1, 0}, true, nullptr)));
+    EXPECT_FALSE(rtcore::sameParts(door, both));
+    EXPECT_FALSE(rtcore::sameParts(door, nullptr));
 }
 
 } // namespace

@@ -174,6 +174,9 @@ TEST(CapPainter, SeesWhatChanges) {
     EXPECT_EQ(middle(), (Rgba8{255, 0, 0, 255}));
     scene.materials[0].diffuse = {0, 1, 0};
     EXPECT_EQ(middle(), (Rgba8{0, 255, 0, 255}));
+    scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 0});
+    EXPECT_EQ(middle(), kBefore) << "what is left whole has no cap";
+    scene.uncutParts = nullptr;
     scene.sections.planes[0].point.z = 2;
     EXPECT_EQ(middle(), kBefore);
     scene = nested();

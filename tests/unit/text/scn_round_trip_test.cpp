@@ -107,8 +107,12 @@ rtcore::MaterialOverride randomMaterial(Random& random) {
 }
 
 rtcore::PartDescription randomPart(Random& random) {
-    if (random.flag()) return {"", 1 + static_cast<int>(random.below(1000)), random.flag()};
-    return {awkwardName(random), {}, random.flag()};
+    const bool numbered = random.flag();
+    rtcore::PartDescription part{numbered ? "" : awkwardName(random), {}, {}, {}};
+    if (numbered) part.number = 1 + static_cast<int>(random.below(1000));
+    if (random.flag()) part.hidden = random.flag();
+    if (!part.hidden || random.flag()) part.uncut = random.flag();
+    return part;
 }
 
 rtcore::EnvironmentFile randomEnvironment(Random& random) {

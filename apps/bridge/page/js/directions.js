@@ -1,8 +1,8 @@
-/** Turns of the view, for a point of the image. Vectors are lists of three numbers. */
-const scaled = (a, factor) => a.map((part) => part * factor);
+/** Vectors, as lists of three numbers, and turns of the view for a point of the image. */
+export const scaled = (a, factor) => a.map((part) => part * factor);
 const sum = (a, b) => a.map((part, index) => part + b[index]);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 const unit = (a) => scaled(a, 1 / Math.hypot(...a));
 const DEGREES = 180 / Math.PI;
 

@@ -17,6 +17,7 @@ import { lightsPanel } from "./panel_lights.js";
 import { modelPanel } from "./panel_model.js";
 import { pagePanel } from "./panel_page.js";
 import { peoplePanel } from "./panel_people.js";
+import { sectionsPanel } from "./panel_sections.js";
 import { settingsPanel } from "./panel_settings.js";
 import { skyPanel } from "./panel_sky.js";
 import { download, viewsPanel } from "./panel_views.js";
@@ -61,7 +62,7 @@ app.upright = new Upright({ drives: () => app.drives(), room: pixels,
 app.orbit = new Orbit(app.picture, { ask: (...command) => app.ask(...command),
     range: (...which) => app.argument(...which),
     changed: () => onOrbit() });
-const panels = [viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel];
+const panels = [viewsPanel, lightsPanel, skyPanel, modelPanel, sectionsPanel, settingsPanel, peoplePanel, pagePanel];
 app.panels = new Panels(panels.map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => app.panels.show();
 app.around = new Around(app);

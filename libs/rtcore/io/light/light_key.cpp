@@ -94,23 +94,28 @@ void addSettings(const RenderSettings& settings, ContentHash& to) {
         to.add(std::string_view(settingText(requireSetting(name).get(settings))));
 }
 
-void addSections(const SectionPlanes& sections, ContentHash& to) {
-    for (const SectionPlane& plane : sections.planes) {
+void addParts(const Model& model, const PartSet& set, ContentHash& to) {
+    const std::vector<std::uint8_t> triangles = partTriangles(model, set);
+    if (std::ranges::any_of(triangles, [](std::uint8_t each) { return each != 0; }))
+        to.add(std::span<const std::uint8_t>(triangles));
+}
+
+void addSections(const Scene& scene, ContentHash& to) {
+    for (const SectionPlane& plane : scene.sections.planes) {
         addVec(plane.point, to);
         addVec(plane.normal, to);
     }
+    addParts(scene.model, scene.uncutParts, to);
 }
 
 std::uint64_t surfacesOf(const Scene& scene, const Box3& bounds) {
     ContentHash hash;
     hash.add(scene.model.mesh.vertices);
     hash.add(scene.model.mesh.triangles);
-    const std::vector<std::uint8_t> hidden = hiddenTriangles(scene.model, scene.hiddenParts);
-    if (std::ranges::any_of(hidden, [](std::uint8_t each) { return each != 0; }))
-        hash.add(std::span<const std::uint8_t>(hidden));
+    addParts(scene.model, scene.hiddenParts, hash);
     addVec(bounds.lo, hash);
     addVec(bounds.hi, hash);
-    if (scene.sections.letLightIn()) addSections(scene.sections, hash);
+    if (scene.sections.letLightIn()) addSections(scene, hash);
     return hash.value();
 }
 

@@ -53,7 +53,7 @@ class SceneReading {
         loading_.describedSky = std::exchange(scene.sky, std::nullopt);
         loading_.begin(LoadPhase::LoadingImages);
         overrideMaterials(loading_, path, file);
-        hideParts(path, file);
+        markParts(path, file);
         for (const EnvironmentFile& environment : file.environments) {
             if (environment.kind == EnvironmentKind::Parts)
                 addShell(path, environment);
@@ -91,7 +91,7 @@ class SceneReading {
         }
     }
 
-    void hideParts(const std::filesystem::path& path, const SceneFile& file) {
+    void markParts(const std::filesystem::path& path, const SceneFile& file) {
         if (file.parts.empty()) return;
         Scene& scene = out_.scene;
         const std::vector<NamedPart> parts = namedParts(scene.model);
@@ -103,7 +103,10 @@ class SceneReading {
                 out_.warnings.push_back(unusedSection(path, form("no part of the model has the number {0}"),
                                                       form("no part of the model is named like \"{0}\""),
                                                       each));
-            scene.hiddenParts = withParts(scene.model, parts, chosen, each.hidden, scene.hiddenParts);
+            if (each.hidden)
+                scene.hiddenParts = withParts(scene.model, parts, chosen, *each.hidden, scene.hiddenParts);
+            if (each.uncut)
+                scene.uncutParts = withParts(scene.model, parts, chosen, *each.uncut, scene.uncutParts);
         }
     }
 

@@ -57,11 +57,12 @@ struct SunDescription {
     friend bool operator==(const SunDescription&, const SunDescription&) = default;
 };
 
-/// One [[part]]: which parts of the model (namedParts()) are hidden, or shown.
+/// One [[part]]: which parts of the model (namedParts()) are hidden, or shown; which sections do not cut.
 struct PartDescription {
     std::string pattern;       ///< matchesPattern(); "": by number
     std::optional<int> number; ///< in the order of namedParts(), counted from 1
-    bool hidden = true;
+    std::optional<bool> hidden = true;
+    std::optional<bool> uncut = {}; ///< at least one of the two is there
     friend bool operator==(const PartDescription&, const PartDescription&) = default;
 };
 

@@ -4,16 +4,18 @@ namespace rtcore {
 
 PartDescription readPart(StrictTable& table) {
     const NameOrNumber which = readNameOrNumber(table, "a part");
-    const auto hidden = table.boolean("hidden");
+    const auto hidden = table.boolean("hidden"), uncut = table.boolean("uncut");
     table.finish();
     which.check(table);
-    return {which.name.value_or(""), which.number, table.require("hidden", hidden)};
+    if (!uncut) table.require("hidden", hidden);
+    return {which.name.value_or(""), which.number, hidden, uncut};
 }
 
 void writePart(TomlWriter& writer, const PartDescription& part) {
     writer.section("[[part]]");
     part.number ? writer.add("number", *part.number) : writer.add("name", part.pattern);
-    writer.add("hidden", part.hidden);
+    if (part.hidden) writer.add("hidden", *part.hidden);
+    if (part.uncut) writer.add("uncut", *part.uncut);
 }
 
 } // namespace rtcore
