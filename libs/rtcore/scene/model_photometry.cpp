@@ -8,7 +8,7 @@ namespace rtcore {
 namespace {
 
 constexpr double kMaxCandela = 1e18, kMinBrightest = 1e-30;
-constexpr double kRounding = 2e-3, kApart = 0.9e-3; ///< degrees; readers of files round to 1e-3
+constexpr double kAngleRounding = 2e-3, kApart = 0.9e-3; ///< degrees; readers of files round to 1e-3
 
 bool isWithin(std::span<const double> numbers, double min, double max) {
     return std::ranges::all_of(numbers, [&](double each) { return each >= min && each <= max; });
@@ -53,7 +53,7 @@ std::vector<double> numbersOf(const PhotometricWeb& web) {
 bool isSoundWeb(const PhotometricWeb& web) {
     const double around = web.planes.back() - web.planes.front();
     return isWithin(web.gammas, 0, 180) && ascends(web.gammas) && isWithin(web.planes, -360, 720) &&
-           ascends(web.planes) && std::fabs(around - 360) < kRounding &&
+           ascends(web.planes) && std::fabs(around - 360) < kAngleRounding &&
            isWithin(web.candela, 0, kMaxCandela) && maxCandela(web) >= kMinBrightest;
 }
 
