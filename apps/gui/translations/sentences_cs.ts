@@ -1456,6 +1456,10 @@
         <translation>uvádí texturu, která neexistuje</translation>
     </message>
     <message>
+        <source>it names files outside of its folder, which are not read: {0}; put them beside the model</source>
+        <translation>jmenuje soubory mimo svou složku, které se nečtou: {0}; dejte je vedle modelu</translation>
+    </message>
+    <message>
         <source>it names no .cam file; write one path a line</source>
         <translation>neuvádí žádný soubor .cam; napište jednu cestu na řádek</translation>
     </message>
@@ -3358,6 +3362,10 @@
     <message>
         <source>weights of {0} bytes; at most {1} are read</source>
         <translation>váhy o {0} bajtech; čte se nejvýše {1}</translation>
+    </message>
+    <message>
+        <source>what files show that it names (Inline) is left out, as they are missing or outside of the model's folder: {0}</source>
+        <translation>co ukazují soubory, které jmenuje (Inline), je vynecháno, protože chybějí nebo leží mimo složku modelu: {0}</translation>
     </message>
     <message>
         <source>what modifiers make of its meshes, and some objects of its hierarchy, may be missing; export it from Blender as glTF to be sure</source>

@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 
 namespace {
@@ -155,6 +158,46 @@ TEST(Ac3dText, TexturedSurfacesAreNotSubdivided) {
 TEST(FormatQuirks, VertexColoursOfBlenderFilesAreIgnored) {
     EXPECT_TRUE(quirksOf("Blender 3D Importer (http://www.blender3d.org)").ignoredColours);
     EXPECT_FALSE(quirksOf("Collada Importer").ignoredColours);
+}
+
+/// Big-endian.
+std::string lwoNumber(std::uint32_t number, unsigned bytes) {
+    std::string text;
+    for (unsigned i = bytes; i-- > 0;) text += static_cast<char>(number >> (8 * i));
+    return text;
+}
+std::string lwoFloats(std::initializer_list<float> numbers) {
+    std::string text;
+    for (const float number : numbers) text += lwoNumber(std::bit_cast<std::uint32_t>(number), 4);
+    return text;
+}
+std::string lwoChunk(const std::string& name, const std::string& content, unsigned sizeBytes = 4) {
+    return name + lwoNumber(static_cast<std::uint32_t>(content.size()), sizeBytes) + content;
+}
+
+/// A triangle of red corners, whose surface has these further chunks.
+std::string lwoTriangle(const std::string& surface) {
+    using namespace std::string_literals;
+    std::string colours = "RGB "s + lwoNumber(3, 2) + "c\0"s;
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+        colours += lwoNumber(corner, 2) + lwoFloats({1, 0, 0});
+    const std::string chunks =
+        lwoChunk("TAGS", "s\0"s) + lwoChunk("LAYR", std::string(18, '\0')) +
+        lwoChunk("PNTS", lwoFloats({0, 0, 0, 1, 0, 0, 0, 1, 0})) + lwoChunk("VMAP", colours) +
+        lwoChunk("POLS", "FACE" + lwoNumber(3, 2) + lwoNumber(0, 2) + lwoNumber(1, 2) + lwoNumber(2, 2)) +
+        lwoChunk("PTAG", "SURF" + lwoNumber(0, 4)) + lwoChunk("SURF", "s\0\0\0"s + surface);
+    return "FORM" + lwoNumber(static_cast<std::uint32_t>(chunks.size() + 4), 4) + "LWO2" + chunks;
+}
+
+TEST(LightWave, ColoursOfVerticesAreSeenWhetherASurfaceNamesThemOrNot) {
+    using namespace std::string_literals;
+    const std::string named = lwoChunk("VCOL", lwoFloats({1}) + lwoNumber(0, 2) + "RGB c\0"s, 2);
+    for (const std::string& surface : {named, ""s}) {
+        const FileImport import = assimpImport("m.lwo", lwoTriangle(surface));
+        ASSERT_EQ(import.model.colours.size(), import.model.normals.size());
+        for (const Colour& colour : import.model.colours) EXPECT_EQ(colour, (Colour{1, 0, 0}));
+        EXPECT_TRUE(import.report.warnings.empty());
+    }
 }
 
 } // namespace

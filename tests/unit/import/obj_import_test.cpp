@@ -351,6 +351,10 @@ TEST(ObjImport, ColoursOfVerticesAreNotDarkenedWhereThereIsNoMaterial) {
     EXPECT_TRUE(near(diffuseOf(import, 0), kWhite));
     EXPECT_TRUE(near(diffuseOf(import, 1), {0.5F, 0.5F, 0.5F}));
     EXPECT_TRUE(near(diffuseOf(objOf(folder / "d.obj"), 0), {0.6F, 0.6F, 0.6F})) << "described";
+    writeText(folder / "u.obj", "mtllib m.mtl\nusemtl gone\n" + coloured);
+    EXPECT_TRUE(near(diffuseOf(objOf(folder / "u.obj"), 0), kWhite)) << "named alone";
+    writeText(folder / "p.obj", "mtllib m.mtl\nusemtl gone\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_TRUE(near(diffuseOf(objOf(folder / "p.obj"), 0), {0.6F, 0.6F, 0.6F})) << "no colours";
 }
 
 TEST(ObjImport, IsChosenByItsName) {

@@ -158,6 +158,37 @@ TEST(X3dText, ConesStandUpright) {
     EXPECT_NEAR(test::volumeOf(closed.model.mesh), 3.14, 0.1) << "faces outwards";
 }
 
+/// Others are left out with a sentence, and cost nothing else.
+TEST(X3dText, FilesThatItNamesAreReadInItsFolderAlone) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "model");
+    writeText(folder / "out.x3d", x3dScene(x3dMoved(7, x3dSquare())));
+    writeText(folder / "model/part.x3d", x3dScene(x3dMoved(5, x3dSquare())));
+    std::filesystem::create_symlink(folder / "out.x3d", folder / "model/link.x3d");
+    const auto read = [&](const std::string& content) {
+        writeText(folder / "model/m.x3d", x3dScene(x3dSquare() + content));
+        return importWithAssimp(folder / "model/m.x3d", {});
+    };
+    const FileImport whole = read("<Inline url='\"http://x/y.x3d\" \"part.x3d\"'/>");
+    EXPECT_EQ(x3dPlaces(whole), (std::vector{0, 5}));
+    EXPECT_TRUE(whole.report.warnings.empty());
+    for (const std::string name : {"gone.x3d", "../out.x3d", "link.x3d", "http://x/y.x3d"}) {
+        const FileImport import = read("<Switch whichChoice='1'><Inline DEF='I' url='\"" + name + "\"'/>" +
+                                       x3dMoved(3, x3dSquare()) + "</Switch><Inline USE='I'/>");
+        EXPECT_EQ(x3dPlaces(import), (std::vector{0, 3})) << name;
+        ASSERT_EQ(import.report.warnings.size(), 1U) << name;
+        EXPECT_NE(import.report.warnings[0].english().find("'" + name + "'"), std::string::npos);
+        EXPECT_EQ(import.report.files.size(), 1U) << name;
+    }
+    writeText(folder / "model/part.x3d", x3dScene("<Inline url='../out.x3d'/>"));
+    try {
+        read("<Inline url='part.x3d'/>");
+        FAIL() << "of a file that it names";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("outside of its folder"), std::string::npos) << error.what();
+    }
+}
+
 TEST(X3dText, OfSeveralAddressesTheFirstThatIsThereCounts) {
     const TemporaryFolder folder;
     const auto missingOf = [&](const std::string& list) {

@@ -1,6 +1,8 @@
 #include "rtcore/io/import/assimp/assimp_files.h"
 
+#include "rtcore/io/import/materials/model_folder.h"
 #include "rtcore/io/import/mesh/utf16_text.h"
+#include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/platform/paths.h"
 
 #include <assimp/DefaultIOSystem.h>
@@ -32,16 +34,28 @@ Assimp::IOStream* asUtf8(Assimp::IOStream& file) {
     return new Assimp::MemoryIOStream(own, text->size(), true);
 }
 
+bool isGltf(const std::filesystem::path& model) {
+    const std::string extension = inSmallLetters(model.extension().string());
+    return extension == ".gltf" || extension == ".glb";
+}
+
 class FilesForAssimp : public Assimp::DefaultIOSystem {
   public:
-    FilesForAssimp(std::shared_ptr<std::vector<std::string>> files, std::optional<ReplacedFile> replaced)
-        : files_(std::move(files)), replaced_(std::move(replaced)) {}
+    FilesForAssimp(const std::filesystem::path& model, std::shared_ptr<OpenedFiles> files,
+                   std::optional<ReplacedFile> replaced)
+        : home_(model), namesBuffers_(isGltf(model)), files_(std::move(files)),
+          replaced_(std::move(replaced)) {}
 
     Assimp::IOStream* Open(const char* file, const char* mode) override {
+        if (!namesBuffers_ && Exists(file) && !home_.holds(file)) {
+            if (std::ranges::find(files_->outside, file) == files_->outside.end())
+                files_->outside.emplace_back(file);
+            return nullptr;
+        }
         std::unique_ptr<Assimp::IOStream> stream(DefaultIOSystem::Open(file, mode));
         if (!stream) return nullptr;
-        files_->push_back(plainPath(file).string());
-        if (replaced_ && files_->back() == replaced_->path)
+        files_->read.push_back(plainPath(file).string());
+        if (replaced_ && files_->read.back() == replaced_->path)
             return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(replaced_->text.data()),
                                               replaced_->text.size());
         if (Assimp::IOStream* const text = asUtf8(*stream)) return text;
@@ -49,15 +63,17 @@ class FilesForAssimp : public Assimp::DefaultIOSystem {
     }
 
   private:
-    std::shared_ptr<std::vector<std::string>> files_;
+    ModelFolder home_;
+    bool namesBuffers_;
+    std::shared_ptr<OpenedFiles> files_;
     std::optional<ReplacedFile> replaced_;
 };
 
 } // namespace
 
-Assimp::IOSystem* filesForAssimp(std::shared_ptr<std::vector<std::string>> files,
+Assimp::IOSystem* filesForAssimp(const std::filesystem::path& model, std::shared_ptr<OpenedFiles> files,
                                  std::optional<ReplacedFile> replaced) {
-    return new FilesForAssimp(std::move(files), std::move(replaced));
+    return new FilesForAssimp(model, std::move(files), std::move(replaced));
 }
 
 } // namespace rtcore

@@ -319,13 +319,18 @@ std::optional<std::string> textForAssimp(const std::filesystem::path& path) {
     return x3dForAssimp(path);
 }
 
+Sentence foreignFiles(const std::vector<std::string>& files) {
+    return say("it names files outside of its folder, which are not read: {0}; put them beside the model",
+               firstOf(files));
+}
+
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path, bool animations,
                          ImportReport& report) {
-    const auto files = std::make_shared<std::vector<std::string>>();
+    const auto files = std::make_shared<OpenedFiles>();
     std::optional<ReplacedFile> replaced;
     if (auto text = textForAssimp(path)) replaced = {plainPath(path).string(), std::move(*text)};
-    importer.SetIOHandler(filesForAssimp(files, std::move(replaced))); // which it owns from now on
+    importer.SetIOHandler(filesForAssimp(path, files, std::move(replaced))); // which it owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, animations);
@@ -333,13 +338,17 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     importer.SetPropertyBool(AI_CONFIG_IMPORT_AC_EVAL_SUBDIVISION, !subdividesTextures(path));
     refuseMisnamedFor(path, importer);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
-    for (const std::string& file : *files) addFile(report, file);
-    if (scene != nullptr) return *scene;
+    for (const std::string& file : files->read) addFile(report, file);
+    if (scene != nullptr) {
+        if (!files->outside.empty()) addWarning(report, foreignFiles(files->outside));
+        return *scene;
+    }
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     refuseMisnamed(path);
     if (const auto sentence = cutOff(path)) refuse(*sentence);
     if (const auto sentence = gltfDamage(path)) refuse(*sentence);
+    if (!files->outside.empty()) refuse(foreignFiles(files->outside));
     if (reason.find("No suitable reader") != std::string::npos) {
         refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
     }

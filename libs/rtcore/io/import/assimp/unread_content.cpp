@@ -4,6 +4,7 @@
 #include "rtcore/io/import/assimp/xml_text.h"
 #include "rtcore/io/import/assimp/xml_tree.h"
 #include "rtcore/io/import/import_forms.h"
+#include "rtcore/io/import/import_report.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/sentence.h"
 
@@ -72,6 +73,14 @@ std::vector<Sentence> unreadInX3d(const std::filesystem::path& path) {
     std::vector<Sentence> sentences;
     if (!unread.empty())
         sentences.push_back(say("what these X3D nodes show is left out, as they are not read: {0}", unread));
+    if (nodes) {
+        const std::vector<std::string> files = x3dFilesLeftOut(*nodes, path);
+        if (!files.empty())
+            sentences.push_back(
+                say("what files show that it names (Inline) is left out, as they are missing or "
+                    "outside of the model's folder: {0}",
+                    firstOf(files)));
+    }
     if (levels) sentences.push_back(say("of levels of detail (LOD) the first is shown"));
     return sentences;
 }

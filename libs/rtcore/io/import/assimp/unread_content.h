@@ -12,7 +12,8 @@ namespace rtcore {
 /// Nothing when the file is no .dae.
 std::vector<const char*> unreadInCollada(const std::filesystem::path& path);
 
-/// What is to be said of an .x3d file: text and other nodes that Assimp does not know, levels of detail.
+/// What is to be said of an .x3d file: text and other nodes that Assimp does not know, files
+/// that are not there, levels of detail.
 /// Nothing when the file is none, or no sound XML.
 std::vector<Sentence> unreadInX3d(const std::filesystem::path& path);
 

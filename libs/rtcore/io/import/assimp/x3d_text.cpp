@@ -1,6 +1,6 @@
 #include "rtcore/io/import/assimp/x3d_text.h"
 
-#include "rtcore/io/import/assimp/xml_tree.h"
+#include "rtcore/io/import/materials/model_folder.h"
 #include "rtcore/io/import/materials/texture_files.h"
 #include "rtcore/io/import/text/statement_text.h"
 #include "rtcore/platform/error.h"
@@ -12,7 +12,9 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -74,11 +76,27 @@ std::string withoutEntities(std::string text) {
     return text;
 }
 
+std::filesystem::path x3dFile(const std::filesystem::path& folder, const std::string& name) {
+    return folder / withoutEntities(name);
+}
+
+/// Nothing where none of them is there, or may be read.
+std::optional<std::string> inlined(const ModelFolder& home, const std::filesystem::path& folder, View list) {
+    const std::vector<std::string> names = stringsOf(list);
+    const auto file = std::ranges::find_if(names, [&](const std::string& name) {
+        std::error_code error;
+        const std::filesystem::path path = x3dFile(folder, name);
+        return std::filesystem::is_regular_file(path, error) && home.holds(path);
+    });
+    return file != names.end() ? std::optional(*file) : std::nullopt;
+}
+
 /// Writes the elements of a document anew.
 class X3dWriter {
   public:
-    X3dWriter(std::span<const Node> nodes, std::filesystem::path folder, std::size_t maxLength)
-        : nodes_(nodes), folder_(std::move(folder)), maxLength_(maxLength), isOpen_(nodes.size(), 0) {}
+    X3dWriter(std::span<const Node> nodes, const std::filesystem::path& path, std::size_t maxLength)
+        : nodes_(nodes), folder_(path.parent_path()), home_(path), maxLength_(maxLength),
+          isOpen_(nodes.size(), 0) {}
 
     /// Nothing where all of it may stay.
     std::optional<std::string> written() {
@@ -102,12 +120,23 @@ class X3dWriter {
             writeGroup(number);
         } else if (name == "Shape") {
             writeShape(number);
+        } else if (name == "Inline" && isLeftOut(number)) {
+            text_ += kFilledGroup;
+            changed_ = true;
         } else {
             const View own = attributeOf(nodes_[number], "DEF");
             if (name == "Cone" && !own.empty()) turnsOver_[own] = turnsOver(number);
             writeElement(number, name);
         }
         --depth_;
+    }
+
+    bool isLeftOut(std::uint32_t number) {
+        const View use = attributeOf(nodes_[number], "USE"), own = attributeOf(nodes_[number], "DEF");
+        if (!use.empty()) return leftOut_.contains(use);
+        const bool isLost = !inlined(home_, folder_, attributeOf(nodes_[number], "url"));
+        if (isLost && !own.empty()) leftOut_.insert(own);
+        return isLost;
     }
 
     void writeGroup(std::uint32_t number) {
@@ -194,7 +223,8 @@ class X3dWriter {
             text_ += attribute->name;
             text_ += '=';
             text_ += quote;
-            text_ += isAddress ? address(attribute->value) : std::string(attribute->value);
+            text_ +=
+                isAddress ? address(attribute->value, node.name == "Inline") : std::string(attribute->value);
             text_ += quote;
         }
         text_ += '>';
@@ -207,29 +237,45 @@ class X3dWriter {
     }
 
     /// Assimp understands a list of one alone, without quotes and blanks.
-    std::string address(View list) {
+    std::string address(View list, bool isInline) {
         const std::vector<std::string> strings = stringsOf(list);
         if (strings.empty()) return std::string(list);
         const auto there = std::ranges::find_if(strings, [&](const std::string& name) {
             return fileOfAnyCase(folder_, withoutEntities(name)).has_value();
         });
-        std::string chosen = replaced(there != strings.end() ? *there : strings.front(), " ", "%20");
+        const auto file = isInline ? inlined(home_, folder_, list) : std::nullopt;
+        const std::string& first = there != strings.end() ? *there : strings.front();
+        std::string chosen = replaced(file ? *file : first, " ", "%20");
         changed_ = changed_ || chosen != list;
         return chosen;
     }
 
     std::span<const Node> nodes_;
     std::filesystem::path folder_;
+    ModelFolder home_;
     std::size_t maxLength_;
     std::vector<char> isOpen_; ///< of nodes
     std::unordered_map<View, std::uint32_t> groups_, shapes_;
     std::unordered_map<View, bool> turnsOver_; ///< cones
+    std::unordered_set<View> leftOut_;         ///< of Inline
     std::string text_;
     int depth_ = 0;
     bool changed_ = false;
 };
 
 } // namespace
+
+std::vector<std::string> x3dFilesLeftOut(std::span<const Node> nodes, const std::filesystem::path& path) {
+    const ModelFolder home(path);
+    std::vector<std::string> names;
+    for (const Node& node : nodes) {
+        const View list = attributeOf(node, "url");
+        if (node.name != "Inline" || list.empty() || inlined(home, path.parent_path(), list)) continue;
+        const std::vector<std::string> addresses = stringsOf(list);
+        names.push_back(withoutEntities(addresses.empty() ? std::string(list) : addresses.front()));
+    }
+    return names;
+}
 
 bool isX3d(const std::filesystem::path& path) { return inSmallLetters(path.extension().string()) == ".x3d"; }
 
@@ -239,7 +285,7 @@ std::optional<std::string> x3dForAssimp(const std::filesystem::path& path) {
     const View text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
     const auto nodes = xml::treeOf(text);
     if (!nodes) return std::nullopt;
-    return X3dWriter(*nodes, path.parent_path(), 2 * text.size() + kMaxCopies * kMegabyte).written();
+    return X3dWriter(*nodes, path, 2 * text.size() + kMaxCopies * kMegabyte).written();
 }
 
 } // namespace rtcore

@@ -60,10 +60,12 @@ std::uint32_t materialOf(const ObjMesh& mesh) {
     return mesh.material == kNoIndex ? MtlMaterials::kDefault : mesh.material;
 }
 
-/// Colours of vertices stand in place of the grey of faces without a material, which would darken them.
+/// Colours of vertices stand in place of the grey of faces without a material, or with one that no library
+/// describes, which would darken them.
 void whitenColouredFaces(ObjFile& file) {
-    MtlMaterial& plain = file.materials.all()[MtlMaterials::kDefault];
-    if (!file.model.colours.empty() && !plain.isDescribed) plain.source.diffuse = kWhite;
+    if (file.model.colours.empty()) return;
+    for (MtlMaterial& material : file.materials.all())
+        if (!material.isDescribed) material.source.diffuse = kWhite;
 }
 
 std::vector<char> usedMaterials(ObjFile& file) {
