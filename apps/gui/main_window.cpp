@@ -11,6 +11,7 @@
 #include "gui/operations/job_operations.h"
 #include "gui/operations/light_operations.h"
 #include "gui/operations/look_operations.h"
+#include "gui/operations/measure_operations.h"
 #include "gui/operations/message_operations.h"
 #include "gui/operations/mode_operations.h"
 #include "gui/operations/model_operations.h"
@@ -70,6 +71,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     surroundings_ = new SurroundingsOperations(context, this);
     new ModelOperations(context, this);
     new SectionOperations(context, this);
+    new MeasureOperations(context, this);
     auto* plans = new PlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
     save_ = new SaveOperations(context, this);

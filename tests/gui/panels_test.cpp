@@ -203,8 +203,8 @@ TEST_F(PanelsTest, OneKeyHidesAllPanelsAndBringsThemBack) {
     };
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(),
-              (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"), QStringLiteral("model"),
-                           QStringLiteral("sections"), QStringLiteral("settings")}));
+              (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"), QStringLiteral("measures"),
+                           QStringLiteral("model"), QStringLiteral("sections"), QStringLiteral("settings")}));
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(), QStringList());
     QTest::keyClick(&*window, Qt::Key_F6);

@@ -71,6 +71,42 @@ json lightsJson(const app::StateReport& state) {
     return rows;
 }
 
+json valueJson(const rtcore::MeasureValue& value) {
+    return {{"value", value.value}, {"power", value.power}, {"decimals", value.decimals}};
+}
+
+/// Whether a section takes the point away where the label of a measure is.
+bool isCutAway(rtcore::Vec3d point, const app::StateReport& state) {
+    constexpr double kOfDiagonal = 1e-4;
+    const double slack = state.bounds.empty() ? 0 : kOfDiagonal * double{state.bounds.diagonal()};
+    const auto doubles = [](Vec3 v) { return rtcore::Vec3d{v.x, v.y, v.z}; };
+    return std::ranges::any_of(state.sections.planes, [&](const rtcore::SectionPlane& plane) {
+        return dot(normalize(doubles(plane.normal)), point - doubles(plane.point)) > slack;
+    });
+}
+
+json measureJson(const rtcore::KeptMeasure& measure, const app::StateReport& state) {
+    const double metres{state.metresPerUnit};
+    json points = json::array(), legs = json::array();
+    for (const rtcore::Vec3d p : measure.points)
+        points.push_back({p.x + state.origin.at[0], p.y + state.origin.at[1], p.z + state.origin.at[2]});
+    for (const rtcore::MeasureValue& leg : legsOf(measure, state.measures, metres))
+        legs.push_back(valueJson(leg));
+    json row = valueJson(valueOf(measure, state.measures, metres));
+    row["kind"] = nameOf(measure.kind);
+    row["name"] = measure.name;
+    row["points"] = std::move(points);
+    row["legs"] = std::move(legs);
+    row["cut"] = isCutAway(labelPoint(measure), state);
+    return row;
+}
+
+json measuresJson(const app::StateReport& state) {
+    json rows = json::array();
+    for (const rtcore::KeptMeasure& measure : state.measures.all) rows.push_back(measureJson(measure, state));
+    return {{"unit", nameOf(state.measures.unit)}, {"count", state.measureCount}, {"all", std::move(rows)}};
+}
+
 json environmentsJson(const std::vector<app::NamedSwitch>& environments) {
     json rows = json::array();
     for (const app::NamedSwitch& each : environments)
@@ -176,6 +212,7 @@ json sceneJson(const app::StateReport& state) {
                {"sky", skyJson(state)},
                {"sections", sectionsJson(state)},
                {"bookmarks", state.bookmarks},
+               {"measures", measuresJson(state)},
                {"undo", stepJson(state.undo)},
                {"redo", stepJson(state.redo)},
                {"edits", state.edits},

@@ -32,6 +32,12 @@ const ShownLight* lightOf(const SceneState& state, int id) {
     return found == state.lights.end() ? nullptr : &*found;
 }
 
+double parallelWidth(const SceneState& state, const QSizeF& image) {
+    const double width{state.parallelWidth};
+    if (!(state.framedAspect > 0) || image.isEmpty()) return width;
+    return width * std::max(1.0, image.width() / image.height() / double{state.framedAspect});
+}
+
 bool isPictureSize(const QString& setting) {
     return setting == QLatin1String("width") || setting == QLatin1String("height");
 }
@@ -54,6 +60,12 @@ std::optional<StateAnswer> readState(const QString& answer) {
         result.state.sky = report.sky;
         result.state.bounds = report.bounds;
         result.state.sections = report.sections;
+        result.state.measures = report.measures;
+        result.state.measureCount = report.measureCount;
+        if (report.camera.kind == rtcore::CameraKind::Orthographic) {
+            result.state.parallelWidth = report.camera.orthographicWidth;
+            result.state.framedAspect = report.camera.aspect;
+        }
         result.state.undo = QString::fromStdString(report.undo);
         result.state.redo = QString::fromStdString(report.redo);
         for (const std::string& name : report.bookmarks)

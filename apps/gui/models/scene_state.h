@@ -6,6 +6,7 @@
 
 #include <QList>
 #include <QMap>
+#include <QSizeF>
 #include <QString>
 #include <QStringList>
 
@@ -47,13 +48,20 @@ struct SceneState {
     std::optional<rtcore::Sky> sky;
     rtcore::Box3 bounds; ///< of the model; empty: it has none
     rtcore::SectionPlanes sections;
-    QString undo, redo;    ///< the steps that these would make (editLabel()); empty: none
-    QStringList bookmarks; ///< names of the scene's own
-    bool modified = false; ///< there is something to save, other than the camera
-    int edits = 0;         ///< made and not taken back
-    bool indoors = false;  ///< the scene's own view is from inside
+    rtcore::KeptMeasures measures; ///< the first ones of very many
+    int measureCount = 0;          ///< of all
+    float parallelWidth = 0;       ///< of a view without perspective that rests; 0: it has one
+    float framedAspect = 0;        ///< of the image that this is the width of; 0: of any
+    QString undo, redo;            ///< the steps that these would make (editLabel()); empty: none
+    QStringList bookmarks;         ///< names of the scene's own
+    bool modified = false;         ///< there is something to save, other than the camera
+    int edits = 0;                 ///< made and not taken back
+    bool indoors = false;          ///< the scene's own view is from inside
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };
+
+/// Of an image of that size: scene units between its left and right edge; 0: it has perspective.
+double parallelWidth(const SceneState& state, const QSizeF& image);
 
 /// Null when there is none.
 const ShownLight* lightOf(const SceneState& state, int id);

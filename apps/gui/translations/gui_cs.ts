@@ -1095,6 +1095,54 @@
         <source>Draw a plan, a section or an elevation to scale</source>
         <translation>Nakreslí půdorys, řez nebo pohled v měřítku</translation>
     </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Měřit</translation>
+    </message>
+    <message>
+        <source>Click points, which corners and edges catch: distances, angles, heights, areas, volumes</source>
+        <translation>Klikat na body, které přitahují rohy a hrany: vzdálenosti, úhly, výšky, plochy, objemy</translation>
+    </message>
+    <message>
+        <source>Me&amp;asures panel</source>
+        <translation>P&amp;anel měr</translation>
+    </message>
+    <message>
+        <source>Measures that are kept, and their unit</source>
+        <translation>Uchované míry a jejich jednotka</translation>
+    </message>
+    <message>
+        <source>Labels o&amp;f measures</source>
+        <translation>Pop&amp;isky měr</translation>
+    </message>
+    <message>
+        <source>Show the measures that are kept over the image</source>
+        <translation>Zobrazit uchované míry přes obraz</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Vzdálenost</translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation>Řetězec</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Úhel</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Plocha</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Objem</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2410,6 +2458,156 @@ Alt+%2</translation>
     <message>
         <source>Priority</source>
         <translation>Priorita</translation>
+    </message>
+</context>
+<context>
+    <name>gui::MeasureOperations</name>
+    <message>
+        <source>Measures</source>
+        <translation>Míry</translation>
+    </message>
+    <message>
+        <source>Nothing of the model is seen there.</source>
+        <translation>Na tom místě není z modelu nic vidět.</translation>
+    </message>
+    <message>
+        <source>Click points one after another. Shift keeps to an axis.</source>
+        <translation>Klikejte na body jeden po druhém. Shift drží osu.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click keeps the chain.</source>
+        <translation>Enter nebo dvojklik řetězec uchová.</translation>
+    </message>
+    <message>
+        <source>Click the point that the angle is at.</source>
+        <translation>Klikněte na vrchol úhlu.</translation>
+    </message>
+    <message>
+        <source>Click three points, the second at the angle.</source>
+        <translation>Klikněte na tři body, druhý je vrchol úhlu.</translation>
+    </message>
+    <message>
+        <source>Click a point above the floor.</source>
+        <translation>Klikněte na bod nad podlahou.</translation>
+    </message>
+    <message>
+        <source>Click a face.</source>
+        <translation>Klikněte na plochu.</translation>
+    </message>
+    <message>
+        <source>Click a closed part.</source>
+        <translation>Klikněte na uzavřenou část.</translation>
+    </message>
+    <message>
+        <source>Click two points. Shift keeps to an axis, Esc ends.</source>
+        <translation>Klikněte na dva body. Shift drží osu, Esc končí.</translation>
+    </message>
+    <message>
+        <source>Export the measures</source>
+        <translation>Exportovat míry</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabulky (*.csv)</translation>
+    </message>
+    <message>
+        <source>The measures were written to %1.</source>
+        <translation>Míry byly zapsány do %1.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::MeasuresPanel</name>
+    <message>
+        <source>Measure</source>
+        <translation>Měření</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Míry</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Popisky</translation>
+    </message>
+    <message>
+        <source>Between two points</source>
+        <translation>Mezi dvěma body</translation>
+    </message>
+    <message>
+        <source>Along three points or more; Enter ends it</source>
+        <translation>Přes tři body nebo více; Enter končí</translation>
+    </message>
+    <message>
+        <source>At the second of three points</source>
+        <translation>U druhého ze tří bodů</translation>
+    </message>
+    <message>
+        <source>Of a point above the floor</source>
+        <translation>Bodu nad podlahou</translation>
+    </message>
+    <message>
+        <source>Of a face, with all that is in its plane</source>
+        <translation>Plochy i se vším, co leží v její rovině</translation>
+    </message>
+    <message>
+        <source>Of a closed part</source>
+        <translation>Uzavřené části</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Název</translation>
+    </message>
+    <message>
+        <source>Stands in the label of the selected measure</source>
+        <translation>Stojí v popisku vybrané míry</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Přejít tam</translation>
+    </message>
+    <message>
+        <source>Look at the selected measure; also Enter or a double click</source>
+        <translation>Podívat se na vybranou míru; také Enter nebo dvojklik</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+    <message>
+        <source>Remove the selected measure; also Del</source>
+        <translation>Odebrat vybranou míru; také Del</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Odebrat vše</translation>
+    </message>
+    <message>
+        <source>Can be undone</source>
+        <translation>Lze vrátit</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportovat…</translation>
+    </message>
+    <message>
+        <source>Write all measures as a table, a .csv file</source>
+        <translation>Zapsat všechny míry jako tabulku do souboru .csv</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednotka</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Desetinná místa</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>a %n další</numerusform>
+            <numerusform>a %n další</numerusform>
+            <numerusform>a %n dalších</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -790,6 +790,10 @@
         <source>section</source>
         <translation>řez</translation>
     </message>
+    <message>
+        <source>measure</source>
+        <translation>míra</translation>
+    </message>
 </context>
 <context>
     <name>LightKinds</name>

@@ -215,7 +215,7 @@ void FrameView::paintEvent(QPaintEvent* event) {
     if (!coloured_.isNull()) drawErrors(painter);
     if (!mark_.isNull() && !picture.isNull()) painter.drawImage(target(picture.size()), mark_);
     if (showsLive()) countDelay();
-    if (drawMarks_) drawMarks_(painter);
+    for (const auto& drawMarks : drawMarks_) drawMarks(painter);
     words_ = stateText(session_);
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);

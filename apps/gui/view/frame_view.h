@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace gui {
 
@@ -56,8 +57,8 @@ class FrameView : public QWidget {
     const QImage& errors() const { return errors_; } ///< of picture(); null: not known
     bool fades() const { return fade_.active(); }
 
-    /// Draws over the image, below words; called with each painting.
-    void setMarks(std::function<void(QPainter&)> draw) { drawMarks_ = std::move(draw); }
+    /// Draws over the image, below words, and over what was added before; called with each painting.
+    void addMarks(std::function<void(QPainter&)> draw) { drawMarks_.push_back(std::move(draw)); }
     /// Where the image is, in widget pixels; empty without one.
     QRectF pictureArea() const;
     /// Where a point of the widget is in the image: from -1 (left, bottom) to 1; nothing beside it.
@@ -88,7 +89,7 @@ class FrameView : public QWidget {
 
     Session& session_;
     InputCapture* input_;
-    std::function<void(QPainter&)> drawMarks_;
+    std::vector<std::function<void(QPainter&)>> drawMarks_;
     QImage picture_; ///< null: the live frame
     PictureOrigin origin_;
     QImage errors_;   ///< of picture_; null: not known

@@ -54,7 +54,7 @@ void drawRays(QPainter& painter, const QPointF& centre, const QColor& colour) {
 LightHandles::LightHandles(FrameView& view, Session& session, QObject* parent)
     : QObject(parent), view_(view), session_(session) {
     view_.installEventFilter(this); // asked before the camera's
-    view_.setMarks([this](QPainter& painter) { draw(painter); });
+    view_.addMarks([this](QPainter& painter) { draw(painter); });
 }
 
 void LightHandles::setShown(bool shown) {

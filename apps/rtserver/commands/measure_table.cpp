@@ -11,13 +11,19 @@ namespace rtserver {
 
 namespace {
 
+/// What came of floats has no more digits than these.
+std::string coordinateText(double coordinate) {
+    const auto single = static_cast<float>(coordinate);
+    return double{single} == coordinate ? rtcore::shortestText(single) : rtcore::shortestText(coordinate);
+}
+
 std::string pointsText(const MeasureStyle& style, const rtcore::KeptMeasure& measure,
                        std::string_view between) {
     const rtcore::FilePoint& zero = style.origin.at;
     std::string text;
     for (const rtcore::Vec3d p : measure.points)
-        text += fmt::format("{}{} {} {}", text.empty() ? "" : between, rtcore::shortestText(p.x + zero[0]),
-                            rtcore::shortestText(p.y + zero[1]), rtcore::shortestText(p.z + zero[2]));
+        text += fmt::format("{}{} {} {}", text.empty() ? "" : between, coordinateText(p.x + zero[0]),
+                            coordinateText(p.y + zero[1]), coordinateText(p.z + zero[2]));
     return text;
 }
 

@@ -68,6 +68,32 @@ TEST(SceneFacts, DescribeSections) {
     EXPECT_EQ(sections["most"], 6);
 }
 
+TEST(SceneFacts, TellMeasuresAsTheirLabelsDo) {
+    app::StateReport state = sample();
+    state.origin.at = {100, 0, 0};
+    state.bounds = {{-1, -1, -1}, {1, 3, 1}};
+    state.sections.planes = {{{0, 1, 0}, {0, 1, 0}}};
+    state.measures = {
+        .all = {{.points = {{0, 0, 0}, {3, 4, 0}}, .name = "door"},
+                {.kind = rtcore::MeasureKind::Chain, .points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}},
+        .unit = rtcore::LengthUnit::Centimetre,
+        .decimals = 1};
+    state.measureCount = 2;
+    bridge::SceneFacts facts;
+    ASSERT_TRUE(readState(facts, state));
+    const json measures = facts.all()["measures"];
+    EXPECT_EQ(measures["unit"], "cm");
+    EXPECT_EQ(measures["count"], 2);
+    const json& distance = measures["all"][0];
+    EXPECT_EQ(distance["value"], 500);
+    EXPECT_EQ(distance["decimals"], 1);
+    EXPECT_EQ(distance["points"], json({{100, 0, 0}, {103, 4, 0}}));
+    EXPECT_EQ(distance["name"], "door");
+    EXPECT_EQ(distance["cut"], true);
+    EXPECT_EQ(measures["all"][1]["cut"], false) << "in the plane";
+    EXPECT_EQ(measures["all"][1]["legs"][1]["value"], 100);
+}
+
 TEST(SceneFacts, TellOnlyWhatChanged) {
     bridge::SceneFacts facts;
     app::StateReport state = sample();

@@ -13,8 +13,7 @@ namespace {
 
 /// How many of the damaged examples were still read.
 template <typename Read>
-int survivors(const std::string& tag, std::uint32_t seed, Read read) {
-    const auto examples = test::documentedExamples(tag);
+int survivorsOf(const std::vector<std::string>& examples, std::uint32_t seed, Read read) {
     if (examples.empty()) return 0;
     test::DamagedText damaged(examples, test::kTomlTokens, seed);
     int readable = 0;
@@ -33,6 +32,11 @@ int survivors(const std::string& tag, std::uint32_t seed, Read read) {
     return readable;
 }
 
+template <typename Read>
+int survivors(const std::string& tag, std::uint32_t seed, Read read) {
+    return survivorsOf(test::documentedExamples(tag), seed, read);
+}
+
 /// Some damage goes unseen (in comments, in names), some does not.
 void expectSome(int readable) {
     EXPECT_GT(readable, 0);
@@ -44,6 +48,29 @@ TEST(Mutation, ScenesAreReadOrRefused) {
         const rtcore::SceneFile scene = rtcore::parseSceneFile(text, "/s/x.scn");
         // A scene that was read can be written and read again.
         rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "/s/x.scn"), "/s/x.scn");
+    }));
+}
+
+/// In files of nothing else, so that damage meets them.
+TEST(Mutation, SectionsAndMeasuresAreReadOrRefused) {
+    const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\n";
+    const std::vector<std::string> examples{
+        head + "measureUnit = \"cm\"\nmeasureDecimals = 1\n"
+               "[[measure]]\nkind = \"distance\"\npoints = [[0, 1e11, -8.5], [2, 0, -8]]\nname = \"a\"\n"
+               "[[measure]]\nkind = \"angle\"\npoints = [[1, 0, 0], [0, 0, 0], [0, 1, 0]]\n"
+               "[[measure]]\nkind = \"height\"\npoints = [[1, 3, 0], [1, 0, 0]]\n",
+        head + "[[measure]]\nkind = \"chain\"\npoints = [[0, 0, 0], [1, 0, 0], [1, 2, 0], [1, 2, 3]]\n"
+               "[[measure]]\nkind = \"area\"\npoints = [[0, 0, -4]]\nnormal = [0, 1, 0]\narea = 24.5\n"
+               "[[measure]]\nkind = \"volume\"\npoints = [[1, 0, 0]]\npart = 12\nvolume = 0.75\n",
+        head + "sectionLight = \"cut\"\nsectionCaps = \"one\"\nsectionColour = [0.1, 0.2, 1]\n"
+               "[[section]]\npoint = [0, 1.2, 0]\nnormal = [0, 1, 0]\n"
+               "[[section]]\npoint = [3e11, 0, 0]\nnormal = [-1, 0, 1e-9]\n"};
+    expectSome(survivorsOf(examples, 56, [](const std::string& text) {
+        const rtcore::SceneFile scene = rtcore::parseSceneFile(text, "/s/x.scn");
+        const rtcore::SceneFile again =
+            rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "/s/x.scn"), "/s/x.scn");
+        EXPECT_EQ(again.measures, scene.measures) << text;
+        EXPECT_EQ(again.sections, scene.sections) << text;
     }));
 }
 

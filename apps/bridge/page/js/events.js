@@ -51,6 +51,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         around.showOrbit();
         around.showStatus();
         asked.offer();
+        app.measures.show();
         panels.show();
     });
 
@@ -60,6 +61,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         // A whole state comes after each loss of the link, too: hands go on as they were.
         const another = scene !== app.state.scene || indoors !== app.state.indoors;
         if (another) app.orbit.begin(app.state.indoors);
+        app.measures.show();
         around.showHeader();
         panels.show();
     });
@@ -69,6 +71,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         app.follow(status);
         if (first) asked.offer();
         app.upright.follow();
+        app.measures.show();
         around.showStatus();
         panels.show();
     });

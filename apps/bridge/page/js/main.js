@@ -12,6 +12,7 @@ import { toggleFullScreen } from "./full_screen.js";
 import { connectHands } from "./hands.js";
 import { Held } from "./held.js";
 import { Link } from "./link.js";
+import { Measures } from "./measures.js";
 import { Orbit } from "./orbit.js";
 import { lightsPanel } from "./panel_lights.js";
 import { modelPanel } from "./panel_model.js";
@@ -65,6 +66,7 @@ app.orbit = new Orbit(app.picture, { ask: (...command) => app.ask(...command),
 const panels = [viewsPanel, lightsPanel, skyPanel, modelPanel, sectionsPanel, settingsPanel, peoplePanel, pagePanel];
 app.panels = new Panels(panels.map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => app.panels.show();
+app.measures = new Measures(app);
 app.around = new Around(app);
 app.driving = new Driving(app);
 connectHands(app, canvas);
@@ -79,6 +81,7 @@ function onOrbit() {
 function onDrawn({ drawn, still }) {
     app.picture.drew(drawn, still);
     app.around.showFrame(still !== undefined);
+    app.measures.show();
     app.statistics.drawn(drawn, drawn.input ? app.held.until(drawn.at, drawn.input) : null);
 }
 

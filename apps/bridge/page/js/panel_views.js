@@ -1,7 +1,10 @@
-/** Views: walk or fly, field of view, bookmarks of the scene and of this browser, a link to what is seen. */
+/**
+ * Views: walk or fly, field of view, bookmarks of the scene and of this browser, measures, a link to what is seen.
+ */
 import { MAX_BOOKMARKS, cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
 import { button, make, refill } from "./dom.js";
 import { choice, numeric } from "./fields.js";
+import { measureText } from "./measures.js";
 import { copyView } from "./share.js";
 import { counted, t } from "./texts.js";
 
@@ -17,7 +20,7 @@ export function download(name, blob) {
 }
 
 export function viewsPanel(app) {
-    let motion, angle, speed, middle, own, here, name, plus, copy, reset, sides, last = "";
+    let motion, angle, speed, middle, own, here, name, plus, copy, reset, sides, measured, tap, last = "";
 
     const instance = () => app.welcome?.instance ?? "", scene = () => app.state.scene ?? "";
     const stored = () => load(instance(), scene());
@@ -71,6 +74,29 @@ export function viewsPanel(app) {
         { type: "button", className: "name", title: t("bookmarkGo", text), disabled: !app.drives(),
         onclick: () => app.ask("bookmark go", index + 1) }, text));
 
+    const measureItem = (one, index) => {
+        const kind = t("measure" + one.kind[0].toUpperCase() + one.kind.slice(1));
+        const text = (one.name ? one.name + " " : "") + kind + " " + measureText(one, app.measures.unit);
+        const remove = button(t("measureRemove", text), () => app.ask("measure remove", index + 1), "close");
+        remove.disabled = !app.mayEdit();
+        return make("li", {}, make("span", { className: "name" }, text), remove);
+    };
+
+    function addMeasures(place) {
+        measured = make("ul", { className: "list", id: "measured" });
+        tap = button(t("measureTwo"), () => app.measures.start());
+        place.append(make("h3", {}, t("measures")), measured, make("div", { className: "actions" }, tap));
+    }
+
+    function showMeasures() {
+        const { all } = app.measures, rest = (app.state.measures?.count ?? 0) - all.length;
+        tap.disabled = !app.mayEdit();
+        const items = all.map(measureItem);
+        const word = rest > 0 ? t("measuresMore", rest) : all.length === 0 ? t("bookmarksNone") : "";
+        if (word) items.push(make("li", {}, make("span", { className: "dim" }, word)));
+        refill(measured, items);
+    }
+
     function addMotion(place) {
         motion = choice(t("motion"), [["walk", t("walk")], ["fly", t("fly")]], (what) => app.ask(what));
         angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "camera angle", [degrees], goesOn),
@@ -107,6 +133,7 @@ export function viewsPanel(app) {
                 make("div", { className: "actions" }, button(t("exportAll"), exportFile),
                     make("label", { className: "file" }, t("importAll"), file)),
                 make("h3", {}, t("bookmarksOwn")), own);
+            addMeasures(place);
         },
         show() {
             const { mode, fov } = app.status, drives = app.drives();
@@ -117,13 +144,14 @@ export function viewsPanel(app) {
             for (const each of [...speed.steps, ...sides, middle, reset]) each.disabled = !drives;
             copy.disabled = plus.disabled = !app.status.eye;
             const list = stored(), scenes = app.state.bookmarks ?? [];
-            const now = JSON.stringify([list, scenes, drives]);
+            const now = JSON.stringify([list, scenes, drives, app.mayEdit(), app.state.measures]);
             if (now === last) return;
             last = now;
             refill(here, list.length ? list.map(item) : [make("li", {},
                 make("span", { className: "dim" }, t("bookmarksNone")))]);
             refill(own, scenes.map(ownItem));
             own.previousElementSibling.hidden = scenes.length === 0;
+            showMeasures();
         },
     };
     return panel;

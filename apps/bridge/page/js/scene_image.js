@@ -1,0 +1,46 @@
+/** Where the image shows points and lines of the scene, by the camera of its frame (scene_image.h of the window). */
+const difference = (a, b) => a.map((part, index) => part - b[index]);
+const between = (a, b, part) => a.map((from, index) => from + part * (b[index] - from));
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+const unit = (a) => a.map((part) => part / Math.hypot(...a));
+
+export class SceneImage {
+    /**
+     * @param {{eye: number[], forward: number[], up: number[], fov: number}} view
+     * @param {number} parallelWidth of a view without perspective, whose `fov` is 0: scene units from edge to edge
+     * @param {{x: number, y: number, width: number, height: number}} box where the whole image is
+     */
+    constructor({ eye, forward, up, fov }, parallelWidth, box) {
+        this.eye = eye;
+        this.forward = unit(forward);
+        this.right = unit(cross(this.forward, up));
+        this.up = cross(this.right, this.forward);
+        this.parallel = !(fov > 0);
+        this.perPixel = (this.parallel ? parallelWidth : 2 * Math.tan((fov * Math.PI) / 360)) / box.width;
+        this.centre = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    }
+
+    depth(point) {
+        return dot(difference(point, this.eye), this.forward);
+    }
+
+    /** Null: it is not in front of the eye. */
+    at(point) {
+        const off = difference(point, this.eye), depth = this.depth(point);
+        const scale = this.perPixel * (this.parallel ? 1 : depth);
+        if (!(depth > 0) || !(scale > 0)) return null;
+        return { x: this.centre.x + dot(off, this.right) / scale, y: this.centre.y - dot(off, this.up) / scale };
+    }
+
+    /** The ends of a line, clipped before the eye; null: none of it is in front. */
+    line(from, to) {
+        const NEAR = 1e-3; // of the depth of the farther end
+        const [near, far] = this.depth(from) <= this.depth(to) ? [from, to] : [to, from];
+        const a = this.depth(near), b = this.depth(far), least = NEAR * b;
+        if (!(b > 0)) return null;
+        const start = a < least ? between(near, far, (least - a) / (b - a)) : near;
+        const ends = [this.at(start), this.at(far)];
+        return ends.every(Boolean) ? ends : null;
+    }
+}

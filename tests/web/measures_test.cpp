@@ -1,0 +1,54 @@
+// Measures of the scene in the page: labels over the image, a list, and a distance by two taps.
+#include "web/bridged_server.h"
+
+namespace {
+
+using test::WebPage;
+
+class PageMeasures : public test::BridgedServer {
+  protected:
+    static constexpr const char* kLabels =
+        "[...document.querySelectorAll('#measures text')].map(({ textContent }) => textContent).join('|')";
+    static void tapAt(const WebPage& page, double right, double down) {
+        page.value(
+            "(() => { const place = document.getElementById('measures'), box = "
+            "place.getBoundingClientRect(); place.dispatchEvent(new MouseEvent('click', { bubbles: true, "
+            "clientX: box.x + " +
+            std::to_string(right) + " * box.width, clientY: box.y + " + std::to_string(down) +
+            " * box.height })); })()");
+    }
+};
+
+TEST_F(PageMeasures, AreShownListedMadeAndRemoved) {
+    startServer("160x120", {"--units=m"});
+    startBridge();
+    startBrowser();
+    ask("camera set 0 1 3 0 0 -1 90");
+    ask("measure keep distance -1 1 0 1 1 0");
+    ask("measure name 1 <b>");
+    const WebPage page(browser(), driverLink());
+    ASSERT_TRUE(showsFrame(page));
+    ASSERT_TRUE(page.becomes(std::string(kLabels) + " === '<b> 2.000 m'")) << page.value(kLabels);
+    ask("measure unit cm 0");
+    ASSERT_TRUE(page.becomes(std::string(kLabels) + " === '<b> 200 cm'")) << page.value(kLabels);
+    ask("section add 0 0 -1 0 0 1");
+    EXPECT_TRUE(page.becomes(std::string(kLabels) + " === ''")) << "it is cut away";
+    ask("section clear");
+    page.value("document.getElementById('menu').click(); document.getElementById('tab-views').click()");
+    ASSERT_TRUE(
+        page.becomes("document.querySelector('#measured .name')?.textContent === '<b> Distance 200 cm'"));
+    page.value(
+        "[...document.querySelectorAll('#panel-views button')].find(({ textContent }) => textContent === "
+        "'Measure a distance').click()");
+    tapAt(page, 0.4, 0.7);
+    ASSERT_TRUE(page.becomes("document.querySelectorAll('#measures circle').length === 1"));
+    tapAt(page, 0.6, 0.7);
+    ASSERT_TRUE(page.becomes("document.querySelectorAll('#measured li').length === 2"));
+    EXPECT_NE(ask("measure list").find("2 distance "), std::string::npos);
+    page.value("document.querySelector('#measured button').click()");
+    EXPECT_TRUE(page.becomes("document.querySelectorAll('#measured li').length === 1"));
+    EXPECT_EQ(ask("measure list").find("2 distance "), std::string::npos);
+    EXPECT_EQ(testing::PrintToString(page.complaints()), "{}");
+}
+
+} // namespace
