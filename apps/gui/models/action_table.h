@@ -55,6 +55,7 @@ enum class ActionId {
     LookHeadlight,
     OpenEnvironment,
     NoEnvironment,
+    LightMeter,
     StopServer,
     PauseServer,
     PingServer,

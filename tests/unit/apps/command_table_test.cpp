@@ -207,6 +207,7 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::Pack, command::pack("/a b", true)},
         {CommandId::PackProgress, command::packProgress()},
         {CommandId::PackStop, command::packStop()},
+        {CommandId::MeasureLight, command::measureLight(0.5, 0.25, 8192)},
         {CommandId::MeasureProgress, command::measureProgress()},
         {CommandId::MeasureStop, command::measureStop()},
         {CommandId::BookmarkAdd, command::bookmarkAdd("by the \"door\"", path)},
