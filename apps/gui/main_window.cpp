@@ -9,6 +9,7 @@
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/display_operations.h"
 #include "gui/operations/job_operations.h"
+#include "gui/operations/light_meter_operations.h"
 #include "gui/operations/light_operations.h"
 #include "gui/operations/look_operations.h"
 #include "gui/operations/measure_operations.h"
@@ -68,6 +69,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new UpAndUnitOperations(context, this);
     new PanelOperations(context, this);
     new LightOperations(context, this);
+    new LightMeterOperations(context, this);
     surroundings_ = new SurroundingsOperations(context, this);
     new ModelOperations(context, this);
     new SectionOperations(context, this);

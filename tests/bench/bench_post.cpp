@@ -62,6 +62,18 @@ void benchLocalExposure(const Frame& frame, int threads) {
     }
 }
 
+void benchFalseColours(const Frame& frame, int threads) {
+    RenderSettings settings;
+    PictureDeveloper developer;
+    LdrImage image;
+    settings.falseColours.on = true;
+    for (const bool isolines : {false, true}) {
+        settings.falseColours.isolines = isolines;
+        const double ms = best(7, [&] { developer.develop(frame.radiance, settings, 1, threads, image); });
+        std::printf("false colours, %s isolines: %7.2f ms\n", isolines ? "with" : "without", ms);
+    }
+}
+
 /// A wavy floor under noisy light.
 void fillAovs(Frame& frame) {
     const int width = frame.radiance.width, height = frame.radiance.height;
@@ -108,6 +120,7 @@ int main(int count, char** arguments) {
     fillAovs(frame);
     benchBloom(frame.radiance, threads);
     benchLocalExposure(frame, threads);
+    benchFalseColours(frame, threads);
     benchDenoise(frame, threads);
     return 0;
 }

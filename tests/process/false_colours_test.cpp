@@ -50,23 +50,23 @@ class PanelOfLight : public testing::Test {
 // A third of the way from 6.83 to 6 830 000 cd/m^2 in the logarithm: the sixth of 16 colours.
 TEST_F(PanelOfLight, HasTheColourOfItsLuminance) {
     constexpr Pixel kExpected{0x31, 0x68, 0x8E};
-    EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}), 20, 60), kExpected);
+    EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}), 140, 60), kExpected);
     EXPECT_EQ(error, "") << "the light has a unit";
-    EXPECT_EQ(pixel(picture({"from=683", "to=6830"}), 20, 60), (Pixel{0x44, 0x01, 0x54}));
-    EXPECT_EQ(pixel(picture({"from=68.3", "to=683"}), 20, 60), (Pixel{0xFD, 0xE7, 0x25}));
+    EXPECT_EQ(pixel(picture({"from=683", "to=6830"}), 140, 60), (Pixel{0x44, 0x01, 0x54}));
+    EXPECT_EQ(pixel(picture({"from=68.3", "to=683"}), 140, 60), (Pixel{0xFD, 0xE7, 0x25}));
 }
 
-TEST_F(PanelOfLight, HasALegendAtTheRight) {
+TEST_F(PanelOfLight, HasALegendAtTheLeft) {
     const std::string with = picture({"from=6.83", "to=6830000"}),
                       without = picture({"from=6.83", "to=6830000", "legend=false"});
-    EXPECT_EQ(pixel(with, 20, 60), pixel(without, 20, 60));
-    EXPECT_NE(pixel(with, 150, 30), pixel(without, 150, 30));
+    EXPECT_EQ(pixel(with, 140, 60), pixel(without, 140, 60));
+    EXPECT_NE(pixel(with, 12, 30), pixel(without, 12, 30));
 }
 
 // Sky and panel in one image: each in its own unit. The panel is not as bright as without the sky.
 TEST_F(PanelOfLight, BesideASkyHasTheSameColour) {
     writeScene("sky.scn", "[sky]\n");
-    EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}, "sky.scn"), 20, 60), (Pixel{0x31, 0x68, 0x8E}));
+    EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}, "sky.scn"), 140, 60), (Pixel{0x31, 0x68, 0x8E}));
 }
 
 TEST_F(PanelOfLight, WithoutAUnitIsToldOnce) {

@@ -24,6 +24,8 @@ inline rtcore::RenderSettings everyEffect(int width, int height) {
     settings.bloom.radius = 2;
     settings.bloom.kernel = rtcore::BloomKernel::Airy;
     settings.exposure.local = 0.5F;
+    // False colours stand in place of all this.
+    settings.falseColours.isolines = settings.falseColours.legend = false;
     return settings;
 }
 

@@ -235,6 +235,7 @@ std::string pack(const std::string& folder, bool outside) {
 }
 std::string packProgress() { return line(CommandId::PackProgress); }
 std::string packStop() { return line(CommandId::PackStop); }
+std::string measureLight(double x, double y, int paths) { return line(CommandId::MeasureLight, x, y, paths); }
 std::string measureProgress() { return line(CommandId::MeasureProgress); }
 std::string measureStop() { return line(CommandId::MeasureStop); }
 

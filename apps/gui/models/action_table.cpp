@@ -104,6 +104,9 @@ constexpr ActionRow kRows[]{
               NeedsServer | SeparatorBefore | SkiesAfter},
     ActionRow{ActionId::NoEnvironment, MenuId::Light, TEXT("&No background"),
               TEXT("Neither sky nor environment map"), "", NeedsServer},
+    ActionRow{ActionId::LightMeter, MenuId::Light, TEXT("Light &meter"),
+              TEXT("Show at the pointer how much light falls there, and how bright it is"), "Ctrl+M",
+              NeedsServer | Checkable | SeparatorBefore},
 
     ActionRow{ActionId::QuickRender, MenuId::Render, TEXT("&Quick render"),
               TEXT("Show the current view in higher quality"), "Ctrl+R", NeedsServer},

@@ -56,6 +56,7 @@ enum class ActionId {
     LookHeadlight,
     OpenEnvironment,
     NoEnvironment,
+    LightMeter,
     StopServer,
     PauseServer,
     PingServer,

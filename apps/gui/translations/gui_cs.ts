@@ -1143,6 +1143,18 @@
         <source>Volume</source>
         <translation>Objem</translation>
     </message>
+    <message>
+        <source>Light &amp;meter</source>
+        <translation>&amp;Světloměr</translation>
+    </message>
+    <message>
+        <source>Show at the pointer how much light falls there, and how bright it is</source>
+        <translation>U ukazatele ukáže, kolik světla tam dopadá a jak je to jasné</translation>
+    </message>
+    <message>
+        <source>some light has no absolute unit</source>
+        <translation>část světla nemá absolutní jednotku</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>

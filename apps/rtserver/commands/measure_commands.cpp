@@ -75,9 +75,9 @@ void addMeasured(const char* what, const rtcore::MeasuredLight& light, const cha
     if (!parts.empty()) addLine(text, std::string(what) + ' ' + parts);
 }
 
-void addIlluminance(const WhitePoint& point, Measuring& measuring, Photometer& photometer,
-                    std::string& text) {
-    const auto light = photometer.illuminance({&point, 1}, {}, measuring.control);
+void addIlluminance(const WhitePoint& point, const rtcore::ProbeEffort& effort, Measuring& measuring,
+                    Photometer& photometer, std::string& text) {
+    const auto light = photometer.illuminance({&point, 1}, effort, measuring.control);
     addMeasured("illuminance", light.at(0), kLux, photometer, text);
 }
 
@@ -88,11 +88,13 @@ Result measureSeen(const Call& call) {
                                     number(call[1]) * static_cast<float>(settings.height));
     const auto side = sideSeen(*call.document().scene(), *call.document().tracer(), ray);
     const std::string at = side ? "at " + positionText(call, side->position) : "";
-    return measureApart(call, [ray, side, at](const MeasuredScene& scene, Measuring& measuring) {
+    rtcore::ProbeEffort effort;
+    if (call.size() > 2) effort = {.relativeError = 0, .paths = static_cast<std::uint32_t>(integer(call[2]))};
+    return measureApart(call, [ray, side, at, effort](const MeasuredScene& scene, Measuring& measuring) {
         Photometer photometer(scene);
         std::string text;
-        if (side) addIlluminance(*side, measuring, photometer, text);
-        addMeasured("luminance", photometer.luminance(ray, {}, measuring.control), kCandela, photometer,
+        if (side) addIlluminance(*side, effort, measuring, photometer, text);
+        addMeasured("luminance", photometer.luminance(ray, effort, measuring.control), kCandela, photometer,
                     text);
         addLine(text, at);
         addLine(text, photometer.unitText());
@@ -114,7 +116,7 @@ Result measureAt(const Call& call) {
     return measureApart(call, [point = pointAt(call)](const MeasuredScene& scene, Measuring& measuring) {
         Photometer photometer(scene);
         std::string text;
-        addIlluminance(point, measuring, photometer, text);
+        addIlluminance(point, {}, measuring, photometer, text);
         addLine(text, photometer.unitText());
         return text;
     });

@@ -21,6 +21,12 @@ float clampedRamp(float value, float zero, float one) {
     return std::clamp((value - zero) / (one - zero), 0.0F, 1.0F);
 }
 
+/// The part of a pixel that a line covers, and whether that lies where the scale is bright.
+struct Isoline {
+    float coverage = 0;
+    bool bright = false;
+};
+
 /// Isolines over the logarithm to the base 10.
 class IsolineSet {
   public:
@@ -28,17 +34,24 @@ class IsolineSet {
         : low_(kLog10Of2 * quickLog2(scale.from)), high_(kLog10Of2 * quickLog2(scale.to)),
           decades_(isWide(scale)) {}
 
-    /// 0..1: how much of a pixel the line covers. `slope`: of the logarithm, for each pixel.
-    float coverage(float logarithm, float slope) const {
+    /// Of a pixel; the square of the slope of the logarithm, for each pixel.
+    Isoline at(float logarithm, float squaredSlope) const {
         constexpr float kNoLine = 1e-5F, kLine = 5e-5F; // slopes of what is even
+        constexpr float kBright = 0.55F;                // of the scale: lines are black beyond, white below
         constexpr float kDense = 0.06F, kTooDense = 0.12F;
-        if (slope < kNoLine) return 0;
-        const float whole = std::floor(logarithm), rest = logarithm - whole;
+        constexpr int kPositive = 64; // added to a logarithm
+        const float whole = static_cast<float>(static_cast<int>(logarithm + kPositive) - kPositive),
+                    rest = logarithm - whole;
         const float nearest = decades_ ? (rest < 0.5F ? 0 : 1) : nearestOf(rest);
-        const float line = whole + nearest, pixels = std::abs(logarithm - line) / slope;
+        const float line = whole + nearest, away = logarithm - line;
+        if (away * away >= squaredSlope || squaredSlope < kNoLine * kNoLine) return {};
+        const float slope = std::sqrt(squaredSlope), pixels = std::abs(away) / slope;
         constexpr float kRounding = 1e-5F;
-        if (pixels >= 1 || line < low_ - kRounding || line > high_ + kRounding) return 0;
-        return (1 - pixels) * clampedRamp(slope, kNoLine, kLine) * clampedRamp(slope, kTooDense, kDense);
+        if (line < low_ - kRounding || line > high_ + kRounding) return {};
+        const bool bright = line - low_ > kBright * (high_ - low_);
+        return {.coverage =
+                    (1 - pixels) * clampedRamp(slope, kNoLine, kLine) * clampedRamp(slope, kTooDense, kDense),
+                .bright = bright};
     }
 
   private:
@@ -53,9 +66,9 @@ class IsolineSet {
     bool decades_;
 };
 
-Rgba8 withLine(Rgba8 colour, float value, float coverage) {
-    constexpr float kOpacity = 0.85F, kBright = 0.55F;
-    const float line = value < kBright ? 255 : 0, part = kOpacity * coverage;
+Rgba8 withLine(Rgba8 colour, const Isoline& isoline) {
+    constexpr float kOpacity = 0.85F;
+    const float line = isoline.bright ? 0 : 255, part = kOpacity * isoline.coverage;
     const auto mixed = [&](std::uint8_t channel) {
         return static_cast<std::uint8_t>(static_cast<float>(channel) * (1 - part) + line * part + 0.5F);
     };
@@ -143,8 +156,8 @@ void FalseColourPainter::paint(const HdrImage& radiance, const FalseColours& how
             const float dx =
                 kLog10Of2 * (here[right] - here[left]) / static_cast<float>(std::max(right - left, 1));
             const float dy = down * (below[x] - above[x]);
-            const float coverage = lines.coverage(kLog10Of2 * here[x], std::sqrt(dx * dx + dy * dy));
-            if (coverage > 0) to[x] = withLine(to[x], value, coverage);
+            const Isoline line = lines.at(kLog10Of2 * here[x], dx * dx + dy * dy);
+            if (line.coverage > 0) to[x] = withLine(to[x], line);
         }
     }
 }

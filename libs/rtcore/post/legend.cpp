@@ -63,16 +63,15 @@ void paintLegend(const FalseColours& how, int height, LdrImage& image) {
     for (const float value : values) texts = std::max(texts, strokeTextWidth(legendText(value), style));
     const float inner = std::max(texts + at.tick + at.gap / 2 + at.bar, strokeTextWidth(unit, style));
 
-    const auto edge = static_cast<float>(image.width), middle = static_cast<float>(image.height) / 2;
-    const float right = edge - 2 * at.gap, barTop = middle - 0.3F * static_cast<float>(image.height),
-                barBottom = 2 * middle - barTop;
+    const float left = 2 * at.gap, middle = static_cast<float>(image.height) / 2;
+    const float barTop = middle - 0.3F * static_cast<float>(image.height), barBottom = 2 * middle - barTop;
     const float title = barTop - 1.2F * at.letters;
     fillArea(image,
-             {right - inner - at.gap, title - at.letters - at.gap, right + at.gap, barBottom + at.letters},
+             {left - at.gap, title - at.letters - at.gap, left + inner + at.gap, barBottom + at.letters},
              [](Rgba8& pixel, float) { darken(pixel); });
-    strokeText(image, unit, style, right - strokeTextWidth(unit, style), title);
+    strokeText(image, unit, style, left, title);
 
-    const float left = right - at.bar;
+    const float right = left + at.bar;
     fillArea(image, {left, barTop, right, barBottom}, [&](Rgba8& pixel, float y) {
         const Rgba8 colour = valueColour((barBottom - y) / (barBottom - barTop));
         pixel = {colour.r, colour.g, colour.b, pixel.a};
@@ -80,13 +79,11 @@ void paintLegend(const FalseColours& how, int height, LdrImage& image) {
     const float range = quickLog2(how.scale.to / how.scale.from);
     for (const float value : values) {
         const float y = barBottom - (barBottom - barTop) * quickLog2(value / how.scale.from) / range;
-        fillArea(image, {left - at.tick, y - style.weight / 2, left, y + style.weight / 2},
+        fillArea(image, {right, y - style.weight / 2, right + at.tick, y + style.weight / 2},
                  [&](Rgba8& pixel, float) {
                      pixel = {255, 255, 255, pixel.a};
                  });
-        const std::string text = legendText(value);
-        strokeText(image, text, style, left - at.tick - at.gap / 2 - strokeTextWidth(text, style),
-                   y + at.letters / 2);
+        strokeText(image, legendText(value), style, right + at.tick + at.gap / 2, y + at.letters / 2);
     }
 }
 

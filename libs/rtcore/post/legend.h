@@ -6,7 +6,7 @@
 
 namespace rtcore {
 
-/// At the right edge: a bar of the colours with its isovalues, and "cd/m^2" above it or "relative" where the
+/// At the left edge: a bar of the colours with its isovalues, and "cd/m^2" above it or "relative" where the
 /// image has no absolute unit. Nothing where `how` has no legend. `height` is that of the whole image: a
 /// smaller one, to be upsampled, has a smaller legend. Images of whole ones below 120 x 90 have
 /// none.

@@ -209,6 +209,7 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::Pack, command::pack("/a b", true)},
         {CommandId::PackProgress, command::packProgress()},
         {CommandId::PackStop, command::packStop()},
+        {CommandId::MeasureLight, command::measureLight(0.5, 0.25, 8192)},
         {CommandId::MeasureProgress, command::measureProgress()},
         {CommandId::MeasureStop, command::measureStop()},
         {CommandId::MeasurePoint, command::measurePoint(0.5, 1)},

@@ -73,6 +73,17 @@ TEST_F(MeasureCommands, LightAtAPointIsInLux) {
     EXPECT_EQ(refusal("measure light at 0 0 0 1").code, 2);
 }
 
+TEST_F(MeasureCommands, PathsAreCounted) {
+    answer("camera set 0 2 0 0 -1 0 60 0 0 -1");
+    const auto errorIn = [](const std::string& line) {
+        return std::strtod(line.c_str() + line.rfind(' '), nullptr);
+    };
+    const auto few = lines("measure light 0.3 0.3 8192"), all = lines("measure light 0.3 0.3 65536");
+    EXPECT_GT(errorIn(few[0]), errorIn(all[0]));
+    EXPECT_NEAR(numberIn(few[0]), numberIn(all[0]), 5 * errorIn(few[0]));
+    EXPECT_EQ(refusal("measure light 0.3 0.3 0").code, 2);
+}
+
 TEST_F(MeasureCommands, LightOnWhatIsSeenHasALuminance) {
     answer("camera set 0 2 0 0 -1 0 60 0 0 -1");
     answer("environment none");

@@ -1,0 +1,58 @@
+#include "gui/models/light_meter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gui {
+
+namespace {
+
+constexpr int kFirstPaths = 1 << 13, kMaxPaths = 1 << 19, kMorePaths = 4;
+constexpr double kEnough = 0.005;
+
+bool isExact(const std::optional<MeasuredNumber>& number) {
+    return !number || number->relativeError() <= kEnough;
+}
+
+} // namespace
+
+LightMeter::LightMeter(Send send, QObject* parent) : QObject(parent), send_(std::move(send)) {}
+
+void LightMeter::forget() {
+    wanted_.reset();
+    if (std::exchange(asked_, std::nullopt)) send_(command::measureStop(), [](const Answer&) {});
+    if (!reading_.luminance) return;
+    reading_ = {};
+    emit changed();
+}
+
+void LightMeter::measure(const QPointF& point) {
+    wanted_ = point;
+    paths_ = kFirstPaths;
+    ask();
+}
+
+void LightMeter::ask() {
+    if (busy_ || !wanted_) return;
+    busy_ = true;
+    asked_ = std::exchange(wanted_, std::nullopt);
+    send_(command::measureLight(asked_->x(), asked_->y(), paths_),
+          [this](const Answer& answer) { take(answer); });
+}
+
+void LightMeter::take(const Answer& answer) {
+    busy_ = false;
+    const std::optional<QPointF> point = std::exchange(asked_, std::nullopt);
+    if (!point || wanted_) return ask(); // another point by now
+    if (!answer.done) return;            // another client measures
+    reading_ = lightReadingOf(answer.text);
+    const bool enough = isExact(reading_.illuminance) && isExact(reading_.luminance);
+    if (!enough && paths_ < kMaxPaths) {
+        paths_ *= kMorePaths;
+        wanted_ = point;
+    }
+    emit changed();
+    ask();
+}
+
+} // namespace gui

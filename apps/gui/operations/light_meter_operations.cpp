@@ -1,0 +1,107 @@
+#include "gui/operations/light_meter_operations.h"
+
+#include "gui/operations/actions.h"
+#include "gui/session/session.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/input_capture.h"
+#include "gui/view/plain_widgets.h"
+
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace gui {
+
+namespace {
+
+constexpr auto kRest = std::chrono::milliseconds(200);
+constexpr int kAside = 16; // pixels from the pointer
+
+} // namespace
+
+LightMeterOperations::LightMeterOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context),
+      meter_([this](const std::string& line, std::function<void(const Answer&)> done) {
+          context_.session.send(line, this, std::move(done));
+      }),
+      label_(new PlainLabel({}, &context.view)) {
+    label_->setObjectName(QStringLiteral("lightMeter"));
+    label_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    label_->setStyleSheet(QStringLiteral("background: rgba(0, 0, 0, 170); color: white; padding: 5px;"
+                                         "border-radius: 6px;"));
+    label_->hide();
+    rest_.setSingleShot(true);
+    rest_.setInterval(kRest);
+    connect(&rest_, &QTimer::timeout, this, &LightMeterOperations::measure);
+    connect(&meter_, &LightMeter::changed, this, &LightMeterOperations::show);
+    connect(&context_.session, &Session::statusChanged, this, &LightMeterOperations::noticeStatus);
+    connect(&context_.session, &Session::stateChanged, this, &LightMeterOperations::restart);
+    context_.view.installEventFilter(this);
+    context_.actions.onToggle(ActionId::LightMeter, [this](bool on) { setOn(on); });
+}
+
+bool LightMeterOperations::eventFilter(QObject* /*watched*/, QEvent* event) {
+    if (!on_) return false;
+    if (event->type() == QEvent::MouseMove) {
+        // A captured mouse turns the camera: what is in the middle is measured.
+        const auto& moved = static_cast<const QMouseEvent&>(*event);
+        const QPointF middle = QRectF(context_.view.rect()).center();
+        pointAt(context_.view.input().captured() ? middle : moved.position());
+    }
+    if (event->type() == QEvent::Leave) pointAt(std::nullopt);
+    return false;
+}
+
+void LightMeterOperations::setOn(bool on) {
+    on_ = on;
+    position_.reset();
+    if (on && context_.view.underMouse()) position_ = context_.view.mapFromGlobal(QCursor::pos());
+    restart();
+}
+
+void LightMeterOperations::pointAt(const std::optional<QPointF>& position) {
+    if (position == position_) return;
+    position_ = position;
+    restart();
+}
+
+void LightMeterOperations::noticeStatus() {
+    const ServerStatus& status = context_.session.status();
+    if (!on_ || (status.view == view_ && status.stateRevision == revision_)) return;
+    restart();
+}
+
+void LightMeterOperations::restart() {
+    view_ = context_.session.status().view;
+    revision_ = context_.session.status().stateRevision;
+    meter_.forget();
+    rest_.stop();
+    if (on_ && position_ && context_.session.live()) rest_.start();
+    show();
+}
+
+void LightMeterOperations::measure() {
+    const auto seen = position_ ? context_.view.inPicture(*position_) : std::nullopt;
+    if (!seen) return;
+    meter_.measure({std::clamp((seen->x() + 1) / 2, 0.0, 1.0), std::clamp((1 - seen->y()) / 2, 0.0, 1.0)});
+}
+
+void LightMeterOperations::show() {
+    const QString text = on_ && position_ ? lightText(meter_.reading()) : QString();
+    label_->setVisible(!text.isEmpty());
+    if (text.isEmpty()) return;
+    label_->setText(text);
+    label_->adjustSize();
+    const QSize room = context_.view.size() - label_->size();
+    const QPoint beside = position_->toPoint() + QPoint(kAside, kAside);
+    const auto fitting = [](int wanted, int pointer, int size, int max) {
+        return wanted <= max ? wanted : std::max(0, pointer - kAside - size);
+    };
+    label_->move(fitting(beside.x(), beside.x() - kAside, label_->width(), room.width()),
+                 fitting(beside.y(), beside.y() - kAside, label_->height(), room.height()));
+    label_->raise();
+}
+
+} // namespace gui
