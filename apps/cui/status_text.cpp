@@ -84,7 +84,11 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     line("eye", positionText(eyeInFile(status)));
     line("forward", vectorText(status.forward));
     line("up", vectorText(status.up));
-    line("field of view", shortestText(status.fieldOfView) + " degrees");
+    if (status.parallelWidth > 0) {
+        line("width of view", shortestText(status.parallelWidth) + " of the scene, without perspective");
+    } else {
+        line("field of view", shortestText(status.fieldOfView) + " degrees");
+    }
     line("exposure", shortestText(status.exposure));
     return text;
 }
@@ -107,6 +111,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
                    {"forward", vectorJson(status.forward)},
                    {"up", vectorJson(status.up)},
                    {"fieldOfView", sameDigits(status.fieldOfView)},
+                   {"orthographicWidth", sameDigits(status.parallelWidth)},
                    {"exposure", sameDigits(status.exposure)},
                    {"progress", sameDigits(status.progress)},
                    {"idle", status.idle != 0},

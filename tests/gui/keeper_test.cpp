@@ -67,6 +67,18 @@ TEST_F(KeeperTest, ADeadServerIsExplainedWithinASecondAndRestartedWhereItWas) {
     EXPECT_EQ(deaths.count(), 1);
 }
 
+TEST_F(KeeperTest, AServerComesBackWithAViewWithoutPerspective) {
+    start();
+    ASSERT_TRUE(ask(session, QStringLiteral("camera orthographic 1 2 5 0 0 -1 7.5")).done);
+    ASSERT_TRUE(comes([&] { return session.lastView().eye == QVector3D(1, 2, 5); }));
+    ::kill(static_cast<pid_t>(keeper.server().process()), SIGKILL);
+    ASSERT_TRUE(comes([&] { return deaths.count() == 1; }));
+    keeper.restart();
+    ASSERT_TRUE(comes([&] { return session.live() && session.status().view.eye == QVector3D(1, 2, 5); }));
+    EXPECT_FLOAT_EQ(session.status().view.parallelWidth, 7.5F);
+    EXPECT_EQ(session.status().view.fieldOfView, 0);
+}
+
 TEST_F(KeeperTest, AnEndThatIsAskedForIsNoDeath) {
     start();
     keeper.stop();

@@ -359,8 +359,26 @@ TEST(ProjectionTest, FindsPointsAndRays) {
     EXPECT_LT((in.ray({200, 50}) - QVector3D(1, 0, -1).normalized()).length(), 1e-6F);
 }
 
-TEST(ProjectionTest, MovesPointsAsAHandGoes) {
-    const Projection in(ahead(), QRectF(0, 0, 200, 100));
+View parallel() {
+    View view;
+    view.parallelWidth = 4;
+    return view;
+}
+
+TEST(ProjectionTest, FindsPointsOfAViewWithoutPerspective) {
+    const Projection in(parallel(), QRectF(0, 0, 200, 100));
+    for (const float depth : {-1.0F, -7.0F}) {
+        EXPECT_NEAR(in.at({1, 0.5F, depth})->x(), 150, 1e-4);
+        EXPECT_NEAR(in.at({1, 0.5F, depth})->y(), 25, 1e-4);
+    }
+    EXPECT_NEAR(in.unitsPerPixel({0, 0, -9}), 0.02, 1e-9);
+    EXPECT_FALSE(in.at({0, 0, 1}));
+    EXPECT_FALSE(in.farAway({0.1F, 0, -1})) << "only what lies straight ahead is seen, and everywhere";
+    EXPECT_EQ(in.ray({200, 50}), QVector3D(0, 0, -1));
+}
+
+void movePoints(const View& view) {
+    const Projection in(view, QRectF(0, 0, 200, 100));
     const QVector3D point(0.3F, 0.2F, -4);
     const QPointF from = *in.at(point), to = from + QPointF(20, -10);
     const QVector3D inPlane = in.movedInPlane(point, from, to);
@@ -371,6 +389,10 @@ TEST(ProjectionTest, MovesPointsAsAHandGoes) {
     EXPECT_NEAR(in.at(along)->x(), from.x() + 20, 1e-3);
     EXPECT_EQ(along.y(), point.y());
     EXPECT_EQ(in.movedAlong({0, 0, -4}, {0, 0, 1}, {100, 50}, {100, 50}), QVector3D(0, 0, -4));
+}
+
+TEST(ProjectionTest, MovesPointsAsAHandGoes) {
+    for (const View& view : {ahead(), parallel()}) movePoints(view);
 }
 
 } // namespace

@@ -37,6 +37,7 @@ TEST_F(PageModules, KeysHaveTheNumbersOfTheServer) {
 TEST_F(PageModules, LinksAreChecked) { passes("links_test.js"); }
 TEST_F(PageModules, BookmarksAreChecked) { passes("links_test.js"); }
 TEST_F(PageModules, ALinkToAViewHoldsNoToken) { passes("links_test.js"); }
+TEST_F(PageModules, AViewIsGoneToWithAndWithoutPerspective) { passes("links_test.js"); }
 TEST_F(PageModules, AViewIsSharedByTheSystemOrCopied) { passes("links_test.js"); }
 TEST_F(PageModules, SlidersGoByFactorsWhereTheRangeIsWide) { passes("fields_test.js"); }
 TEST_F(PageModules, ALabelLeadsBackByADoubleClick) { passes("fields_test.js"); }

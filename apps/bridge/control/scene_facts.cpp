@@ -268,6 +268,7 @@ json statusJson(const ipc::Status& status) {
             {"forward", vectorJson(status.forward)},
             {"up", vectorJson(status.up)},
             {"fov", status.fieldOfView},
+            {"orthographic", status.parallelWidth},
             {"exposure", status.exposure},
             {"mode", kModes[mode]},
             {"idle", status.idle != 0},

@@ -27,7 +27,7 @@ RestingView::Moment RestingView::momentOf(const ipc::Status& status) {
     Moment moment{{}, status.width, status.height, status.stateRevision};
     float* const end = std::copy_n(
         status.up, 3, std::copy_n(status.forward, 3, std::copy_n(status.eye, 3, moment.view.begin())));
-    *end = status.fieldOfView;
+    *end = status.fieldOfView > 0 ? status.fieldOfView : status.parallelWidth;
     return moment;
 }
 

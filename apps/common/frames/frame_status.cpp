@@ -24,6 +24,8 @@ void setView(const rtcore::Camera& camera, const rtcore::LocalOrigin& origin, in
     copy(normalize(camera.forward), status.forward);
     copy(normalize(camera.up), status.up);
     status.fieldOfView = rtcore::fieldOfView(camera, width, height);
+    const bool parallel = camera.kind == rtcore::CameraKind::Orthographic;
+    status.parallelWidth = parallel ? camera.orthographicWidth * rtcore::widening(camera, width, height) : 0;
 }
 
 } // namespace app

@@ -124,13 +124,17 @@ bool ServerKeeper::mayComeBack(const QString& instance) const {
 
 void ServerKeeper::restart() {
     const QScopedValueRollback<bool> during(restarting_, true);
-    if (session_.lastView().fieldOfView > 0) view_ = session_.lastView();
+    if (session_.lastView().known()) view_ = session_.lastView();
     if (server_.running()) leaveOurs();
     removeLeftovers(last_.instance);
     launch(ServerRequest(last_));
-    if (view_.fieldOfView <= 0) return; // it never showed anything
-    session_.send(
-        command::cameraSet(positionOf(view_.eye, view_), numbersOf(view_.forward), view_.fieldOfView));
+    if (!view_.known()) return; // it never showed anything
+    const bool parallel = view_.parallelWidth > 0;
+    session_.send(command::camera({.eye = positionOf(view_.eye, view_),
+                                   .forward = numbersOf(view_.forward),
+                                   .width = parallel ? view_.parallelWidth : view_.fieldOfView,
+                                   .orthographic = parallel,
+                                   .up = numbersOf(view_.up)}));
     if (view_.walking) session_.send(command::walk());
 }
 

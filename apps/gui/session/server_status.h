@@ -8,12 +8,14 @@
 
 namespace gui {
 
-/// The camera of the server; scene units, degrees.
+/// The camera of the server; scene units, degrees. Before the first frame it is not known.
 struct View {
     std::array<double, 3> origin{}; ///< where the scene's zero lies in the coordinates of the model's file
     QVector3D eye, forward{0, 0, -1}, up{0, 1, 0};
-    float fieldOfView = 0;
+    float fieldOfView = 0;   ///< of a view with perspective; else 0
+    float parallelWidth = 0; ///< of one without: from the left edge of the image to the right one; else 0
     bool walking = false;
+    bool known() const { return fieldOfView > 0 || parallelWidth > 0; }
     friend bool operator==(const View&, const View&) = default;
 };
 

@@ -32,6 +32,7 @@ ServerStatus statusOf(const ipc::Status& from) {
                vector(from.forward),
                vector(from.up),
                from.fieldOfView,
+               from.parallelWidth,
                from.mode != 0};
     to.idle = from.idle != 0;
     to.paused = from.paused != 0;

@@ -63,7 +63,7 @@ FrameView::FrameView(Session& session, QWidget* parent)
     connect(&session_, &Session::frameChanged, this, [this] {
         const View& now = session_.status().view;
         const View before = std::exchange(view_, now);
-        still_ = before.fieldOfView <= 0 || before == now; // the first one moves as little
+        still_ = !before.known() || before == now; // the first one moves as little
         if (showsLive()) update();
     });
     connect(&session_, &Session::statusChanged, this, &FrameView::onStatus);

@@ -80,7 +80,7 @@ void LightHandles::setSelected(int id) {
 std::optional<Projection> LightHandles::projection() const {
     const View& view = session_.status().view;
     const QRectF area = view_.pictureArea();
-    if (!shown_ || !session_.live() || area.isEmpty() || !(view.fieldOfView > 0)) return std::nullopt;
+    if (!shown_ || !session_.live() || area.isEmpty() || !view.known()) return std::nullopt;
     return Projection(view, area);
 }
 

@@ -26,7 +26,7 @@ struct Status {
     std::uint32_t messages = 0;    ///< number of messages so far; grows
     float kept = 0;                ///< part of the last frame that was taken from those before it, 0..1
     float lightError = 0; ///< standard error of light that the last frame shows, a part of it; 0: not known
-    std::uint32_t unused = 0;
+    float parallelWidth = 0; ///< of an orthographic view: scene units from its left edge to its right; else 0
     double wholeSeconds = 0; ///< what a frame of all pixels and samples takes, so far where it is under way
     double origin[3] = {0, 0, 0};    ///< what to add to the camera's position for that in the model's file
     std::uint64_t stateRevision = 0; ///< grows when what a client could ask for is another; 0: nothing yet

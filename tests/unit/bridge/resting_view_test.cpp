@@ -29,6 +29,7 @@ class RestingViews : public testing::Test {
         status.height = 48;
         status.progress = 1;
         status.eye[0] = eye;
+        status.parallelWidth = parallelWidth;
         status.idle = idle ? 1 : 0;
         status.stateRevision = revision;
         server().events.status(status);
@@ -59,6 +60,7 @@ class RestingViews : public testing::Test {
     bridge::Limits limits;
     std::unique_ptr<bridge::Room> room;
     std::shared_ptr<PageOutlet> page;
+    float parallelWidth = 0;
     std::vector<test::PlayedServer::Request> told; ///< what a server is asked for when it is found
 
   private:
@@ -114,6 +116,17 @@ TEST_F(RestingViews, AreOutOfDateOnceSomethingMovesOrIsEdited) {
     exportAll();
     EXPECT_EQ(std::ranges::count(asked(), "give up"), 2);
     EXPECT_TRUE(server().preview);
+}
+
+TEST_F(RestingViews, AreOutOfDateOnceOneWithoutPerspectiveIsMagnified) {
+    parallelWidth = 20;
+    begin();
+    EXPECT_TRUE(server().preview);
+    status(1);
+    EXPECT_TRUE(server().preview) << "it is the same view";
+    parallelWidth = 19;
+    status(1);
+    EXPECT_FALSE(server().preview);
 }
 
 TEST_F(RestingViews, AreOutOfDateAsSoonAsTheDriverPressesAKey) {

@@ -40,6 +40,16 @@ TEST(StatusText, KeepsTheDigitsOfFloats) {
     EXPECT_NE(cui::statusText("cow", 7, status).find("eye: 1e-07 -16777216 0\n"), std::string::npos);
 }
 
+TEST(StatusText, HasTheWidthOfAViewWithoutPerspective) {
+    ipc::Status status;
+    status.parallelWidth = 20.5F;
+    EXPECT_NE(cui::statusJson("cow", 7, status).find("\"orthographicWidth\":20.5,"), std::string::npos);
+    const std::string text = cui::statusText("cow", 7, status);
+    EXPECT_NE(text.find("width of view: 20.5 of the scene, without perspective\n"), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("field of view"), std::string::npos);
+}
+
 TEST(StatusText, SaysWhatTheServerDoes) {
     ipc::Status status;
     EXPECT_NE(cui::statusText("cow", 7, status).find("state: loading\n"), std::string::npos);

@@ -368,4 +368,36 @@ TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     EXPECT_FALSE(frames.drawsLive(document));
 }
 
+TEST_F(FramesOfAState, AreLiveInTheFullSizeWithoutPerspective) {
+    state.frameSeconds = 0.03;
+    rtcore::Camera camera = document.camera();
+    camera.kind = rtcore::CameraKind::Orthographic;
+    camera.orthographicWidth = 6;
+    document.setCamera(camera);
+    test::draw(frames, state);
+    const int width = frames.image().width, height = frames.image().height;
+    const rtcore::Vec3 aside = rtcore::normalize(rtcore::cross(camera.forward, camera.up));
+    for (int step = 1; step <= 3; ++step) { // it moves, turns, and is magnified
+        camera.eye += aside * 0.05F;
+        camera.forward += aside * 0.01F;
+        camera.orthographicWidth *= 0.99F;
+        document.setCamera(camera);
+        ASSERT_TRUE(frames.drawsLive(document)) << step;
+        test::draw(frames, state, {.scale = 1, .cut = true, .newSamples = 0.2});
+        EXPECT_TRUE(frames.detail().live());
+        EXPECT_GT(frames.kept(), 0.7);
+        EXPECT_EQ(frames.image().width, width);
+        EXPECT_EQ(frames.image().height, height);
+    }
+    const auto mean = [&] {
+        double sum = 0;
+        for (const rtcore::Colour light : frames.radiance().pixels)
+            sum += static_cast<double>(rtcore::luminance(light));
+        return sum;
+    };
+    const double live = mean();
+    test::draw(frames, state);
+    EXPECT_NEAR(live / mean(), 1, 0.05);
+}
+
 } // namespace

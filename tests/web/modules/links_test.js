@@ -1,6 +1,6 @@
-import { checked } from "./bookmarks.js";
+import { checked, requestOf, viewOf } from "./bookmarks.js";
 import { equal } from "./expect.js";
-import { readFragment, viewText } from "./fragment.js";
+import { goTo, readFragment, viewText } from "./fragment.js";
 import { shareView, viewLink } from "./share.js";
 
 export function linksAreChecked() {
@@ -10,7 +10,8 @@ export function linksAreChecked() {
     equal(readFragment("").token, null);
     equal(readFragment("#v=1,2,3,0,0,-1,60").view, [1, 2, 3, 0, 0, -1, 60]);
     equal(readFragment("#v=1,2,3,0,0,-1").view, [1, 2, 3, 0, 0, -1]);
-    for (const bad of ["1,2,3", "1,2,3,0,0,0,60", "1,2,3,0,0,-1,180", "a,2,3,0,0,-1", "1,,3,0,0,-1", "1,2,1e999,0,0,-1"]) {
+    equal(readFragment("#v=1,2,3,0,0,-1,-20").view, [1, 2, 3, 0, 0, -1, -20], "without perspective, 20 wide");
+    for (const bad of ["1,2,3", "1,2,3,0,0,-1,0", "1,2,3,0,0,0,60", "1,2,3,0,0,-1,180", "a,2,3,0,0,-1", "1,,3,0,0,-1", "1,2,1e999,0,0,-1"]) {
         equal(readFragment(`#v=${bad}`).view, null, bad);
     }
     equal(readFragment(viewText([0.1234567894, -2, 1e-7, 0, 0, -1, 60])).view, [0.123456789, -2, 1e-7, 0, 0, -1, 60]);
@@ -28,11 +29,22 @@ export function bookmarksAreChecked() {
     equal(checked([{ name: "a\u202ab\u200f\u0007\u2066c", view }])[0].name, "abc");
 }
 
-const status = { eye: [1, 2, 3], forward: [0, 0, -1], fov: 60 };
+const status = { eye: [1, 2, 3], forward: [0, 0, -1], fov: 60 }, parallel = { fov: 0, orthographic: 20 };
 
 export function aLinkToAViewHoldsNoToken() {
     equal(viewLink(`https://host:1/#t=${"k".repeat(43)}`, status), "https://host:1/#v=1,2,3,0,0,-1,60");
     equal(viewLink("https://host:1/", { ...status, fov: 0 }), "https://host:1/#v=1,2,3,0,0,-1");
+    equal(viewLink("https://host:1/", { ...status, ...parallel }), "https://host:1/#v=1,2,3,0,0,-1,-20");
+}
+
+export function aViewIsGoneToWithAndWithoutPerspective() {
+    equal(goTo([1, 2, 3, 0, 0, -1]), ["camera set", 1, 2, 3, 0, 0, -1]);
+    equal(goTo([1, 2, 3, 0, 0, -1, 60]), ["camera set", 1, 2, 3, 0, 0, -1, 60]);
+    equal(goTo([1, 2, 3, 0, 0, -1, -20]), ["camera orthographic", 1, 2, 3, 0, 0, -1, 20]);
+    const up = [0, 1, 0];
+    equal(requestOf(viewOf({ ...status, up })), ["camera set", 1, 2, 3, 0, 0, -1, 60, 0, 1, 0]);
+    equal(requestOf(viewOf({ ...status, up, ...parallel })), ["camera orthographic", 1, 2, 3, 0, 0, -1, 20, 0, 1, 0]);
+    equal(requestOf([1, 2, 3, 0, 0, -1, 0, 1, 0, 0]), ["camera set", 1, 2, 3, 0, 0, -1], "of older pages");
 }
 
 export async function aViewIsSharedByTheSystemOrCopied() {

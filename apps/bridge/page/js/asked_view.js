@@ -1,10 +1,11 @@
 /** A link to a view: the driver goes there, others are offered to ask. */
+import { goTo } from "./fragment.js";
 import { t } from "./texts.js";
 
 export class AskedView {
     constructor(app) {
         this.app = app;
-        this.view = null; // eye, direction, field of view
+        this.view = null; // eye, direction, extent
         this.wasOffered = false;
     }
 
@@ -20,7 +21,7 @@ export class AskedView {
         if (app.drives()) {
             this.view = null;
             app.notices.hide("view");
-            app.ask("camera set", ...view);
+            app.ask(...goTo(view));
             return;
         }
         if (this.wasOffered) return;

@@ -1,4 +1,5 @@
 /** Bookmarks of this browser, by instance and scene: name, view, a small picture. */
+import { extentOf, goTo } from "./fragment.js";
 import { forGood } from "./storage.js";
 
 export const MAX_BOOKMARKS = 200;
@@ -30,7 +31,7 @@ export function load(instance, scene) {
 /** False: there is no room. */
 export const store = (instance, scene, list) => forGood.set(key(instance, scene), JSON.stringify(list));
 
-/** A view as a bookmark has it: eye, direction, up, field of view. */
-export const viewOf = ({ eye, forward, up, fov }) => [...eye, ...forward, ...up, fov];
-/** The arguments of `camera set` that goes there: what is up comes behind the field of view. */
-export const cameraOf = (view) => [...view.slice(0, 6), ...(view[9] > 0 ? [view[9], ...view.slice(6, 9)] : [])];
+/** A view as a bookmark has it: eye, direction, up, extent. */
+export const viewOf = (status) => [...status.eye, ...status.forward, ...status.up, extentOf(status)];
+/** The request that goes there. */
+export const requestOf = (view) => goTo([...view.slice(0, 6), view[9]], view.slice(6, 9));

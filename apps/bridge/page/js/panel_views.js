@@ -1,7 +1,7 @@
 /**
  * Views: walk or fly, field of view, bookmarks of the scene and of this browser, measures, a link to what is seen.
  */
-import { MAX_BOOKMARKS, cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
+import { MAX_BOOKMARKS, checked, load, requestOf, store, viewOf } from "./bookmarks.js";
 import { button, make, refill } from "./dom.js";
 import { choice, numeric } from "./fields.js";
 import { measureText } from "./measures.js";
@@ -68,7 +68,7 @@ export function viewsPanel(app) {
 
     const item = (one, index, list) => make("li", {}, ...(one.image ? [make("img", { src: one.image, alt: "" })] : []),
         make("button", { type: "button", className: "name", title: t("bookmarkGo", one.name), disabled: !app.drives(),
-            onclick: () => app.ask("camera set", ...cameraOf(one.view)) }, one.name),
+            onclick: () => app.ask(...requestOf(one.view)) }, one.name),
         button(t("bookmarkRemove", one.name), () => keep(list.filter((_, at) => at !== index)), "close"));
     const ownItem = (text, index) => make("li", {}, make("button",
         { type: "button", className: "name", title: t("bookmarkGo", text), disabled: !app.drives(),

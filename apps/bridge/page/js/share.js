@@ -1,14 +1,17 @@
 /** A link to what is seen: given to the system to be passed on, or copied. */
-import { viewText } from "./fragment.js";
+import { extentOf, viewText } from "./fragment.js";
 import { t } from "./texts.js";
 
 /**
  * The address of a view, without a token: it opens for those who were let in before.
  * @param {string} address of the page
- * @param {{eye: number[], forward: number[], fov: number}} status
+ * @param {{eye: number[], forward: number[], fov: number, orthographic?: number}} status
  */
-export const viewLink = (address, { eye, forward, fov }) =>
-    address.replace(/#.*/, "") + "#" + viewText([...eye, ...forward, ...(fov > 0 ? [fov] : [])]);
+export function viewLink(address, status) {
+    const extent = extentOf(status);
+    return address.replace(/#.*/, "") + "#" +
+        viewText([...status.eye, ...status.forward, ...(extent === 0 ? [] : [extent])]);
+}
 
 async function copy(app, link) {
     try {
