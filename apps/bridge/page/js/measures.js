@@ -28,7 +28,8 @@ export function labelsOf({ name, kind, points, legs, ...whole }, unit) {
     const place = kind === "chain" ? points.at(-1) : kind === "angle" ? points[1]
         : points.length === 2 ? middle(points[0], points[1]) : points[0];
     return [{ point: place, text, below: kind === "chain" },
-        ...legs.map((leg, index) => ({ point: middle(points[index], points[index + 1]), text: measureText(leg, unit) }))];
+        ...legs.map((leg, index) => ({ point: middle(points[index], points[index + 1]),
+            text: measureText(leg, unit) }))];
 }
 
 export class Measures {

@@ -37,9 +37,9 @@ export class SceneImage {
     line(from, to) {
         const NEAR = 1e-3; // of the depth of the farther end
         const [near, far] = this.depth(from) <= this.depth(to) ? [from, to] : [to, from];
-        const a = this.depth(near), b = this.depth(far), least = NEAR * b;
+        const a = this.depth(near), b = this.depth(far), min = NEAR * b;
         if (!(b > 0)) return null;
-        const start = a < least ? between(near, far, (least - a) / (b - a)) : near;
+        const start = a < min ? between(near, far, (min - a) / (b - a)) : near;
         const ends = [this.at(start), this.at(far)];
         return ends.every(Boolean) ? ends : null;
     }
