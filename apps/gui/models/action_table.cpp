@@ -105,7 +105,7 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::NoEnvironment, MenuId::Light, TEXT("&No background"),
               TEXT("Neither sky nor environment map"), "", NeedsServer},
     ActionRow{ActionId::LightMeter, MenuId::Light, TEXT("Light &meter"),
-              TEXT("Show at the pointer how much light falls there, and how bright it is"), "Ctrl+M",
+              TEXT("Show at the pointer how much light falls there, and how bright it is"), "Ctrl+Shift+M",
               NeedsServer | Checkable | SeparatorBefore},
 
     ActionRow{ActionId::QuickRender, MenuId::Render, TEXT("&Quick render"),
