@@ -145,7 +145,7 @@ json sectionsJson(const app::StateReport& state) {
     const rtcore::Box3 bounds = state.bounds.empty() ? rtcore::Box3{{}, {}} : state.bounds;
     const rtcore::Colour colour = sections.caps.colour;
     return {{"planes", planes},
-            {"most", rtcore::kMaxSectionPlanes},
+            {"max", rtcore::kMaxSectionPlanes},
             {"bounds",
              {{"lo", positionJson(bounds.lo, state.origin)}, {"hi", positionJson(bounds.hi, state.origin)}}},
             {"light", nameOf(sections.light)},

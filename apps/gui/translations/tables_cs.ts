@@ -580,8 +580,20 @@
         <translation>místo obrazu se ukáže jas barvami stupnice, od tmavé po světlou; bez záře a místní expozice</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
         <source>lower end of the scale; automatic: by what is seen</source>
         <translation>dolní konec stupnice; automaticky: podle toho, co je vidět</translation>
+    </message>
+    <message>
+        <source>cd/m2</source>
+        <translation>cd/m²</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Do</translation>
     </message>
     <message>
         <source>upper end of the scale; automatic: by what is seen</source>
@@ -602,18 +614,6 @@
     <message>
         <source>the scale is painted into the image</source>
         <translation>stupnice se namaluje do obrazu</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Od</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>Do</translation>
-    </message>
-    <message>
-        <source>cd/m2</source>
-        <translation>cd/m²</translation>
     </message>
     <message>
         <source>Environment filter</source>
@@ -1177,7 +1177,7 @@
         <translation>s --plan: pixely .png nebo .tif na palec papíru [300]</translation>
     </message>
     <message>
-        <source>Plan picture</source>
+        <source>Plan image</source>
         <translation>Obrázek plánu</translation>
     </message>
     <message>
@@ -1363,6 +1363,14 @@
     <message>
         <source>leave what is in the box between these corners</source>
         <translation>ponechat, co je v kvádru mezi těmito rohy</translation>
+    </message>
+    <message>
+        <source>Section except</source>
+        <translation>Řez kromě</translation>
+    </message>
+    <message>
+        <source>leave this part of the model whole, whatever is cut; may be given several times</source>
+        <translation>ponechat tuto část modelu celou, ať se řeže cokoli; lze zadat vícekrát</translation>
     </message>
     <message>
         <source>Section light</source>

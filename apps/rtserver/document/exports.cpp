@@ -36,19 +36,19 @@ void addParts(const rtcore::Model& model, const rtcore::PartSet& set,
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(model);
     const auto in = static_cast<std::size_t>(std::count_if(
         parts.begin(), parts.end(), [&](const rtcore::NamedPart& part) { return isIn(part, set); }));
-    const bool mostIn = 2 * in > parts.size();
+    const bool mainlyIn = 2 * in > parts.size();
     const auto add = [&](std::string pattern, std::optional<int> number, bool value) {
         rtcore::PartDescription part{std::move(pattern), number, {}, {}};
         part.*key = value;
         file.parts.push_back(std::move(part));
     };
-    if (mostIn) add("*", {}, true);
+    if (mainlyIn) add("*", {}, true);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (isIn(parts[i], set) == mostIn) continue;
+        if (isIn(parts[i], set) == mainlyIn) continue;
         if (parts[i].name.empty() || rtcore::isPattern(parts[i].name))
-            add("", static_cast<int>(i) + 1, !mostIn);
+            add("", static_cast<int>(i) + 1, !mainlyIn);
         else
-            add(std::string(parts[i].name), {}, !mostIn);
+            add(std::string(parts[i].name), {}, !mainlyIn);
     }
 }
 

@@ -249,7 +249,7 @@ void FrameMaker::noticeChanges(const Document& document) {
 
 std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool live) {
     constexpr std::size_t kFrame = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
-    constexpr std::size_t kCaps = sizeof(rtcore::Rgba8) + sizeof(float); // a step's image, coverage
+    constexpr std::size_t kCaps = sizeof(rtcore::Rgba8) + sizeof(float);          // a step's image, coverage
     const std::size_t effects = rtcore::effectBytesPerPixel(settings);
     std::size_t pixel = kFrame + kCaps + sizeof(rtcore::Rgba8) + effects;
     if (live) {

@@ -65,7 +65,7 @@ TEST(SceneFacts, DescribeSections) {
     EXPECT_EQ(sections["bounds"]["hi"], json({10000001.0, 3.0, 2.0}));
     EXPECT_EQ(sections["light"], "cut");
     EXPECT_EQ(sections["caps"], "own");
-    EXPECT_EQ(sections["most"], 6);
+    EXPECT_EQ(sections["max"], 6);
 }
 
 TEST(SceneFacts, TellMeasuresAsTheirLabelsDo) {

@@ -137,7 +137,8 @@ TEST(SheetImage, LiesOverLight) {
     const Rgba8 red{200, 10, 20, 255};
     const LdrImage light(4725, 1182, red); // 400 x 100 mm
     const test::TemporaryFolder folder;
-    DrawingOrder order{.drawing = drawing, .options = {}, .paper = {}, .light = &light};
+    DrawingOrder order{
+        .drawing = drawing, .options = {.scale = 100, .title = {}}, .paper = {}, .light = &light};
     const auto darkOnes = [&](const char* name) {
         writeDrawing(folder / name, order);
         const LdrImage image = readLdrImage(folder / name);
@@ -155,7 +156,8 @@ TEST(SheetImage, LiesOverLight) {
 TEST(SheetImage, OfSeveralSheetsIsSeveralFiles) {
     const test::TemporaryFolder folder;
     const Drawing drawing = wall();
-    const DrawingOrder order{.drawing = drawing, .options = {.dpi = 50}, .paper = kPaperSizes[0]};
+    const DrawingOrder order{
+        .drawing = drawing, .options = {.scale = 100, .title = {}, .dpi = 50}, .paper = kPaperSizes[0]};
     const auto files = drawingFiles(folder / "plan.png", order);
     EXPECT_EQ(files, (std::vector<std::filesystem::path>{folder / "plan-A1.png", folder / "plan-A2.png"}));
     writeDrawing(folder / "plan.png", order);

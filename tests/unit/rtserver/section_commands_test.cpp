@@ -2,6 +2,8 @@
 // scene that is written shows the same.
 #include "command_room.h"
 
+#include "rtserver/document/exports.h"
+
 #include <gtest/gtest.h>
 
 #include <string>

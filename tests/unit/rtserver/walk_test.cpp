@@ -239,7 +239,7 @@ TEST_F(WalkTest, ASectionOpensTheWay) {
     };
     walk.setWalking(true);
     EXPECT_NEAR(wayTo(), -1.7F, 0.05F);
-    cutOpen(document, {.planes = {{{0, 0, -1}, {0, 0, -1}}}});
+    cutOpen(document, {{{{0, 0, -1}, {0, 0, -1}}}, rtcore::SectionLight::Whole, {}});
     EXPECT_LT(wayTo(), -4);
     EXPECT_TRUE(walk.walking()) << "the floor carries";
     cutOpen(document, {});

@@ -36,8 +36,8 @@ TEST(NamedParts, AreHiddenAndShown) {
     const Model model = house();
     const std::vector<NamedPart> parts = namedParts(model);
     const HiddenParts door = withParts(model, parts, Flags{1, 0}, true, nullptr);
-    EXPECT_TRUE(isHidden(parts[0], door));
-    EXPECT_FALSE(isHidden(parts[1], door));
+    EXPECT_TRUE(isIn(parts[0], door));
+    EXPECT_FALSE(isIn(parts[1], door));
     EXPECT_EQ(partTriangles(model, door), (Flags{1, 1, 1, 0, 0, 0, 1, 1, 1, 1}));
     const HiddenParts both = withParts(model, parts, Flags{0, 1}, true, door);
     EXPECT_EQ(partTriangles(model, both), (Flags{1, 1, 1, 1, 1, 0, 1, 1, 1, 1}));

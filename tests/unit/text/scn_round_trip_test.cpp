@@ -29,7 +29,8 @@ rtcore::KeptMeasure randomMeasure(Random& random, const std::string& name) {
     rtcore::KeptMeasure measure{.kind = static_cast<rtcore::MeasureKind>(random.below(6)), .points = {}};
     constexpr std::array<std::size_t, 6> counts{2, 7, 3, 2, 1, 1};
     for (std::size_t n = counts.at(static_cast<std::size_t>(measure.kind)); n > 0; --n)
-        measure.points.push_back({double{random.fraction()} / 3, n * 1e11 / 7, -1.0 / double(n)});
+        measure.points.push_back({double{random.fraction()} / 3, static_cast<double>(n) * 1e11 / 7,
+                                  -1.0 / static_cast<double>(n)});
     const bool sized = measure.points.size() == 1;
     if (sized) measure.amount = double{random.fraction()} / 3;
     if (measure.kind == rtcore::MeasureKind::Area) measure.normal = {random.fraction(), 1, 0};

@@ -27,7 +27,8 @@ export function sideOf(normal, up) {
     for (const [axis, there, opposite] of sides) {
         const along = dot(axis, unit);
         if (Math.abs(along) < ON_AXIS) continue;
-        return { away: text(along > 0 ? there : opposite), axis: axisName(axis.map(Math.abs)), along: axis.map(Math.abs) };
+        const line = axis.map(Math.abs);
+        return { away: text(along > 0 ? there : opposite), axis: axisName(line), along: line };
     }
     return { away: text("beyond %1"), axis: "", along: unit };
 }
@@ -96,8 +97,8 @@ export function sectionsPanel(app) {
     }
 
     function addStyle(place) {
-        const light = choice(text("Light"), [["whole", text("Rooms keep their light")], ["cut", text("Light falls in")]],
-            ask("section light"), { help: text("Whether light, too, passes where the model is taken away") });
+        const light = choice(text("Light"), [["whole", text("Rooms keep their light")],
+            ["cut", text("Light falls in")]], ask("section light"), { help: text("Whether light, too, passes where the model is taken away") });
         const caps = choice(text("Caps"), [["own", text("Colours of materials")], ["one", text("One colour")],
             ["none", text("None")]], ask("section caps"), { help: text("Areas that close the solids that are cut") });
         const paint = colour(text("Colour"), (linear, goesOn) =>
@@ -121,10 +122,10 @@ export function sectionsPanel(app) {
         },
         show() {
             if (!sections()) return;
-            const may = app.mayEdit(), { planes, light, caps, colour: paint, hatching, most } = sections();
+            const may = app.mayEdit(), { planes, light, caps, colour: paint, hatching, max } = sections();
             makeRows();
             for (const one of rows) one.show(may);
-            for (const one of cuts) one.disabled = !may || planes.length >= most;
+            for (const one of cuts) one.disabled = !may || planes.length >= max;
             all.disabled = !may || planes.length === 0;
             style.light.show(light, may);
             style.caps.show(caps, may);
