@@ -98,7 +98,8 @@ export function sectionsPanel(app) {
 
     function addStyle(place) {
         const light = choice(text("Light"), [["whole", text("Rooms keep their light")],
-            ["cut", text("Light falls in")]], ask("section light"), { help: text("Whether light, too, passes where the model is taken away") });
+            ["cut", text("Light falls in")]], ask("section light"),
+            { help: text("Whether light, too, passes where the model is taken away") });
         const caps = choice(text("Caps"), [["own", text("Colours of materials")], ["one", text("One colour")],
             ["none", text("None")]], ask("section caps"), { help: text("Areas that close the solids that are cut") });
         const paint = colour(text("Colour"), (linear, goesOn) =>
