@@ -20,6 +20,8 @@ const SectionCaps& CapPainter::capsOf(const Scene& scene) {
     uncut_ = scene.uncutParts;
     up_ = scene.up;
     caps_ = sectionCapsOf(scene, *pieces_);
+    cover_.reset();
+    if (uncut_ != nullptr && !caps_.empty()) cover_.emplace(scene);
     return caps_;
 }
 
@@ -36,7 +38,10 @@ std::vector<std::string> CapPainter::openParts(const Scene& scene) {
 void CapPainter::paint(const Scene& scene, const Camera& camera, LdrImage& image) {
     if (!paints(scene)) return;
     const std::lock_guard lock(mutex_);
-    paintCaps(capsOf(scene), scene.sections.caps, scene.materials, camera, image);
+    const SectionCaps& caps = capsOf(scene);
+    if (cover_) before_ = image;
+    paintCaps(caps, scene.sections.caps, scene.materials, camera, image);
+    if (cover_) cover_->restore(scene, camera, before_, image);
 }
 
 } // namespace rtcore

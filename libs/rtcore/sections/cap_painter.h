@@ -4,6 +4,7 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/sections/section_caps.h"
+#include "rtcore/sections/uncut_cover.h"
 
 #include <memory>
 #include <mutex>
@@ -15,7 +16,8 @@ namespace rtcore {
 /// threads take turns.
 class CapPainter {
   public:
-    /// Over an image of the scene by this camera (cap_image.h). Nothing where no section cuts it.
+    /// Over an image of the scene by this camera (cap_image.h), where no part that is left whole stands
+    /// before them. Nothing where no section cuts it.
     void paint(const Scene& scene, const Camera& camera, LdrImage& image);
     /// Whether paint() would do anything to an image that shows them.
     static bool paints(const Scene& scene);
@@ -33,6 +35,8 @@ class CapPainter {
     PartSet hidden_, uncut_;
     Vec3 up_;
     SectionCaps caps_;
+    std::optional<UncutCover> cover_; ///< where there are caps, and parts that are left whole
+    LdrImage before_;
 };
 
 } // namespace rtcore

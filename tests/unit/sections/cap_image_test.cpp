@@ -160,6 +160,33 @@ TEST(CapImage, OfALargeImageIsWhole) {
     EXPECT_EQ(image.at(middle, joint + 1), (Rgba8{255, 0, 0, 255}));
 }
 
+// A lid that is left whole above the cut: it hides the caps below it, and not those beside it.
+TEST(CapPainter, PartsThatAreLeftWholeHideCaps) {
+    Solids solids;
+    solids.begin("block", kRed);
+    solids.box({-1, -1, -1}, {1, 1, 1});
+    solids.begin("lid", kBlue);
+    solids.box({-0.5F, -0.5F, 2}, {0.5F, 0.5F, 2.1F});
+    Scene scene = solids.scene();
+    scene.sections.planes = {{{0, 0, 0}, {0, 0, 1}}};
+    const Camera above = cameraAt({0, 0, 6}, {0, 0, 0}, CameraKind::Orthographic);
+    CapPainter painter;
+    const auto at = [&](const Camera& camera, int x, int y) {
+        LdrImage image(kWidth, kHeight, kBefore);
+        painter.paint(scene, camera, image);
+        return image.at(x, y);
+    };
+    const int x = kWidth / 2, y = kHeight / 2, beside = x + 15; // 20 pixels are 1
+    const Rgba8 red{255, 0, 0, 255};
+    EXPECT_EQ(at(above, x, y), red) << "the lid is taken away";
+    scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 1});
+    EXPECT_EQ(at(above, x, y), kBefore);
+    EXPECT_EQ(at(above, beside, y), red);
+    EXPECT_EQ(at(cameraAt({0, 0, 1.5F}, {0, 0, 0}), x, y), red) << "it is behind the camera";
+    scene.hiddenParts = scene.uncutParts;
+    EXPECT_EQ(at(above, x, y), red) << "it is hidden";
+}
+
 TEST(CapPainter, SeesWhatChanges) {
     CapPainter painter;
     Scene scene = nested();
