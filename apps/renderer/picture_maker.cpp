@@ -127,6 +127,7 @@ const rtcore::LdrImage& PictureMaker::picture(const rtcore::Camera& camera, int 
     shot.camera = camera;
     shot.settings.width = width;
     shot.settings.height = height;
+    shot.settings.falseColours.legend = false; // the paper would go through it
     loaded_.scene.sections = sections;
     loaded_.scene.uncutParts = nullptr; // drawings know none
     chooseNet(shot.settings);

@@ -4,7 +4,7 @@ from the window's translations.
 
   tables_cs.py tables_cs.ts sentences_cs.ts gui_cs.ts MODULE.js... -o tables_cs.js
 
-All of the contexts Settings, Edits, LightKinds and Server, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
+All of the contexts Settings, Edits, LightKinds, SectionsPanel and Server, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
 a text has no translation.
 """
 import json
@@ -12,7 +12,7 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 
-WHOLE = ("Settings", "Edits", "LightKinds", "Server")
+WHOLE = ("Settings", "Edits", "LightKinds", "SectionsPanel", "Server")
 ASKED = re.compile(r'\bof\("(\w+)", "((?:[^"\\]|\\.)*)"')
 
 

@@ -17,7 +17,7 @@ constexpr double kStepOnPaper = 0.0002; // metres
 std::string metres(double length) { return fmt::format("{:.2f} m", length); }
 
 std::string titleOf(const PlanOrder& order, const rtcore::ChosenPlan& chosen, const std::string& model) {
-    std::string title = model + "   ";
+    std::string title = rtcore::printable(model) + "   ";
     if (chosen.storey > 0 && chosen.storeys > 1) title += fmt::format("storey {}   ", chosen.storey);
     if (chosen.floor)
         return title + fmt::format("floor {:+.2f} m, cut {:+.2f} m   ", *chosen.floor,

@@ -20,7 +20,9 @@ LightMeter::LightMeter(Send send, QObject* parent) : QObject(parent), send_(std:
 
 void LightMeter::forget() {
     wanted_.reset();
-    if (std::exchange(asked_, std::nullopt)) send_(command::measureStop(), [](const Answer&) {});
+    // The first question is answered at once, or refused since another client measures, which goes on.
+    if (std::exchange(asked_, std::nullopt) && paths_ > kFirstPaths)
+        send_(command::measureStop(), [](const Answer&) {});
     if (!reading_.luminance) return;
     reading_ = {};
     emit changed();

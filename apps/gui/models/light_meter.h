@@ -26,7 +26,7 @@ class LightMeter : public QObject {
     /// is measured.
     void forget();
     /// The point, 0..1 from the left and from the top, has been at rest for a while: it is measured by few
-    /// paths, then by four times as many, until both standard errors are half a percent or there are 2^20 of
+    /// paths, then by four times as many, until both standard errors are half a percent or there are 2^19 of
     /// them.
     void measure(const QPointF& point);
 

@@ -142,7 +142,7 @@ void MeasureOperations::goTo(int index) {
     const float away = std::max(kAway * (hi - lo).length(), kOfDiagonal * diagonal);
     const View& view = context_.session.status().view;
     const QVector3D forward = view.forward.normalized(), eye = (lo + hi) / 2 - away * forward;
-    const float width = view.fieldOfView > 0 ? view.fieldOfView : state.parallelWidth;
+    const float width = view.fieldOfView > 0 ? view.fieldOfView : view.parallelWidth;
     context_.view.showLive();
     context_.editor.edit(command::camera({.eye = positionOf(eye, view),
                                           .forward = numbersOf(forward),

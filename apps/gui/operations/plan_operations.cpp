@@ -10,9 +10,11 @@
 #include "gui/view/notice_bar.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 #include <QPointer>
+#include <QRegularExpression>
 
 #include <memory>
 
@@ -31,7 +33,15 @@ std::vector<double> floorsOf(const QString& answer) {
     return floors;
 }
 
-RenderWish renderWishOf(const PlanWish& plan) {
+/// The first one, where the answer tells of several: "3 sheets: plan-A1.png to plan-A3.png".
+QString fileOf(const PlanWish& plan, const QString& answer) {
+    static const QRegularExpression sheets(QStringLiteral("^[0-9]+ sheets: (.+) to .+$"),
+                                           QRegularExpression::MultilineOption);
+    const QRegularExpressionMatch told = sheets.match(answer);
+    return told.hasMatch() ? QFileInfo(plan.path).dir().filePath(told.captured(1)) : plan.path;
+}
+
+RenderWish renderWishOf(const PlanWish& plan, const QString& result) {
     const auto files = std::make_shared<PrivateFolder>("plan");
     const QString scene = files->file(QStringLiteral("view.scn"));
     QStringList words{scene};
@@ -51,7 +61,7 @@ RenderWish renderWishOf(const PlanWish& plan) {
         option("-height", number(plan.height));
         if (plan.storey > 0) option("-storey", QString::number(plan.storey));
     }
-    return {.job = {QFileInfo(plan.path).fileName(), QStringLiteral("Renderer"), words, plan.path, files},
+    return {.job = {QFileInfo(plan.path).fileName(), QStringLiteral("Renderer"), words, result, files},
             .sceneFile = scene,
             .cameraFile = {}};
 }
@@ -83,17 +93,17 @@ void PlanOperations::draw(const PlanWish& plan) {
     const std::string line = command::plan(plan.path.toStdString(), plan.side.toStdString(), plan.scale,
                                            plan.paper.toStdString(), plan.storey, plan.height, plan.dpi);
     context_.session.send(line, this, [this, plan](const Answer& answer) {
-        if (answer.done) return onDrawn(plan);
+        if (answer.done) return onDrawn(plan, fileOf(plan, answer.text));
         context_.view.tell({});
         context_.notice.explain(answer.text, {context_.actions[ActionId::UpAndUnit]});
     });
 }
 
 // The server has lines at once; what could not be drawn has no light either.
-void PlanOperations::onDrawn(const PlanWish& plan) {
-    context_.view.tell(tr("The plan was written to %1.").arg(plan.path));
+void PlanOperations::onDrawn(const PlanWish& plan, const QString& file) {
+    context_.view.tell(tr("The plan was written to %1.").arg(file));
     if (!plan.hasLight()) return;
-    const RenderWish wish = renderWishOf(plan);
+    const RenderWish wish = renderWishOf(plan, file);
     if (!wish.job.files->trouble().isEmpty()) return context_.notice.explain(wish.job.files->trouble(), {});
     emit lightWanted(wish);
 }

@@ -24,7 +24,7 @@ class PlanOperations : public QObject {
   private:
     void ask();
     void draw(const PlanWish& plan);
-    void onDrawn(const PlanWish& plan);
+    void onDrawn(const PlanWish& plan, const QString& file);
 
     GuiContext context_;
 };

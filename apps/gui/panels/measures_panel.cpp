@@ -114,8 +114,9 @@ void MeasuresPanel::addList(QGroupBox& box) {
     connect(name_, &QLineEdit::editingFinished, this, &MeasuresPanel::rename);
     connect(go_, &QPushButton::clicked, this, [this] { emit goWanted(selected()); });
     connect(remove_, &QPushButton::clicked, this, &MeasuresPanel::remove);
-    connect(new QShortcut(Qt::Key_Delete, list_, nullptr, nullptr, Qt::WidgetShortcut), &QShortcut::activated,
-            this, &MeasuresPanel::remove);
+    auto* key = new QShortcut(Qt::Key_Delete, list_, nullptr, nullptr, Qt::WidgetShortcut);
+    key->setAutoRepeat(false); // a measure at a time
+    connect(key, &QShortcut::activated, this, &MeasuresPanel::remove);
     connect(clear_, &QPushButton::clicked, this, [this] { emit wanted(command::measureRemoveAll()); });
     connect(export_, &QPushButton::clicked, this, &MeasuresPanel::exportWanted);
 }
@@ -170,13 +171,12 @@ void MeasuresPanel::setHint(const QString& hint) {
 }
 
 void MeasuresPanel::show(const SceneState& state) {
-    if (state.measures == state_.measures && state.metresPerUnit == state_.metresPerUnit &&
-        list_->count() > 0)
-        return void(state_ = state);
+    const bool same = state.measures == state_.measures && state.metresPerUnit == state_.metresPerUnit &&
+                      list_->count() > 0;
     state_ = state;
     showing_ = true;
-    showList();
-    showName();
+    if (!same) showList();
+    if (!same || !name_->hasFocus()) showName();
     unit_->setCurrentIndex(static_cast<int>(state_.measures.unit));
     decimals_->setValue(state_.measures.decimals);
     showing_ = false;

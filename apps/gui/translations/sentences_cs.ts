@@ -2616,6 +2616,10 @@
         <translation>skupiny, které používá znovu (USE), mají dohromady víc než {0} MB textu; exportujte ho s menším počtem</translation>
     </message>
     <message>
+        <source>the image cannot be drawn: {0}</source>
+        <translation>obrázek nelze nakreslit: {0}</translation>
+    </message>
+    <message>
         <source>the image has {0} x {1} pixels; {2}</source>
         <translation>obraz má {0} x {1} pixelů; {2}</translation>
     </message>
@@ -3724,8 +3728,8 @@
         <translation>{0} x {1} je víc než {2} pixelů</translation>
     </message>
     <message>
-        <source>{0} x {1} pixels are more than an image can have; take fewer to an inch, a smaller scale, or paper, of which there may be several sheets</source>
-        <translation>{0} x {1} pixelů je více, než obrázek může mít; zvolte méně na palec, menší měřítko nebo papír, jehož listů může být několik</translation>
+        <source>{0} x {1} pixels are more than an image can have; take fewer to an inch or a smaller scale; lines without light go on several sheets of paper</source>
+        <translation>{0} x {1} pixelů je více, než obrázek může mít; zvolte méně na palec nebo menší měřítko; čáry bez světla se vejdou na několik listů papíru</translation>
     </message>
     <message>
         <source>{0} {1}; these stay as they are</source>

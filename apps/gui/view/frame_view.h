@@ -59,6 +59,9 @@ class FrameView : public QWidget {
 
     /// Draws over the image, below words, and over what was added before; called with each painting.
     void addMarks(std::function<void(QPainter&)> draw) { drawMarks_.push_back(std::move(draw)); }
+    /// Clicks are for something that was switched on, such as measuring: handles in the image leave them.
+    void takeClicks(bool taken) { clicksTaken_ = taken; }
+    bool clicksTaken() const { return clicksTaken_; }
     /// Where the image is, in widget pixels; empty without one.
     QRectF pictureArea() const;
     /// Where a point of the widget is in the image: from -1 (left, bottom) to 1; nothing beside it.
@@ -89,6 +92,7 @@ class FrameView : public QWidget {
 
     Session& session_;
     InputCapture* input_;
+    bool clicksTaken_ = false;
     std::vector<std::function<void(QPainter&)>> drawMarks_;
     QImage picture_; ///< null: the live frame
     PictureOrigin origin_;

@@ -140,7 +140,7 @@ std::optional<int> LightHandles::axisAt(const QPointF& at) const {
 // --- Mouse ---
 
 bool LightHandles::eventFilter(QObject*, QEvent* event) {
-    if (!shown_ || view_.input().captured()) return false;
+    if (!shown_ || view_.input().captured() || view_.clicksTaken()) return false;
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:

@@ -84,6 +84,7 @@ void MeasureMarks::setState(const SceneState& state) {
 
 void MeasureMarks::setMeasuring(std::optional<MeasureKind> kind) {
     kind_ = kind;
+    view_.takeClicks(kind_.has_value());
     caught_.reset();
     if (kind_)
         view_.setCursor(Qt::CrossCursor);
@@ -106,10 +107,16 @@ void MeasureMarks::forgetPoints() {
 std::optional<SceneImage> MeasureMarks::image() const {
     const View& view = session_.status().view;
     const QRectF area = view_.pictureArea();
-    const bool seen = view.fieldOfView > 0 || state_.parallelWidth > 0;
     const QSizeF size = view_.shown().size();
-    if (!session_.live() || area.isEmpty() || size.isEmpty() || !seen) return std::nullopt;
-    return SceneImage(view, parallelWidth(state_, size), area, size.width() / size.height());
+    if (!session_.live() || area.isEmpty() || size.isEmpty() || !view.known()) return std::nullopt;
+    return SceneImage(view, widthIn(view, size), area, size.width() / size.height());
+}
+
+// An image that was rendered before the window had its size may have another shape than the server's.
+double MeasureMarks::widthIn(const View& view, const QSizeF& image) const {
+    const double own = parallelWidth(state_, session_.status().resolution);
+    const double here = parallelWidth(state_, image);
+    return double{view.parallelWidth} * (own > 0 && here > 0 ? here / own : 1);
 }
 
 std::optional<QPointF> MeasureMarks::place(const Vec3d& point) const {
@@ -211,7 +218,10 @@ bool MeasureMarks::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseMove: {
         const auto& move = static_cast<const QMouseEvent&>(*event);
         shift_ = (move.modifiers() & Qt::ShiftModifier) != 0;
-        if (move.buttons() == Qt::NoButton) look(move.position());
+        if (move.buttons() == Qt::NoButton) {
+            view_.setCursor(Qt::CrossCursor); // a drag takes it away
+            look(move.position());
+        }
         return false;
     }
     case QEvent::MouseButtonRelease:
@@ -254,8 +264,7 @@ bool MeasureMarks::key(const QKeyEvent& event) {
     switch (event.key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (points_.empty()) return false;
-        if (acts) end();
+        if (acts && !points_.empty()) end();
         return true;
     case Qt::Key_Escape:
         if (!acts) return true;
@@ -267,9 +276,9 @@ bool MeasureMarks::key(const QKeyEvent& event) {
         return true;
     case Qt::Key_Backspace:
     case Qt::Key_Delete:
-        if (!acts) return true;
+        if (!acts || event.isAutoRepeat()) return true;
         if (points_.empty()) {
-            emit removalWanted();
+            if (event.key() == Qt::Key_Delete) emit removalWanted();
         } else {
             points_.pop_back();
             view_.update();
@@ -341,7 +350,10 @@ void MeasureMarks::keep() {
         line = command::measureKeepAngle(p[0], p[1], p[2]);
     else
         line = p.size() == 2 ? command::measureKeepDistance(p[0], p[1]) : command::measureKeepChain(p);
-    forgetPoints();
+    points_.clear(); // clicks whose points are still asked for begin the next
+    ends_ = false;
+    view_.update();
+    emit pointsChanged();
     emit kept(line);
 }
 

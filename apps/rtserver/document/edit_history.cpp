@@ -27,8 +27,17 @@ std::size_t bytesOf(const rtcore::Scene& scene) {
            scene.materialEdits.size() * sizeof(rtcore::MaterialOverride);
 }
 
+std::size_t bytesOf(const rtcore::KeptMeasures& measures) {
+    std::size_t bytes = 0;
+    for (const rtcore::KeptMeasure& each : measures.all)
+        bytes += sizeof(each) + each.points.size() * sizeof(rtcore::Vec3d) + each.name.size();
+    return bytes;
+}
+
 std::size_t bytesOf(const EditStep& step) {
-    return sizeof(step) + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
+    const std::size_t measures =
+        changesMeasures(step) ? bytesOf(step.before.measures) + bytesOf(step.after.measures) : 0;
+    return sizeof(step) + measures + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
 }
 
 bool changesAnything(const EditStep& step) {

@@ -54,8 +54,8 @@ bool FrameMaker::trace(const Workspace& state, const FrameDetail& detail, const 
     const bool sameView = hasRadiance() && !stale(document);
     if (sameView && detail.whole() && !detail_.whole()) {
         begun_ = {adaptation_, adaptedAt_}; // before underWay() may ask for it
-        gradual_.begin(coarse_, document.frameSettings(), adaptation_.value(), threads_, start);
         gradual_.showBy(developer_.falseColours());
+        gradual_.begin(coarse_, document.frameSettings(), adaptation_.value(), threads_, start);
         control.finished = &gradual_.finished();
     }
     const bool done = detail.live() ? drawLive(document, detail, control, frame)
@@ -249,7 +249,8 @@ void FrameMaker::noticeChanges(const Document& document) {
 
 std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool live) {
     constexpr std::size_t kFrame = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
-    constexpr std::size_t kCaps = sizeof(rtcore::Rgba8) + sizeof(float);          // a step's image, coverage
+    constexpr std::size_t kCaps =
+        2 * sizeof(rtcore::Rgba8) + sizeof(float); // a step's image, one without caps, coverage
     const std::size_t effects = rtcore::effectBytesPerPixel(settings);
     std::size_t pixel = kFrame + kCaps + sizeof(rtcore::Rgba8) + effects;
     if (live) {

@@ -76,7 +76,9 @@ void Walk::sceneEdited(const rtcore::Scene& before, const rtcore::Changes& chang
         endRecording(rtcore::say("the lights were edited"));
         messages_.warn(*recordingFailure_);
     }
-    if (!changes.has(rtcore::Change::Visibility) && !changes.has(rtcore::Change::Section)) return;
+    const rtcore::Scene& now = *document_.scene();
+    const bool cut = before.sections.planes != now.sections.planes || before.uncutParts != now.uncutParts;
+    if (!changes.has(rtcore::Change::Visibility) && !cut) return;
     treeReplaced();
     useSections();
     if (!walking()) return;

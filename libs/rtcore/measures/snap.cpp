@@ -188,7 +188,7 @@ class Catcher {
         rays.push(ray);
         std::vector<std::uint8_t> occluded;
         shown_.occluded(RayKind::Primary, rays, occluded);
-        return occluded[0] == 0 && (isUncut(triangle) || !clip().removes(point));
+        return occluded[0] == 0 && (!clip().removes(point) || isUncut(triangle));
     }
     bool isUncut(std::uint32_t triangle) const {
         return scene_.uncutParts != nullptr && triangle < scene_.model.mesh.triangles.size() &&

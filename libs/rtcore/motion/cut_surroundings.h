@@ -24,6 +24,8 @@ class CutSurroundings {
 
     /// Nothing is cut.
     bool empty() const { return halves_.empty(); }
+    /// There are triangles that stay whole.
+    bool leavesParts() const { return !uncut_.empty(); }
 
     /// Adds to `left` what the body of a walker with its feet there meets of the triangle: all of it where it
     /// is a floor that is not higher, there, than `step` above the feet; else the part that no section takes

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rtcore {
 
@@ -34,6 +35,7 @@ WalkSurroundings::WalkSurroundings(const KdTree& tree, const Mesh& mesh, const W
 void WalkSurroundings::useTree(const KdTree& tree) {
     tree_ = tree;
     nearby_.useTree(tree);
+    nearLedge_.useTree(tree);
 }
 
 void WalkSurroundings::useSections(std::span<const SectionPlane> planes,
@@ -79,7 +81,8 @@ Body WalkSurroundings::climber(const WalkState& state, double top) {
 
 bool WalkSurroundings::sees(Vec3d from, Vec3d to) const {
     const Vec3 a = frame_.toScene(from), b = frame_.toScene(to);
-    const auto [near, far] = cut_.kept(from, to);
+    const auto [near, far] =
+        cut_.leavesParts() ? std::pair(0.0, 1.0) : cut_.kept(from, to); // which may be in between
     return near > far ||
            !occluded(tree_, mesh_, {a, static_cast<float>(near), b - a, static_cast<float>(far)});
 }

@@ -1,5 +1,6 @@
 #include "rtcore/post/develop.h"
 
+#include "rtcore/platform/task_errors.h"
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
@@ -143,12 +144,16 @@ void PictureDeveloper::paintFalseColours(const HdrImage& radiance, const RenderS
     painters_.resize(std::max(painters_.size(), static_cast<std::size_t>(team)));
     const PixelArea all{0, 0, radiance.width, radiance.height};
     const int bands = (radiance.height + kFalseColourRows - 1) / kFalseColourRows;
+    TaskErrors errors; // painters need memory
 #pragma omp parallel for schedule(static) num_threads(team)
     for (int i = 0; i < bands; ++i) {
         const int first = i * kFalseColourRows, last = std::min(first + kFalseColourRows, radiance.height);
-        painters_[static_cast<std::size_t>(threadNumber())].paint(radiance, *falseColours_, all, first, last,
-                                                                  image);
+        errors.guard([&] {
+            painters_[static_cast<std::size_t>(threadNumber())].paint(radiance, *falseColours_, all, first,
+                                                                      last, image);
+        });
     }
+    errors.rethrow();
 }
 
 void developPart(const HdrImage& radiance, const Development& how, const EffectChain& effects,

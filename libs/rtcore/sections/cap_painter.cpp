@@ -15,13 +15,13 @@ const SectionCaps& CapPainter::capsOf(const Scene& scene) {
         known_ = scene.model;
         pieces_.emplace(*known_);
     }
+    caps_ = sectionCapsOf(scene, *pieces_);
+    if (!sameModel || hidden_ != scene.hiddenParts || uncut_ != scene.uncutParts) cover_.reset();
+    if (scene.uncutParts != nullptr && !caps_.empty() && !cover_) cover_.emplace(scene);
     planes_ = scene.sections.planes;
     hidden_ = scene.hiddenParts;
     uncut_ = scene.uncutParts;
     up_ = scene.up;
-    caps_ = sectionCapsOf(scene, *pieces_);
-    cover_.reset();
-    if (uncut_ != nullptr && !caps_.empty()) cover_.emplace(scene);
     return caps_;
 }
 

@@ -71,7 +71,7 @@ TEST_F(SectionCommands, LeavePartsWhole) {
     answer("redo");
     answer("section cut 1");
     EXPECT_EQ(document.scene()->uncutParts, nullptr);
-    EXPECT_EQ(refusal("section leave roof").code, 1);
+    EXPECT_EQ(refusal("section leave roof").code, 2);
 }
 
 TEST_F(SectionCommands, GoThroughTheMiddleAndThroughAPoint) {

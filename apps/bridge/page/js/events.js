@@ -134,6 +134,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
 
     on("lost", ({ code, reason, final }) => {
         app.letGo();
+        app.measures.stop();
         showBusy(false);
         around.setLive(false);
         notices.hide("server");

@@ -50,7 +50,8 @@ export function showFocusedAgain() {
     if (box?.dataset?.shown !== undefined) box.value = box.dataset.shown;
 }
 
-const short = (value) => String(Number(Number(value).toPrecision(6)));
+const short = (value, decimals) => (decimals === undefined ? String(Number(Number(value).toPrecision(6)))
+    : String(Number(Number(value).toFixed(decimals))));
 
 /** Without the digits of the rounding of floats. */
 const unscaled = (shown, scale) => (scale === 1 ? shown : Number((shown / scale).toPrecision(7)));
@@ -59,7 +60,7 @@ const unscaled = (shown, scale) => (scale === 1 ? shown : Number((shown / scale)
  * A typed number counts when it is finished; one that the arrows change, at once. The shown number is the value times
  * `scale()`.
  */
-function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
+function numberBox(onValue, { min, max, whole, label, decimals, scale = () => 1 }) {
     const box = make("input", { type: "number", step: whole ? "1" : "any", inputMode: "decimal", "aria-label": label });
     if (min !== undefined) box.min = min;
     if (max !== undefined) box.max = max;
@@ -68,7 +69,7 @@ function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
         else box.value = box.dataset.shown;
     };
     const show = (value, enabled) => {
-        box.dataset.shown = short(value * scale());
+        box.dataset.shown = short(value * scale(), decimals);
         if (!isEdited(box)) box.value = box.dataset.shown;
         box.disabled = !enabled;
     };
@@ -78,11 +79,12 @@ function numberBox(onValue, { min, max, whole, label, scale = () => 1 }) {
 const MAX_EVEN = 5000, MANY_ORDERS = 1000, MAX_FACTOR = 1e7, POSITIONS = 500;
 
 /**
- * A slider over a range: even, or by even factors where it is of many orders; null where its ends are too far apart.
+ * A slider over a range: even, or by even factors where it is of many orders and not to be `even`; null where its ends
+ * are too far apart.
  */
-function sliderOver({ min, max, whole }) {
+function sliderOver({ min, max, whole, even = false }) {
     if (min === undefined || max === undefined) return null;
-    const factors = min > 0 && max / min >= MANY_ORDERS, factor = max / min;
+    const factors = !even && min > 0 && max / min >= MANY_ORDERS, factor = max / min;
     if (factors ? factor > MAX_FACTOR : max - min > MAX_EVEN) return null;
     const box = make("input", factors ? { type: "range", min: 0, max: POSITIONS, step: 1 }
         : { type: "range", min, max, step: whole ? 1 : (max - min) / POSITIONS });
@@ -96,15 +98,17 @@ function sliderOver({ min, max, whole }) {
 }
 
 /**
- * A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`:
+ * A number, of so many `decimals` where that is said, with a slider where both ends are known; it ends at `until` where
+ * few want more. `onValue(value, goesOn)`:
  * later values of one drag go on. Without a slider `scale` may tell how many of the unit that is shown make one of the
  * value's.
  */
 export function numeric(label, onValue, how = {}) {
     const { min, max, whole, name = label, until = max } = how;
     const { box, show } = numberBox((value) => onValue(value, false),
-        { min, max, whole, scale: how.scale, label: how.slider === false ? undefined : name });
-    const slider = how.slider === false ? null : sliderOver({ min, max: until, whole });
+        { min, max, whole, decimals: how.decimals, scale: how.scale,
+            label: how.slider === false ? undefined : name });
+    const slider = how.slider === false ? null : sliderOver({ min, max: until, whole, even: how.even });
     if (!slider) {
         box.removeAttribute("aria-label");
         const { element, back } = row(label, [box], how);

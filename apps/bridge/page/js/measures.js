@@ -36,7 +36,8 @@ export class Measures {
     constructor(app) {
         this.app = app;
         this.place = byId("measures");
-        this.first = null; // of two taps
+        this.first = null; // of two taps, while the view stays
+        this.firstView = null;
         this.measuring = false;
         this.place.addEventListener("click", (event) => this.tap(event));
         addEventListener("keydown", (event) => event.key === "Escape" && this.measuring && this.stop());
@@ -72,8 +73,10 @@ export class Measures {
     tap({ clientX, clientY }) {
         const at = this.app.picture.at(clientX, clientY);
         if (!this.measuring || !at) return;
+        this.forgetOtherView();
         if (!this.first) {
             this.first = at;
+            this.firstView = this.view;
             return this.show();
         }
         const from = this.first;
@@ -81,11 +84,22 @@ export class Measures {
         this.app.ask("measure keep seen", from.x, from.y, at.x, at.y);
     }
 
+    get view() {
+        const { eye, forward, up, fov, orthographic } = this.app.status;
+        return JSON.stringify([eye, forward, up, fov, orthographic]);
+    }
+
+    /** A place of the image is another point of the model once the view has changed. */
+    forgetOtherView() {
+        if (this.first && this.view !== this.firstView) this.first = null;
+    }
+
     /** Paints them anew. */
     show() {
-        const { status, state, picture } = this.app;
+        this.forgetOtherView();
+        const { status, picture } = this.app;
         if (this.measuring && !this.app.mayEdit()) return this.stop();
-        const width = state.camera?.orthographic ?? 0;
+        const width = status.orthographic ?? 0;
         const seen = status.eye && (status.fov > 0 || width > 0) && (this.all.length > 0 || this.measuring);
         if (!seen) return this.place.replaceChildren();
         const origin = this.place.getBoundingClientRect(), box = picture.box();

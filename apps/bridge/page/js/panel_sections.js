@@ -73,7 +73,7 @@ export function sectionsPanel(app) {
             app.edit("section at " + number, "section at", [number, ...now], goesOn);
         };
         const position = numeric(number + "  " + name, move,
-            { min: metres(track.min), max: metres(track.max), unit: "m",
+            { min: metres(track.min), max: metres(track.max), unit: "m", even: true, decimals: 4,
                 help: text("In the coordinates of the model's file") });
         const turn = button(text("Turn"), () => app.ask("section turn", number));
         turn.title = text("Take the other side away");

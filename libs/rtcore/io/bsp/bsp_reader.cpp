@@ -126,11 +126,14 @@ class Reader {
         const auto named = [](const Light& light) { return light.photometry != 0; };
         if (std::ranges::none_of(model.lights, named)) return;
         auto lights = std::make_shared<std::vector<Light>>(model.lights.begin(), model.lights.end());
+        std::vector<std::uint32_t> kept(webs.size()); // each once: to find it again all of it is compared
         for (Light& light : *lights) {
             if (!named(light)) continue;
             if (light.photometry > webs.size())
                 fail(form("section lights: one names a luminaire that is not there"));
-            light.photometry = keep(webs[light.photometry - 1]);
+            const std::size_t number = light.photometry - 1;
+            if (kept[number] == 0) kept[number] = keep(webs[number]);
+            light.photometry = kept[number];
         }
         model.lights = *lights;
         copies_.push_back(std::move(lights));

@@ -86,9 +86,12 @@ class SheetPainter {
         for (const SheetLayer::Text& text : layer.texts) add(text);
     }
 
-    /// Throws std::bad_alloc where memory was not enough for all of it.
+    /// Throws std::bad_alloc where memory was not enough for all of it, Refusal where a text is no UTF-8.
     void finish() {
-        if (cairo_status(cairo()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+        const cairo_status_t status = cairo_status(cairo());
+        if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+        if (status != CAIRO_STATUS_SUCCESS)
+            throw Refusal(say("the image cannot be drawn: {0}", cairo_status_to_string(status)));
         cairo_surface_flush(surface_);
     }
 
@@ -150,8 +153,8 @@ LdrImage imageOf(cairo_surface_t* surface, int width, int height) {
 
 void refuseLargeImage(double width, double height) {
     if (width < kMaxImageSide && height < kMaxImageSide && width * height <= double{kMaxImagePixels}) return;
-    throw Refusal(say("{0} x {1} pixels are more than an image can have; take fewer to an inch, a smaller "
-                      "scale, or paper, of which there may be several sheets",
+    throw Refusal(say("{0} x {1} pixels are more than an image can have; take fewer to an inch or a smaller "
+                      "scale; lines without light go on several sheets of paper",
                       fmt::format("{:.0f}", width), fmt::format("{:.0f}", height)));
 }
 
