@@ -1,6 +1,7 @@
 #include "common/plans/plan_order.h"
 
 #include "rtcore/sections/closed_pieces.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <fmt/format.h>
 

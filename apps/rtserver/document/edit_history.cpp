@@ -36,7 +36,7 @@ std::size_t bytesOf(const rtcore::KeptMeasures& measures) {
 
 std::size_t bytesOf(const EditStep& step) {
     const std::size_t measures =
-        changesMeasures(step) ? bytesOf(step.before.measures) + bytesOf(step.after.measures) : 0;
+        changesMeasures(step) ? bytesOf(*step.before.measures) + bytesOf(*step.after.measures) : 0;
     return sizeof(step) + measures + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
 }
 
