@@ -130,7 +130,7 @@ TEST_F(ForeignNames, StayTexts) {
             const std::string line = rtcore::printable(inModel(each));
             EXPECT_EQ(std::count(model.begin(), model.end(), Json(line)), 2) << line << " in " << model;
         }
-        EXPECT_TRUE(shows(*page, "#panel-views .list:last-child .name", shown));
+        EXPECT_TRUE(shows(*page, "#bookmarked .name", shown));
         EXPECT_TRUE(page->becomes(texts("#panel-sky .row:first-of-type option") +
                                   ".length === " + std::to_string(shown.size() + 2)))
             << "none, and the computed sky";

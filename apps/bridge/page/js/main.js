@@ -4,7 +4,7 @@
 import { App } from "./app.js";
 import { Around } from "./around.js";
 import { AskedView } from "./asked_view.js";
-import { byId } from "./dom.js";
+import { byId, make } from "./dom.js";
 import { Driving } from "./driving.js";
 import { followBridge } from "./events.js";
 import { readFragment } from "./fragment.js";
@@ -27,6 +27,7 @@ import { Picture } from "./picture.js";
 import { shareView } from "./share.js";
 import { startStream } from "./stream_start.js";
 import { followPreference, forThisTab, preference } from "./storage.js";
+import { t } from "./texts.js";
 import { Token } from "./token.js";
 import { Upright } from "./upright.js";
 import { viewMessage } from "./wire.js";
@@ -63,8 +64,26 @@ app.upright = new Upright({ drives: () => app.drives(), room: pixels,
 app.orbit = new Orbit(app.picture, { ask: (...command) => app.ask(...command),
     range: (...which) => app.argument(...which),
     changed: () => onOrbit() });
-const panels = [viewsPanel, lightsPanel, skyPanel, modelPanel, sectionsPanel, settingsPanel, peoplePanel, pagePanel];
-app.panels = new Panels(panels.map((make) => make(app)), () => sendView());
+/** Two panels below each other: a phone has room for so many tabs. */
+const joined = (first, second) => (app) => {
+    const [upper, lower] = [first(app), second(app)];
+    return {
+        id: upper.id,
+        fill(place) {
+            upper.fill(place);
+            const part = make("div");
+            place.append(make("h3", {}, t(lower.id)), part);
+            lower.fill(part);
+        },
+        show() {
+            upper.show();
+            lower.show();
+        },
+    };
+};
+const panels = [viewsPanel, lightsPanel, skyPanel, joined(modelPanel, sectionsPanel), settingsPanel, peoplePanel,
+    pagePanel];
+app.panels = new Panels(panels.map((panel) => panel(app)), () => sendView());
 app.statistics.onChange = () => app.panels.show();
 app.measures = new Measures(app);
 app.around = new Around(app);

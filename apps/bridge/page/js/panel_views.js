@@ -120,7 +120,7 @@ export function viewsPanel(app) {
         fill(place) {
             last = "";
             addMotion(place);
-            own = make("ul", { className: "list" });
+            own = make("ul", { className: "list", id: "bookmarked" });
             here = make("ul", { className: "list" });
             name = make("input", { type: "text", maxLength: 40, placeholder: t("bookmarkName"),
                 "aria-label": t("bookmarkName"),

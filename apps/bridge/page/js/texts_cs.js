@@ -41,7 +41,6 @@ export default {
     lightsTitle: "Světla",
     skyTitle: "Obloha a prostředí",
     modelTitle: "Části a materiály",
-    sectionsTitle: "Rozříznutí modelu",
     settingsTitle: "Nastavení",
     peopleTitle: "Kdo je tu",
     pageTitle: "Tato stránka, klávesy, nápověda",

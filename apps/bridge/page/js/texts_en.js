@@ -41,7 +41,6 @@ export default {
     lightsTitle: "Lights",
     skyTitle: "Sky and environment",
     modelTitle: "Parts and materials",
-    sectionsTitle: "Cut the model open",
     settingsTitle: "Settings",
     peopleTitle: "Who is here",
     pageTitle: "This page, keys, help",
