@@ -249,10 +249,8 @@ void FrameMaker::noticeChanges(const Document& document) {
 
 std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool live) {
     constexpr std::size_t kFrame = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
-    constexpr std::size_t kCaps =
-        2 * sizeof(rtcore::Rgba8) + sizeof(float); // a step's image, one without caps, coverage
     const std::size_t effects = rtcore::effectBytesPerPixel(settings);
-    std::size_t pixel = kFrame + kCaps + sizeof(rtcore::Rgba8) + effects;
+    std::size_t pixel = kFrame + sizeof(rtcore::Rgba8) + effects;
     if (live) {
         pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
         pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;

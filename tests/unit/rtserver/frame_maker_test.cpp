@@ -28,7 +28,7 @@ RenderSettings hundredPixels() {
 }
 
 TEST(FrameMaker, CountsTheMemoryOfTheListOfEffects) {
-    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true), 21'800U) << "as docs/live.md says";
+    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true), 20'600U) << "as docs/live.md says";
     RenderSettings bloom = hundredPixels(), denoised = hundredPixels();
     bloom.bloom.radius = 4;
     denoised.denoise.passes = 1;
