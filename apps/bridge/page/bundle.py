@@ -5,7 +5,7 @@
 
 Modules are looked for by name in the folders. Each becomes a function that is run once, after those that it imports, and
 gives what it exports. `import()` stays as it is. Understood is what the page's modules consist of: imports and exports at the
-beginning of a line, each import within one line, no exported variables that change. All else fails, with file and line.
+beginning of a line, each import within one line, no exported variables that change, comments of whole lines. All else fails, with file and line.
 """
 import os
 import re
@@ -40,17 +40,31 @@ def waits_itself(statement):
     return bool(found) and not re.search(r"=>|\bfunction\b|^class\b", before)
 
 
+def code_lines(path):
+    """Lines with their numbers, without empty ones and those that are nothing but comment: browsers need none."""
+    with open(path, encoding="utf-8") as source:
+        lines = source.read().splitlines()
+    inside = False
+    for number, line in enumerate(lines, 1):
+        text = line.strip()
+        if inside or text.startswith("/*"):
+            inside = not text.endswith("*/")
+            if "*/" in text and inside:
+                raise Wrong("%s:%d: code behind a comment" % (path, number))
+        elif text and not text.startswith("//"):
+            yield number, line
+
+
 class Module:
     """One module: `imports` are names of files; `body` is its function's; `exports` are names."""
 
     def __init__(self, path):
         self.path, self.imports, self.exports, self.body, self.wanted = path, [], [], [], []
-        with open(path, encoding="utf-8") as source:
-            for number, line in enumerate(source.read().splitlines(), 1):
-                try:
-                    self.take(line)
-                except Wrong as wrong:
-                    raise Wrong("%s:%d: %s" % (path, number, wrong)) from None
+        for number, line in code_lines(path):
+            try:
+                self.take(line)
+            except Wrong as wrong:
+                raise Wrong("%s:%d: %s" % (path, number, wrong)) from None
 
     def take(self, line):
         if line.startswith("import ") or line.startswith("import{"):
