@@ -3,7 +3,7 @@ export const scaled = (a, factor) => a.map((part) => part * factor);
 const sum = (a, b) => a.map((part, index) => part + b[index]);
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
-const unit = (a) => scaled(a, 1 / Math.hypot(...a));
+export const unit = (a) => scaled(a, 1 / Math.hypot(...a));
 const DEGREES = 180 / Math.PI;
 
 /**

@@ -1,5 +1,5 @@
 /** The panel of the planes that cut the model open, and of what closes the solids that they cut. */
-import { cross, dot, scaled } from "./directions.js";
+import { cross, dot, scaled, unit as unitOf } from "./directions.js";
 import { button, make } from "./dom.js";
 import { choice, colour, numeric, toggle } from "./fields.js";
 import { of, t } from "./texts.js";
@@ -21,7 +21,7 @@ export function axisName(unit) {
 
 /** The side that a section takes away, "above %1", and the line along which its position is told. */
 export function sideOf(normal, up) {
-    const unit = scaled(normal, 1 / Math.hypot(...normal)), { above, front, right } = sidesOf(up);
+    const unit = unitOf(normal), { above, front, right } = sidesOf(up);
     const sides = [[above, "above %1", "below %1"], [front, "in front of %1", "behind %1"],
         [right, "right of %1", "left of %1"]];
     for (const [axis, there, opposite] of sides) {

@@ -1,9 +1,8 @@
 /** Where the image shows points and lines of the scene, by the camera of its frame (scene_image.h of the window). */
+import { cross, dot, unit } from "./directions.js";
+
 const difference = (a, b) => a.map((part, index) => part - b[index]);
 const between = (a, b, part) => a.map((from, index) => from + part * (b[index] - from));
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
-const unit = (a) => a.map((part) => part / Math.hypot(...a));
 
 export class SceneImage {
     /**
