@@ -31,7 +31,7 @@ std::vector<CommandSpec> keepingCommands() {
     return {
         with(keeping(CommandId::MeasureKeepDistance, "measure keep distance",
                      numbers({"X", "Y", "Z", "X2", "Y2", "Z2"})),
-             "keep the distance between two points with the scene, and print it as `measure list` does",
+             "keep the distance between two points with the scene, and print it",
              "It is shown over the image, saved in `.scn` files, and a step of `undo`; 1,000 at most"),
         with(keeping(CommandId::MeasureKeepChain, "measure keep chain",
                      three + ArgumentList{manyOf(number("MORE"))}),
