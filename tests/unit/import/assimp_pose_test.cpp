@@ -124,6 +124,36 @@ TEST(Morphs, OfColladaCountAsFarAsTheFileSays) {
     }
 }
 
+TEST(Morphs, OfColladaMoveWithTheAnimationOfTheirWeights) {
+    // Assimp takes what moves "Bar-W(1)" for what moves the node "Bar".
+    const auto moved = [](const std::string& target, const std::string& pose) {
+        std::string text = test::morphDae("0.5 0", "NORMALIZED", test::growingDae(target, "0.25 1"));
+        for (std::size_t at = 0; (at = text.find("\"W\"", at)) != std::string::npos; ++at)
+            text.replace(at, 3, "\"Bar-W\"");
+        text.replace(text.find("\"#W\""), 4, "\"#Bar-W\"");
+        return importAt("m.dae", text, pose);
+    };
+    for (const std::string target : {"Bar-W(1)", "C/Bar-W(1)"}) {
+        EXPECT_TRUE(has(moved(target, "rest"), {1, 2, 0.5F})) << target;
+        const ImportedModel first = moved(target, "first");
+        EXPECT_TRUE(has(first, {1.25F, 2, 0.5F})) << target << listOf(first);
+        const ImportedModel later = moved(target, "Grow@0.5");
+        EXPECT_TRUE(has(later, {1.625F, 2, 0.5F})) << target << listOf(later);
+    }
+    for (const std::string target : {"Bar-W(7)", "Bar-W(-1)", "Bar-W(", "Bar-W()"}) {
+        const ImportedModel whole = moved(target, "first");
+        EXPECT_TRUE(has(whole, {1, 2, 0.5F})) << target << listOf(whole);
+    }
+}
+
+TEST(Morphs, ChannelsOfColladaThatNameNoTransformMoveNothing) {
+    for (const std::string target : {"Bar", "S", "Bar-W(1)", "Bar(0)(0)", "Bar(3)", "(", "", "none/none"}) {
+        std::string text = test::morphDae("0.5 0", "NORMALIZED", test::growingDae(target, "0.25 1"));
+        const ImportedModel model = importAt("m.dae", text, "first");
+        EXPECT_TRUE(has(model, {1, 2, 0.5F})) << target << listOf(model);
+    }
+}
+
 TEST(Morphs, OfFbxCountAsFarAsTheirChannelSays) {
     for (const bool asProperty : {false, true}) {
         EXPECT_TRUE(has(importAt("m.fbx", test::morphFbx("0", asProperty)), {1, 2, 0}));

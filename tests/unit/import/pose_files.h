@@ -117,7 +117,8 @@ inline std::string barDae() {
 }
 
 /// Targets that move the bar by 1 along z and by 1 along x.
-inline std::string morphDae(const std::string& weights, const std::string& method = "NORMALIZED") {
+inline std::string morphDae(const std::string& weights, const std::string& method = "NORMALIZED",
+                            const std::string& animations = "") {
     const std::string controller =
         "<library_controllers><controller id=\"C\"><morph source=\"#G\" method=\"" + method + "\">" +
         wordsDae("T", "IDREF_array", "G1 G2", 2) + floatsDae("W", weights, 2, 1) +
@@ -127,8 +128,19 @@ inline std::string morphDae(const std::string& weights, const std::string& metho
     return collada("<library_geometries>" + geometryDae("G", kBarPositions) +
                        geometryDae("G1", relative ? "0 0 1 0 0 1 0 0 1 0 0 1" : "0 0 1 1 0 1 1 2 1 0 2 1") +
                        geometryDae("G2", relative ? "1 0 0 1 0 0 1 0 0 1 0 0" : "1 0 0 2 0 0 2 2 0 1 2 0") +
-                       "</library_geometries>" + controller,
+                       "</library_geometries>" + controller + animations,
                    "<node id=\"Bar\"><instance_controller url=\"#C\"/></node>");
+}
+
+/// An animation "Grow" of a second that moves the target of a channel from one value to another.
+inline std::string growingDae(const std::string& target, const std::string& values) {
+    return "<library_animations><animation id=\"Grow\" name=\"Grow\">" + floatsDae("GT", "0 1", 2, 1) +
+           floatsDae("GO", values, 2, 1) + wordsDae("GI", "Name_array", "LINEAR LINEAR", 2) +
+           "<sampler id=\"GA\"><input semantic=\"INPUT\" source=\"#GT\"/><input semantic=\"OUTPUT\" "
+           "source=\"#GO\"/><input semantic=\"INTERPOLATION\" source=\"#GI\"/></sampler><channel "
+           "source=\"#GA\" "
+           "target=\"" +
+           target + "\"/></animation></library_animations>";
 }
 
 inline std::string fbx(const std::string& objects, const std::string& connections) {

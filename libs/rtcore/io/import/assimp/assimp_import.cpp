@@ -313,8 +313,8 @@ std::string beginningOf(const std::string& reason) {
 }
 
 /// In place of the file's, where Assimp would not understand that.
-std::optional<std::string> textForAssimp(const std::filesystem::path& path) {
-    if (auto text = colladaForAssimp(path)) return text;
+std::optional<std::string> textForAssimp(const std::filesystem::path& path, const ColladaWeights& weights) {
+    if (auto text = colladaForAssimp(path, weights)) return text;
     if (auto text = dxfForAssimp(path)) return text;
     return x3dForAssimp(path);
 }
@@ -326,10 +326,10 @@ Sentence foreignFiles(const std::vector<std::string>& files) {
 
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path, bool animations,
-                         ImportReport& report) {
+                         const ColladaWeights& weights, ImportReport& report) {
     const auto files = std::make_shared<OpenedFiles>();
     std::optional<ReplacedFile> replaced;
-    if (auto text = textForAssimp(path)) replaced = {plainPath(path).string(), std::move(*text)};
+    if (auto text = textForAssimp(path, weights)) replaced = {plainPath(path).string(), std::move(*text)};
     importer.SetIOHandler(filesForAssimp(path, files, std::move(replaced))); // which it owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -480,13 +480,35 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
     return path.empty() || name.empty() ? path + name : path + "/" + name;
 }
 
+/// Of morph targets in a pose: nothing where the file animates none. Geometries are moved before Assimp reads
+/// them, so that it reads such a file twice.
+ColladaWeights weightsInPose(const std::filesystem::path& path, const PoseChoice& choice) {
+    if (choice.kind == PoseChoice::Kind::Rest) return {};
+    const std::optional<std::string> text = colladaForAssimp(path);
+    if (!text || text->find(kWeightNode) == std::string::npos) return {};
+    Assimp::Importer importer;
+    ImportReport report; // that of the second time counts
+    const aiScene& scene = readScene(importer, path, true, {}, report);
+    const FormatQuirks quirks = quirksOf(formatOf(importer));
+    ScenePose pose(scene, quirks);
+    pose.choose(choice, report);
+    ColladaWeights weights;
+    for (unsigned i = 0; scene.mRootNode != nullptr && i < scene.mRootNode->mNumChildren; ++i) {
+        const aiNode* const node = scene.mRootNode->mChildren[i];
+        if (node != nullptr && std::string_view(node->mName.C_Str()).starts_with(kWeightNode))
+            weights[node->mName.C_Str()] = static_cast<float>(pose.localOf(*node).m[0][3]);
+    }
+    return weights;
+}
+
 FileImport sceneAsItLies(const std::filesystem::path& path, const FileImportOptions& options) {
     std::vector<FbxElement> fbx = isFbx(path) ? readFbxElements(path) : std::vector<FbxElement>();
     refuseManyNodes(path, fbx, options.memoryLimit);
     const auto importer = std::make_shared<Assimp::Importer>();
     FileImport result;
     const bool animated = options.pose.kind != PoseChoice::Kind::Rest;
-    const aiScene& scene = readScene(*importer, path, animated, result.report);
+    const aiScene& scene =
+        readScene(*importer, path, animated, weightsInPose(path, options.pose), result.report);
     options.alive();
     result.source = importer;
     FormatQuirks quirks = quirksOf(formatOf(*importer));

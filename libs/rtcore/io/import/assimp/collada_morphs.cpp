@@ -1,6 +1,7 @@
 #include "rtcore/io/import/assimp/collada_morphs.h"
 
 #include "rtcore/io/import/assimp/xml_text.h"
+#include "rtcore/io/import/assimp/xml_tree.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/settings/number_text.h"
 
@@ -33,8 +34,41 @@ struct Morph {
     std::string controller, geometry;
     bool relative = false;
     std::vector<std::string> targets;
+    std::string weightList; ///< its source
     std::vector<float> weights;
 };
+
+/// What a channel animates: "list(index)".
+struct WeightTarget {
+    static constexpr std::size_t kNone = Text::npos;
+    Text list;
+    std::size_t index = 0; ///< kNone: it says none that is a number
+};
+
+/// The node whose place is the weight of a target, both by number.
+std::string weightNode(std::size_t morph, std::size_t target) {
+    return std::string(kWeightNode) + std::to_string(morph) + "-" + std::to_string(target);
+}
+
+/// An element's attribute, as it stands in the text; empty where there is none.
+Text valueOf(const xml::Element& element, Text name) {
+    Text attributes =
+        element.head.substr(std::min(element.head.find_first_of(" \t\r\n"), element.head.size()));
+    while (const auto attribute = xml::takeAttribute(attributes))
+        if (attribute->name == name) return attribute->value;
+    return {};
+}
+
+/// Without an index the first one; behind the last slash, where the controller is named, too.
+WeightTarget weightTargetOf(Text target) {
+    target.remove_prefix(target.rfind('/') + 1);
+    const std::size_t bracket = std::min(target.find('('), target.size());
+    WeightTarget result{target.substr(0, bracket), 0};
+    if (bracket == target.size()) return result;
+    const char *const begin = target.data() + bracket + 1, *const end = target.data() + target.size();
+    if (std::from_chars(begin, end, result.index).ec != std::errc()) result.index = WeightTarget::kNone;
+    return result;
+}
 
 /// Up to the first word that is none.
 std::vector<float> floatsIn(Text text) {
@@ -82,13 +116,14 @@ Text listOf(Text sources, const std::string& id, const char* list) {
 }
 
 Morph morphOf(const std::string& controller, const xml::Element& morph) {
-    Morph result{controller, idOf(attributeOf(morph.head, "source")), false, {}, {}};
+    Morph result{controller, idOf(attributeOf(morph.head, "source")), false, {}, {}, {}};
     result.relative = attributeOf(morph.head, "method") == "RELATIVE";
     const std::string targets = sourceOf(morph.body, "MORPH_TARGET");
     Text names = listOf(morph.body, targets, "IDREF_array");
     if (names.empty()) names = listOf(morph.body, targets, "Name_array");
     result.targets = wordsIn(names);
-    result.weights = floatsIn(listOf(morph.body, sourceOf(morph.body, "MORPH_WEIGHT"), "float_array"));
+    result.weightList = sourceOf(morph.body, "MORPH_WEIGHT");
+    result.weights = floatsIn(listOf(morph.body, result.weightList, "float_array"));
     return result;
 }
 
@@ -110,8 +145,10 @@ class MorphEditor {
         return !morphs_.empty();
     }
 
-    std::string edited() {
+    std::string edited(const ColladaWeights& weights) {
         findGeometries();
+        moveChannels();
+        setWeights(weights);
         for (const Morph& morph : morphs_) {
             move(morph, "POSITION");
             move(morph, "NORMAL");
@@ -131,6 +168,46 @@ class MorphEditor {
         const char* const behind = element.body.data() + element.body.size();
         edits_.push_back({Text(element.head.data(), static_cast<std::size_t>(behind - element.head.data())),
                           "<controller>"});
+    }
+
+    /// Assimp would move the nodes of the meshes by these channels.
+    void moveChannels() {
+        Text rest = text_;
+        bool any = false;
+        while (const auto channel = takeElement(rest, "channel")) {
+            const Text target = valueOf(*channel, "target");
+            const WeightTarget weight = weightTargetOf(target);
+            for (std::size_t m = 0; m < morphs_.size(); ++m) {
+                if (morphs_[m].weightList != weight.list) continue;
+                any = true;
+                const bool known = weight.index < morphs_[m].weights.size();
+                const std::string node = known ? weightNode(m, weight.index) : std::string(kWeightNode);
+                edits_.push_back({target, node + "/t.X"}); // of the last one there is no node
+                break;
+            }
+        }
+        if (any) addWeightNodes();
+    }
+
+    void addWeightNodes() {
+        std::string nodes;
+        for (std::size_t m = 0; m < morphs_.size(); ++m)
+            for (std::size_t t = 0; t < morphs_[m].weights.size(); ++t)
+                nodes += "<node id=\"" + weightNode(m, t) + "\" name=\"" + weightNode(m, t) +
+                         "\"><translate sid=\"t\">" + shortestText(morphs_[m].weights[t]) +
+                         " 0 0</translate></node>";
+        constexpr Text kEnd = "</visual_scene>";
+        for (std::size_t at = text_.find(kEnd); at != Text::npos; at = text_.find(kEnd, at + 1))
+            edits_.push_back({text_.substr(at, 0), nodes});
+    }
+
+    void setWeights(const ColladaWeights& weights) {
+        for (std::size_t m = 0; m < morphs_.size() && !weights.empty(); ++m) {
+            for (std::size_t t = 0; t < morphs_[m].weights.size(); ++t) {
+                const auto weight = weights.find(weightNode(m, t));
+                if (weight != weights.end()) morphs_[m].weights[t] = weight->second;
+            }
+        }
     }
 
     void findGeometries() {
@@ -214,13 +291,14 @@ bool mentionsMorphs(const std::filesystem::path& path) {
 
 } // namespace
 
-std::optional<std::string> colladaWithoutMorphs(const std::filesystem::path& path) {
+std::optional<std::string> colladaWithoutMorphs(const std::filesystem::path& path,
+                                                const ColladaWeights& weights) {
     if (!xml::isCollada(path)) return std::nullopt;
     if (!mentionsMorphs(path)) return std::nullopt;
     const std::string text = xml::textWithoutComments(path);
     MorphEditor editor(text);
     if (!editor.find()) return std::nullopt;
-    return editor.edited();
+    return editor.edited(weights);
 }
 
 } // namespace rtcore

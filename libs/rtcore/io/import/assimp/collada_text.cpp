@@ -1,6 +1,5 @@
 #include "rtcore/io/import/assimp/collada_text.h"
 
-#include "rtcore/io/import/assimp/collada_morphs.h"
 #include "rtcore/io/import/assimp/xml_text.h"
 #include "rtcore/platform/files.h"
 
@@ -8,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 namespace rtcore {
 
@@ -43,17 +43,40 @@ std::optional<std::string> withoutLeadingBlanks(View text) {
     return trimmed;
 }
 
+/// Nothing where each channel names a node and a transform of it. (Assimp looks for names of nodes in what
+/// has no slash, counts from their end, and may end there, or move them.)
+std::optional<std::string> withoutChannelsOfNoNode(View text) {
+    constexpr View kNone = "none/none", kTarget = "target=";
+    std::string edited;
+    View rest = text;
+    std::size_t from = 0;
+    while (const auto channel = xml::takeElement(rest, "channel")) {
+        const std::size_t target = channel->head.find(kTarget);
+        if (target == View::npos) continue;
+        const std::size_t begin = target + kTarget.size() + 1,
+                          end = channel->head.find(channel->head.substr(begin - 1, 1), begin);
+        if (end == View::npos || channel->head.substr(begin, end - begin).find('/') != View::npos) continue;
+        const auto head = static_cast<std::size_t>(channel->head.data() - text.data());
+        edited += text.substr(from, head + begin - from);
+        edited += kNone;
+        from = head + end;
+    }
+    if (from == 0) return std::nullopt;
+    edited += text.substr(from);
+    return edited;
+}
+
 } // namespace
 
-std::optional<std::string> colladaForAssimp(const std::filesystem::path& path) {
+std::optional<std::string> colladaForAssimp(const std::filesystem::path& path,
+                                            const ColladaWeights& weights) {
     if (!xml::isCollada(path)) return std::nullopt;
-    std::optional<std::string> text = colladaWithoutMorphs(path);
-    if (text) {
-        auto trimmed = withoutLeadingBlanks(*text);
-        return trimmed ? trimmed : text;
-    }
-    const FileBytes file = openFileBytes(path);
-    return withoutLeadingBlanks({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
+    std::optional<std::string> text = colladaWithoutMorphs(path, weights);
+    const FileBytes file = text ? FileBytes() : openFileBytes(path);
+    const View own(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+    for (const auto edit : {withoutLeadingBlanks, withoutChannelsOfNoNode})
+        if (auto edited = edit(text ? View(*text) : own)) text = std::move(edited);
+    return text;
 }
 
 } // namespace rtcore
