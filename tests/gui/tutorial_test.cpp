@@ -7,6 +7,7 @@
 #include "gui/dialogs/connect_dialog.h"
 #include "gui/dialogs/export_camera_dialog.h"
 #include "gui/dialogs/keys_dialog.h"
+#include "gui/dialogs/plan_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/render_dialog.h"
 #include "gui/dialogs/share_dialog.h"
@@ -15,13 +16,17 @@
 #include "gui/models/action_table.h"
 #include "gui/operations/job_operations.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/panels/sections_panel.h"
+#include "gui/panels/value_slider.h"
 #include "gui/view/input_capture.h"
 
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
 #include <QWheelEvent>
@@ -123,6 +128,9 @@ class Tutorial : public WithJobs<WindowFixture> {
     void keepAView();
     void renderAStill();
     void record();
+    void cutOpen();
+    void measure();
+    void drawAPlan();
     void share();
     void end();
 
@@ -298,6 +306,57 @@ void Tutorial::record() {
     leave(dialog);
 }
 
+void Tutorial::cutOpen() {
+    const auto& planes = window->editor().state().sections.planes;
+    choose("Window > Sections panel");
+    auto* panel = window->findChild<SectionsPanel*>();
+    ASSERT_NE(panel, nullptr);
+    says("*From above*, then the slider");
+    panel->above().click();
+    ASSERT_TRUE(comes([&] { return planes.size() == 1; }));
+    const rtcore::Vec3 before = planes[0].point;
+    emit panel->slider().moved(0.75);
+    EXPECT_TRUE(comes([&] { return planes.size() == 1 && planes[0].point.y > before.y; }));
+    back();
+}
+
+void Tutorial::measure() {
+    const QRectF area = window->view().pictureArea();
+    const auto at = [&](double right, double down) {
+        return (area.topLeft() + QPointF(right * area.width(), down * area.height())).toPoint();
+    };
+    ASSERT_TRUE(rests());
+    choose("Light > Light meter");
+    const auto* light = window->findChild<QLabel*>(QStringLiteral("lightMeter"));
+    ASSERT_NE(light, nullptr);
+    QTest::mouseMove(&window->view(), at(0.4, 0.8));
+    QTest::mouseMove(&window->view(), at(0.5, 0.8));
+    EXPECT_TRUE(comes([&] { return light->isVisible() && light->text().contains(QStringLiteral("lx")); }));
+    choose("Light > Light meter");
+    const auto& measures = window->editor().state().measures.all;
+    choose("View > Measure");
+    says("two clicks keep a length");
+    QTest::mouseClick(&window->view(), Qt::LeftButton, {}, at(0.3, 0.7));
+    QTest::mouseClick(&window->view(), Qt::LeftButton, {}, at(0.7, 0.7));
+    EXPECT_TRUE(comes([&] { return measures.size() == 1; }));
+    says("Esc ends it");
+    type(QStringLiteral("Esc"));
+    EXPECT_FALSE(action(ActionId::Measure)->isChecked());
+    says("Ctrl+Z takes it back");
+    type(QStringLiteral("Ctrl+Z"));
+    EXPECT_TRUE(comes([&] { return measures.empty(); }));
+}
+
+void Tutorial::drawAPlan() {
+    choose("File > Plan");
+    auto* dialog = opened<PlanDialog>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QLineEdit*>()->setText(file("plan.pdf"));
+    accept(*dialog);
+    EXPECT_TRUE(written("plan.pdf")) << text(window->notice().text());
+    back();
+}
+
 void Tutorial::share() {
     choose("File > Share in a browser");
     auto* dialog = opened<ShareDialog>();
@@ -328,6 +387,9 @@ TEST_F(Tutorial, IsPlayedWordByWord) {
     ASSERT_NO_FATAL_FAILURE(keepAView());
     ASSERT_NO_FATAL_FAILURE(renderAStill());
     ASSERT_NO_FATAL_FAILURE(record());
+    ASSERT_NO_FATAL_FAILURE(cutOpen());
+    ASSERT_NO_FATAL_FAILURE(measure());
+    ASSERT_NO_FATAL_FAILURE(drawAPlan());
     ASSERT_NO_FATAL_FAILURE(share());
     ASSERT_NO_FATAL_FAILURE(end());
     for (auto each = kMention.globalMatch(page); each.hasNext();) {

@@ -45,7 +45,8 @@ Names shellBlocks() {
 
 /// The files that the commands say they write; of a list of frames the first.
 Names outputsOf(const std::string& block) {
-    static const std::regex output(R"((?:-o|--video|render|video start) '?([^ '\n]+))");
+    static const std::regex output(
+        R"((?:-o|--video|render|video start|plan|measure export|grid|save as) '?([^ '\n]+))");
     Names all;
     for (std::sregex_iterator found(block.begin(), block.end(), output), end; found != end; ++found)
         all.push_back(replacedAll((*found)[1], "####", "0001"));
@@ -132,7 +133,7 @@ TEST_F(Tutorial, CommandsDoWhatItSays) {
             ++outputs;
         }
     }
-    EXPECT_GE(outputs, 6U);
+    EXPECT_GE(outputs, 11U);
 }
 
 } // namespace
