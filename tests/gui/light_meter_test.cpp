@@ -111,6 +111,31 @@ TEST(LightMeter, GivesUpWhileAnotherMeasures) {
     EXPECT_EQ(s.sent.size(), 2U);
 }
 
+TEST(LightMeter, GlancesWhileTheViewMoves) {
+    MeterAndServer s;
+    s.meter.glance({0.5, 0.5});
+    EXPECT_EQ(s.sent.back(), "measure light 0.5 0.5 512");
+    s.meter.glance({0.5, 0.75});
+    EXPECT_EQ(s.sent.size(), 1U) << "one after the other";
+    s.answer(luminance(9));
+    EXPECT_TRUE(s.meter.reading().luminance);
+    EXPECT_TRUE(s.meter.done()) << "a glance is not repeated by itself";
+    s.meter.glance({0.5, 0.25});
+    EXPECT_TRUE(s.meter.reading().luminance) << "until the next answer";
+    s.meter.measure({0.5, 0.25});
+    s.answer(luminance(8));
+    EXPECT_DOUBLE_EQ(s.meter.reading().luminance->error, 8);
+    EXPECT_EQ(s.sent.back(), "measure light 0.5 0.25 8192") << "it rests";
+    s.answer(luminance(4));
+    EXPECT_EQ(s.sent.back(), "measure light 0.5 0.25 32768");
+    s.meter.glance({0.5, 0.5});
+    EXPECT_EQ(s.sent.back(), "measure stop");
+    s.answer(luminance(1));
+    EXPECT_DOUBLE_EQ(s.meter.reading().luminance->error, 4) << "of the view before";
+    s.meter.glance({0.5, 0.5});
+    EXPECT_EQ(s.sent.back(), "measure light 0.5 0.5 512");
+}
+
 class LightMeterWindow : public test::WindowFixture {};
 
 TEST_F(LightMeterWindow, ShowsTheLightAtThePointerWhileItIsOn) {
@@ -131,6 +156,12 @@ TEST_F(LightMeterWindow, ShowsTheLightAtThePointerWhileItIsOn) {
     ASSERT_TRUE(test::comes([&] { return label->isVisible(); }));
     EXPECT_TRUE(label->text().contains(QStringLiteral("cd/m²"))) << label->text().toStdString();
     EXPECT_TRUE(label->text().contains(QStringLiteral("lx ±"))) << label->text().toStdString();
+    QTest::keyPress(&window->view(), Qt::Key_W);
+    const QString before = label->text();
+    EXPECT_TRUE(test::comes([&] { return label->text() != before; })) << "while the view moves";
+    EXPECT_TRUE(label->isVisible());
+    QTest::keyRelease(&window->view(), Qt::Key_W);
+    ASSERT_TRUE(test::comes([&] { return status().idle; }));
     moveTo(middle + QPoint(5, 3));
     EXPECT_FALSE(label->isVisible()) << "until the other point is measured";
     EXPECT_TRUE(test::comes([&] { return label->isVisible(); }));

@@ -160,8 +160,8 @@ std::string saveAs(const std::string& path, bool replace);
 std::string pack(const std::string& folder, bool outside = false);
 std::string packProgress();
 std::string packStop();
-/// The light seen there, 0..1 from the left and from the top, by so many paths, rounded up to 8192 times a
-/// power of two.
+/// The light seen there, 0..1 from the left and from the top, by so many paths, rounded up to a power of
+/// two from 512 on.
 std::string measureLight(double x, double y, int paths);
 std::string measureProgress();
 std::string measureStop();

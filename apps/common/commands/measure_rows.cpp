@@ -19,7 +19,7 @@ std::vector<CommandSpec> measureCommands() {
                  "and other light, two lines more say how much is of which. The last line names the light "
                  "that has no absolute unit, if there is any. Takes some seconds, and goes on beside other "
                  "commands. It ends when the standard error is 1 % of the value, or after 262144 paths; with "
-                 "PATHS after so many, rounded up to 8192 times a power of two"},
+                 "PATHS after so many, rounded up to a power of two from 512 on"},
         {.id = CommandId::MeasureLightAt,
          .name = "measure light at",
          .arguments =

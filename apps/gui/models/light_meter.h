@@ -1,4 +1,5 @@
-/// The light at a point of the image, measured better and better while nothing moves. Needs no window.
+/// The light at a point of the image: roughly while the view moves, better and better while nothing does.
+/// Needs no window.
 #pragma once
 
 #include "gui/models/light_reading.h"
@@ -30,6 +31,10 @@ class LightMeter : public QObject {
     /// them.
     void measure(const QPointF& point);
 
+    /// The point while the view moves: roughly, by 512 paths. What was measured before is shown until the
+    /// answer comes; nothing is asked while another glance is under way.
+    void glance(const QPointF& point);
+
     const LightReading& reading() const { return reading_; }
     /// Whether nothing better is to come.
     bool done() const { return !wanted_ && !busy_; }
@@ -38,6 +43,7 @@ class LightMeter : public QObject {
     void changed();
 
   private:
+    void drop();
     void ask();
     void take(const Answer& answer);
 
@@ -47,6 +53,7 @@ class LightMeter : public QObject {
     std::optional<QPointF> asked_;  ///< nothing: the answer that comes is out of date
     int paths_ = 0;
     bool busy_ = false;
+    bool glances_ = false; ///< what is asked is a glance
 };
 
 } // namespace gui

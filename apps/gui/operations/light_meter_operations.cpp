@@ -17,7 +17,8 @@ namespace gui {
 namespace {
 
 constexpr auto kRest = std::chrono::milliseconds(200);
-constexpr int kAside = 16; // pixels from the pointer
+constexpr auto kBetweenGlances = std::chrono::milliseconds(150); // each takes the server some 30 ms
+constexpr int kAside = 16;                                       // pixels from the pointer
 
 } // namespace
 
@@ -34,6 +35,8 @@ LightMeterOperations::LightMeterOperations(const GuiContext& context, QObject* p
     label_->hide();
     rest_.setSingleShot(true);
     rest_.setInterval(kRest);
+    glances_.setSingleShot(true);
+    glances_.setInterval(kBetweenGlances);
     connect(&rest_, &QTimer::timeout, this, &LightMeterOperations::measure);
     connect(&meter_, &LightMeter::changed, this, &LightMeterOperations::show);
     connect(&context_.session, &Session::statusChanged, this, &LightMeterOperations::noticeStatus);
@@ -69,8 +72,22 @@ void LightMeterOperations::pointAt(const std::optional<QPointF>& position) {
 
 void LightMeterOperations::noticeStatus() {
     const ServerStatus& status = context_.session.status();
-    if (!on_ || (status.view == view_ && status.stateRevision == revision_)) return;
-    restart();
+    if (!on_) return;
+    if (status.stateRevision != revision_) return restart();
+    if (status.view != view_) goOn();
+}
+
+/// The view moves.
+void LightMeterOperations::goOn() {
+    view_ = context_.session.status().view;
+    if (!position_) return;
+    rest_.start();
+    if (glances_.isActive()) return;
+    glances_.start();
+    if (const auto point = pointOfImage())
+        meter_.glance(*point);
+    else
+        meter_.forget();
 }
 
 void LightMeterOperations::restart() {
@@ -82,10 +99,15 @@ void LightMeterOperations::restart() {
     show();
 }
 
-void LightMeterOperations::measure() {
+/// 0..1 from the left and from the top.
+std::optional<QPointF> LightMeterOperations::pointOfImage() const {
     const auto seen = position_ ? context_.view.inPicture(*position_) : std::nullopt;
-    if (!seen) return;
-    meter_.measure({std::clamp((seen->x() + 1) / 2, 0.0, 1.0), std::clamp((1 - seen->y()) / 2, 0.0, 1.0)});
+    if (!seen) return std::nullopt;
+    return QPointF(std::clamp((seen->x() + 1) / 2, 0.0, 1.0), std::clamp((1 - seen->y()) / 2, 0.0, 1.0));
+}
+
+void LightMeterOperations::measure() {
+    if (const auto point = pointOfImage()) meter_.measure(*point);
 }
 
 void LightMeterOperations::show() {

@@ -28,7 +28,9 @@ class LightMeterOperations : public QObject {
     void setOn(bool on);
     void pointAt(const std::optional<QPointF>& position);
     void noticeStatus();
+    void goOn();
     void restart();
+    std::optional<QPointF> pointOfImage() const;
     void measure();
     void show();
 
@@ -36,6 +38,7 @@ class LightMeterOperations : public QObject {
     LightMeter meter_;
     PlainLabel* label_;
     QTimer rest_;                     ///< since the pointer or the view moved
+    QTimer glances_;                  ///< since the last one
     std::optional<QPointF> position_; ///< of the pointer in the viewport
     View view_;                       ///< that was measured
     quint64 revision_ = 0;

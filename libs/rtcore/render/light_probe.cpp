@@ -17,12 +17,20 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::uint32_t kBatchPaths = 256, kMinBatches = 32;
-constexpr std::uint32_t kWaveBatches = 8;    ///< traced together; divides kMinBatches
+/// Of a measurement: paths of a batch, and the batches that it begins with.
+struct BatchPlan {
+    std::uint32_t paths, min;
+};
+constexpr BatchPlan kThorough{256, 32}, kRough{64, 8};
+constexpr std::uint32_t kWaveBatches = 8;    ///< traced together; divides the batches of a plan
 constexpr std::uint32_t kMaxBatches = 65536; ///< whose numbers are names
 constexpr int kBounces = 64;
 /// Rays by which visibility is learned: of a point at most, and of all together.
 constexpr std::size_t kLookedOfPoint = 512, kLooked = 4096;
+
+constexpr const BatchPlan& planFor(const ProbeEffort& effort) {
+    return effort.paths < kThorough.paths * kThorough.min ? kRough : kThorough;
+}
 
 RenderSettings measuringSettings(const RenderSettings& shown) {
     RenderSettings settings = shown;
@@ -55,6 +63,7 @@ struct LightProbe::Part {
 /// Means of the batches of one target: of each its part's colours, in units of the result.
 struct LightProbe::Sums {
     std::vector<std::vector<Sum>> batches; ///< by part
+    std::uint32_t ofBatch = 0;             ///< paths
 
     MeasuredLight mean() const;
 };
@@ -102,7 +111,7 @@ MeasuredLight LightProbe::Sums::mean() const {
     double squares = 0;
     for (const double batch : whole) squares += (batch - result.luminance) * (batch - result.luminance);
     result.error = std::sqrt(squares / (static_cast<double>(count) * static_cast<double>(count - 1)));
-    result.paths = static_cast<std::uint32_t>(count) * kBatchPaths;
+    result.paths = static_cast<std::uint32_t>(count) * ofBatch;
     return result;
 }
 
@@ -139,13 +148,17 @@ bool LightProbe::measure(const Target& target, const ProbeEffort& effort, Render
     if (target.size() == 0 || parts_.empty()) return !control.cancel;
     if (!look(target, control)) return false;
     std::vector<Sums> sums(target.size());
-    for (Sums& each : sums) each.batches.resize(parts_.size());
+    const BatchPlan& plan = planFor(effort);
+    for (Sums& each : sums) {
+        each.batches.resize(parts_.size());
+        each.ofBatch = plan.paths;
+    }
     std::vector<std::uint32_t> open(target.size());
     for (std::size_t i = 0; i < open.size(); ++i) open[i] = static_cast<std::uint32_t>(i);
     const std::size_t all = open.size();
     control.tilesDone = 0;
     control.tiles = all;
-    for (std::uint32_t batches = kMinBatches; !open.empty(); batches *= 2) {
+    for (std::uint32_t batches = plan.min; !open.empty(); batches *= 2) {
         if (!addBatches(target, open, batches, control, sums)) return false;
         std::erase_if(open, [&](std::uint32_t i) {
             measured[i] = sums[i].mean();
@@ -196,21 +209,22 @@ bool LightProbe::addBatches(const Target& target, std::span<const std::uint32_t>
         const std::size_t before = sums[open.front()].batches[p].size();
         for (const std::uint32_t i : open) sums[i].batches[p].resize(batches);
         const std::size_t waves = (batches - before) / kWaveBatches;
-        const double scale = part.unit * target.factor() / kBatchPaths;
+        const std::uint32_t ofBatch = sums[open.front()].ofBatch;
+        const double scale = part.unit * target.factor() / ofBatch;
         forEachPart(open.size() * waves, team, [&](std::size_t task) {
             if (control.cancel.load(std::memory_order_relaxed)) return;
             PathIntegrator& integrator = *integrators_[static_cast<std::size_t>(threadNumber())];
             const std::size_t i = open[task / waves], first = before + task % waves * kWaveBatches;
             std::vector<SampleId> samples;
             for (std::size_t batch = first; batch < first + kWaveBatches; ++batch)
-                for (std::uint32_t sub = 0; sub < kBatchPaths; ++sub)
+                for (std::uint32_t sub = 0; sub < ofBatch; ++sub)
                     samples.push_back(
                         {static_cast<std::uint16_t>(batch), static_cast<std::uint16_t>(i), sub});
             target.trace(i, samples, integrator);
             for (std::size_t k = 0; k < samples.size(); ++k) {
                 const Colour found = integrator.radiance().colourAt(k);
                 if (!isFinite(found)) continue; // numbers of the scene are not
-                Sum& sum = sums[i].batches[p][first + k / kBatchPaths];
+                Sum& sum = sums[i].batches[p][first + k / ofBatch];
                 const std::array<float, 3> channels{found.r, found.g, found.b};
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += scale * static_cast<double>(channels[c]);
             }

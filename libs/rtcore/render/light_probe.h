@@ -30,7 +30,7 @@ struct ProbedLight {
 /// When a measurement ends.
 struct ProbeEffort {
     double relativeError = 0.01;    ///< the standard error over the mean is at most that
-    std::uint32_t paths = 1U << 18; ///< or each part got so many; rounded up to 2^13, 2^14 and so on to 2^24
+    std::uint32_t paths = 1U << 18; ///< or each part got so many; rounded up to 2^9, 2^10 and so on to 2^24
 };
 
 struct MeasuredLight {
@@ -45,7 +45,8 @@ struct MeasuredLight {
 /// uses those of the control itself.
 ///
 /// Paths come in batches of 256, each of them a net of its own (sample_id.h). The batches are independent, so
-/// that the spread of their means tells the standard error; there are at least 32. All light counts, of up to
+/// that the spread of their means tells the standard error; there are at least 32. A glance, by an effort of
+/// fewer than 2^13 paths, has batches of 64, and 8 of them at least. All light counts, of up to
 /// 64 bounces, unclamped, shadows, mirrors and glass included, whatever the settings say of these.
 class LightProbe {
   public:

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -175,20 +176,38 @@ TEST(LightProbe, ARoomWithAWindowIsAsRandomWalksFindIt) {
     EXPECT_LT(error, 0.02 * walked) << "else it says little";
 }
 
-TEST(LightProbe, ItsStandardErrorIsTheSpreadOfSeeds) {
-    const test::TracedScene traced(roomWithWindow(0.2F));
+/// The spread of 100 seeds over the stated variance: as chi-square of 99 degrees of freedom.
+double spreadOverStated(const test::TracedScene& traced, const ProbeEffort& effort) {
     constexpr int kSeeds = 100;
     double sum = 0, squares = 0, stated = 0;
     for (int seed = 0; seed < kSeeds; ++seed) {
-        const MeasuredLight light = measureIn(traced, kOnDesk, {.relativeError = 1}, seed);
+        const MeasuredLight light = measureIn(traced, kOnDesk, effort, seed);
         sum += light.luminance;
         squares += light.luminance * light.luminance;
         stated += light.error * light.error / kSeeds;
     }
-    const double spread = squares - sum * sum / kSeeds;
-    // Chi-square of 99 degrees of freedom: a thousandth is below, and another above.
-    EXPECT_GT(spread / stated, 61.1);
-    EXPECT_LT(spread / stated, 148.2);
+    return (squares - sum * sum / kSeeds) / stated;
+}
+
+TEST(LightProbe, ItsStandardErrorIsTheSpreadOfSeeds) {
+    const test::TracedScene traced(roomWithWindow(0.2F));
+    for (const ProbeEffort& effort : {ProbeEffort{.relativeError = 1}, ProbeEffort{0, 512}}) {
+        const double spread = spreadOverStated(traced, effort);
+        // A thousandth is below, and another above.
+        EXPECT_GT(spread, 61.1) << effort.paths;
+        EXPECT_LT(spread, 148.2) << effort.paths;
+    }
+}
+
+TEST(LightProbe, GlancesByFewPaths) {
+    const test::TracedScene traced(roomWithWindow());
+    const MeasuredLight exact = measureIn(traced, kOnDesk, {.relativeError = 0.004});
+    for (const std::uint32_t paths : {1U, 512U, 513U, 4096U}) {
+        const MeasuredLight light = measureIn(traced, kOnDesk, {0, paths});
+        EXPECT_EQ(light.paths, std::max(512U, std::bit_ceil(paths)));
+        EXPECT_NEAR(light.luminance, exact.luminance, 4 * std::hypot(light.error, exact.error)) << paths;
+        EXPECT_GT(light.error, exact.error);
+    }
 }
 
 TEST(LightProbe, HasTheSameBitsForAnyNumberOfThreads) {
