@@ -102,7 +102,8 @@ void movePoints(const SceneImage& in) {
     for (const Vec3d& axis : {Vec3d{1, 0, 0}, normalize(Vec3d{1, 1, -2})})
         EXPECT_NEAR(in.distanceAlong(point, axis, from, *in.at(point + axis * 0.7)), 0.7, 1e-9);
     const QPointF middle = *in.at({0, 0, -4});
-    EXPECT_EQ(in.distanceAlong({0, 0, -4}, {0, 0, 1}, middle, middle + QPointF(20, 0)), 0) << "it points at the eye";
+    EXPECT_EQ(in.distanceAlong({0, 0, -4}, {0, 0, 1}, middle, middle + QPointF(20, 0)), 0)
+        << "it points at the eye";
 }
 
 TEST(SceneImageTest, MovesPointsAsAHandGoes) {
