@@ -2,11 +2,14 @@
 //   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames
 //   N]
 //               [--antialiasing N] [--no-shadows] [--setting NAME=VALUE]... [--shadow-maps]
-//               [--replay-only]
+//               [--replay-only] [--section X,Y,Z,NX,NY,NZ]
 // SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that
 // name (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without
 // tracing` renders the same frame with the answers of the tracer played back, by one thread: the time that
-// no faster tracer can save.
+// no faster tracer can save. With --section: what it costs beside no section, and beside the same model whose
+// triangles the plane has cut, in N rounds in turns (sections/section_race.h), and nothing else.
+#include "bench/sections/section_race.h"
+
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
@@ -24,6 +27,7 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +42,7 @@ using namespace rtcore;
 struct Options {
     std::string scene, view;
     std::vector<std::string> settings; ///< "name=value"
+    std::optional<SectionPlane> section;
     int width = 1920, height = 1080, threads = 1, frames = 20, antialiasing = 1;
     float mirror = 0, specular = 0;
     bool shadows = true, shadowMaps = false, replayOnly = false;
@@ -117,6 +122,11 @@ Options parse(int argc, char** argv) {
             if (name == "--threads") o.threads = std::atoi(value);
             if (name == "--frames") o.frames = std::max(1, std::atoi(value));
             if (name == "--antialiasing") o.antialiasing = std::max(1, std::atoi(value));
+            if (name == "--section") {
+                SectionPlane& plane = o.section.emplace();
+                std::sscanf(value, "%f,%f,%f,%f,%f,%f", &plane.point.x, &plane.point.y, &plane.point.z,
+                            &plane.normal.x, &plane.normal.y, &plane.normal.z);
+            }
             if (name == "--setting") o.settings.emplace_back(value);
             if (name == "--mirror") o.mirror = static_cast<float>(std::atof(value));
             if (name == "--specular") o.specular = static_cast<float>(std::atof(value));
@@ -175,6 +185,8 @@ class Bench {
     }
 
     void run() {
+        if (options_.section)
+            return rtbench::raceSections(loaded_, settings_, *options_.section, options_.frames);
         if (!options_.replayOnly) measureFrames();
         measureWithoutTracing();
     }
@@ -299,7 +311,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr,
                      "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
                      "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows]\n"
-                     "            [--setting NAME=VALUE]... [--shadow-maps] [--replay-only]\n");
+                     "            [--setting NAME=VALUE]... [--shadow-maps] [--replay-only]\n"
+                     "            [--section X,Y,Z,NX,NY,NZ]\n");
         return 2;
     }
     try {

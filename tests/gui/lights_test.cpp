@@ -2,7 +2,6 @@
 #include "gui/lit_scene.h"
 #include "gui/window_support.h"
 
-#include "gui/models/light_marks.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/panels/column_area.h"
 #include "gui/panels/light_fields.h"
@@ -339,60 +338,6 @@ TEST_F(LightsTest, WithoutMarksAClickIsTheCameras) {
     window->view().input().setHand(Hand::Looks);
     QTest::mouseClick(&window->view(), Qt::LeftButton);
     EXPECT_TRUE(window->view().input().captured());
-}
-
-View ahead() {
-    View view;
-    view.fieldOfView = 90;
-    return view;
-}
-
-TEST(ProjectionTest, FindsPointsAndRays) {
-    const Projection in(ahead(), QRectF(0, 0, 200, 100));
-    EXPECT_EQ(in.at({0, 0, -1}), QPointF(100, 50));
-    EXPECT_NEAR(in.at({1, 0, -2})->x(), 150, 1e-4);
-    EXPECT_NEAR(in.at({0, 1, -2})->y(), 0, 1e-4);
-    EXPECT_FALSE(in.at({0, 0, 1}));
-    EXPECT_EQ(in.farAway({0, 0, -1}), QPointF(100, 50));
-    EXPECT_NEAR(in.farAway({0.5F, 0, -1})->x(), 150, 1e-4);
-    EXPECT_FALSE(in.farAway({0, 1, 0.1F}));
-    EXPECT_LT((in.ray({200, 50}) - QVector3D(1, 0, -1).normalized()).length(), 1e-6F);
-}
-
-View parallel() {
-    View view;
-    view.parallelWidth = 4;
-    return view;
-}
-
-TEST(ProjectionTest, FindsPointsOfAViewWithoutPerspective) {
-    const Projection in(parallel(), QRectF(0, 0, 200, 100));
-    for (const float depth : {-1.0F, -7.0F}) {
-        EXPECT_NEAR(in.at({1, 0.5F, depth})->x(), 150, 1e-4);
-        EXPECT_NEAR(in.at({1, 0.5F, depth})->y(), 25, 1e-4);
-    }
-    EXPECT_NEAR(in.unitsPerPixel({0, 0, -9}), 0.02, 1e-9);
-    EXPECT_FALSE(in.at({0, 0, 1}));
-    EXPECT_FALSE(in.farAway({0.1F, 0, -1})) << "only what lies straight ahead is seen, and everywhere";
-    EXPECT_EQ(in.ray({200, 50}), QVector3D(0, 0, -1));
-}
-
-void movePoints(const View& view) {
-    const Projection in(view, QRectF(0, 0, 200, 100));
-    const QVector3D point(0.3F, 0.2F, -4);
-    const QPointF from = *in.at(point), to = from + QPointF(20, -10);
-    const QVector3D inPlane = in.movedInPlane(point, from, to);
-    EXPECT_NEAR(inPlane.z(), -4, 1e-5);
-    EXPECT_NEAR(in.at(inPlane)->x(), to.x(), 1e-3);
-    EXPECT_NEAR(in.at(inPlane)->y(), to.y(), 1e-3);
-    const QVector3D along = in.movedAlong(point, {1, 0, 0}, from, from + QPointF(20, 0));
-    EXPECT_NEAR(in.at(along)->x(), from.x() + 20, 1e-3);
-    EXPECT_EQ(along.y(), point.y());
-    EXPECT_EQ(in.movedAlong({0, 0, -4}, {0, 0, 1}, {100, 50}, {100, 50}), QVector3D(0, 0, -4));
-}
-
-TEST(ProjectionTest, MovesPointsAsAHandGoes) {
-    for (const View& view : {ahead(), parallel()}) movePoints(view);
 }
 
 } // namespace

@@ -1,8 +1,7 @@
-/// Measures: their texts, their projection, their panel alone, and measuring with a real server.
+/// Measures: their texts, their panel alone, and measuring with a real server.
 #include "gui/window_support.h"
 
 #include "gui/models/measure_texts.h"
-#include "gui/models/scene_image.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/panels/measures_panel.h"
 #include "gui/view/measure_marks.h"
@@ -57,59 +56,6 @@ TEST(MeasureTextsTest, LabelALengthInItsMiddleAndEachLegOfAChain) {
     EXPECT_EQ(chain[0].text, QStringLiteral("Σ 1.500 m"));
     EXPECT_EQ(chain[0].point, (Vec3d{100, 50, 0}));
     EXPECT_EQ(chain[2].text, QStringLiteral("0.500 m"));
-}
-
-View perspective() {
-    View view;
-    view.fieldOfView = 90;
-    return view;
-}
-
-TEST(SceneImageTest, ShowsPointsWithPerspectiveAndWithout) {
-    const QRectF area(0, 0, 200, 100);
-    const SceneImage image(perspective(), 0, area, 2);
-    EXPECT_EQ(image.at({0, 0, -1}), QPointF(100, 50));
-    const auto right = image.at({1, 0.5, -2});
-    ASSERT_TRUE(right);
-    EXPECT_NEAR(right->x(), 150, 1e-9);
-    EXPECT_NEAR(right->y(), 25, 1e-9);
-    EXPECT_FALSE(image.at({0, 0, 1})) << "behind the eye";
-    View flat;
-    flat.fieldOfView = 0;
-    const SceneImage parallel(flat, 4, area, 2);
-    const auto far = parallel.at({1, 0.5, -1000});
-    ASSERT_TRUE(far);
-    EXPECT_NEAR(far->x(), 150, 1e-9);
-    EXPECT_NEAR(far->y(), 25, 1e-9);
-}
-
-TEST(SceneImageTest, GoesWithAStretchedImage) {
-    const SceneImage image(perspective(), 0, QRectF(0, 0, 200, 400), 2);
-    const auto at = image.at({1, 0.5, -2});
-    ASSERT_TRUE(at);
-    EXPECT_NEAR(at->x(), 150, 1e-9);
-    EXPECT_NEAR(at->y(), 100, 1e-9);
-}
-
-TEST(SceneImageTest, ClipsLinesBeforeTheEyeAndAtTheEdges) {
-    const QRectF area(0, 0, 200, 100);
-    const SceneImage image(perspective(), 0, area, 2);
-    const auto line = image.line({0.5, 0, -1}, {0.5, 0, 9});
-    ASSERT_TRUE(line) << "it goes on behind the eye";
-    EXPECT_NEAR(line->p1().x(), 150, 1e-9);
-    EXPECT_LE(line->p2().x(), 220 + 1e-9);
-    EXPECT_FALSE(image.line({0.5, 0, 1}, {0.5, 0, 9}));
-    EXPECT_FALSE(image.line({5, 0, -1}, {5, 1, -1})) << "beside the image";
-}
-
-TEST(SceneImageTest, LeavesWhatSectionsLeave) {
-    rtcore::SectionPlanes sections;
-    sections.planes = {{{0, 1, 0}, {0, 2, 0}}};
-    const auto part = leftOf(sections, {0, 0, 0}, {0, 4, 0}, 0);
-    ASSERT_TRUE(part);
-    EXPECT_EQ(part->second, (Vec3d{0, 1, 0}));
-    EXPECT_FALSE(leftOf(sections, {0, 2, 0}, {1, 3, 0}, 0.1));
-    EXPECT_TRUE(leftOf(sections, {0, 1, 0}, {1, 1, 0}, 0.1)) << "in the plane";
 }
 
 TEST(MeasureMarksTest, ReadWhatThePointerCatches) {

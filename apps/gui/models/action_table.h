@@ -67,6 +67,7 @@ enum class ActionId {
     ShowErrors,
     ShowCube,
     LightMarks,
+    SectionHandles,
     ShowMeasures,
     SettingsPanel,
     LightsPanel,

@@ -25,6 +25,7 @@ inline const Preference<bool> showOverlay{"display/showOverlay", true};
 inline const Preference<bool> showErrors{"display/showErrors", false};
 inline const Preference<bool> showCube{"display/showCube", true};
 inline const Preference<bool> lightMarks{"display/lightMarks", false};
+inline const Preference<bool> sectionHandles{"display/sectionHandles", false};
 inline const Preference<bool> showMeasures{"display/showMeasures", true};
 inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs

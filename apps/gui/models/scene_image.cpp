@@ -3,6 +3,7 @@
 #include <QtMath>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gui {
@@ -11,8 +12,7 @@ namespace {
 
 using rtcore::Vec3d;
 
-Vec3d doubles(const QVector3D& v) { return {v.x(), v.y(), v.z()}; }
-Vec3d doubles(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
+constexpr double kNear = 1e-4; ///< of the depth of what is farthest
 
 /// Keeps the part of 0..1 along which start + t * change <= 0; false: none is left.
 bool keepBelow(double start, double change, double& first, double& last) {
@@ -28,8 +28,8 @@ bool keepBelow(double start, double change, double& first, double& last) {
 } // namespace
 
 SceneImage::SceneImage(const View& view, double parallelWidth, const QRectF& area, double aspect)
-    : eye_(doubles(view.eye)), forward_(normalize(doubles(view.forward))),
-      right_(normalize(cross(forward_, doubles(view.up)))), up_(normalize(cross(right_, forward_))),
+    : eye_(exactOf(view.eye)), forward_(normalize(exactOf(view.forward))),
+      right_(normalize(cross(forward_, exactOf(view.up)))), up_(normalize(cross(right_, forward_))),
       area_(area), parallel_(!(view.fieldOfView > 0)),
       perPixel_((parallel_ ? parallelWidth
                            : 2 * std::tan(qDegreesToRadians(static_cast<double>(view.fieldOfView)) / 2)) /
@@ -37,15 +37,78 @@ SceneImage::SceneImage(const View& view, double parallelWidth, const QRectF& are
       perLine_(perPixel_ * area.width() / (aspect * area.height())) {}
 
 std::optional<QPointF> SceneImage::at(const Vec3d& point) const {
-    const double ahead = depth(point), scale = parallel_ ? 1 : ahead;
-    if (!(ahead > 0) || !(perPixel_ * scale > 0)) return std::nullopt;
-    const Vec3d off = point - eye_;
+    const double ahead = depth(point);
+    if (!(ahead > 0)) return std::nullopt;
+    return placeOf(point - eye_, scaleAt(ahead));
+}
+
+std::optional<QPointF> SceneImage::farAway(const Vec3d& direction) const {
+    if (parallel_) return std::nullopt;
+    return placeOf(direction, dot(direction, forward_));
+}
+
+std::optional<QPointF> SceneImage::placeOf(const Vec3d& off, double scale) const {
+    if (!(perPixel_ * scale > 0)) return std::nullopt;
     return area_.center() +
            QPointF(dot(off, right_) / (perPixel_ * scale), -dot(off, up_) / (perLine_ * scale));
 }
 
+double SceneImage::unitsPerPixel(const Vec3d& point) const { return perPixel_ * scaleAt(depth(point)); }
+
+/// So many pixels, in scene units.
+Vec3d SceneImage::across(const QPointF& off) const {
+    return right_ * (perPixel_ * off.x()) - up_ * (perLine_ * off.y());
+}
+
+Vec3d SceneImage::ray(const QPointF& through) const {
+    return parallel_ ? forward_ : normalize(forward_ + across(through - area_.center()));
+}
+
+Vec3d SceneImage::towardsEye(const Vec3d& point) const {
+    return parallel_ ? forward_ * -1.0 : normalize(eye_ - point);
+}
+
+// --- Hands ---
+
+Vec3d SceneImage::movedInPlane(const Vec3d& point, const QPointF& from, const QPointF& to) const {
+    return point + across(to - from) * scaleAt(depth(point));
+}
+
+// Where the axis through the point is nearest to the ray.
+std::optional<double> SceneImage::alongAxis(const Vec3d& point, const Vec3d& axis, const QPointF& at) const {
+    constexpr double kMinSine = 0.02;
+    const Vec3d start = parallel_ ? eye_ + across(at - area_.center()) : eye_;
+    const Vec3d direction = ray(at), off = point - start;
+    const double cosine = dot(axis, direction), squareSine = 1 - cosine * cosine;
+    if (squareSine < kMinSine * kMinSine) return std::nullopt;
+    return (cosine * dot(direction, off) - dot(axis, off)) / squareSine;
+}
+
+double SceneImage::distanceAlong(const Vec3d& point, const Vec3d& axis, const QPointF& from,
+                                 const QPointF& to) const {
+    const std::optional<double> start = alongAxis(point, axis, from), end = alongAxis(point, axis, to);
+    return start && end ? *end - *start : 0;
+}
+
+// --- Lines and areas ---
+
+// By the planes through the eye and the edges.
+SpacePolygon SceneImage::seen(SpacePolygon polygon, double part) const {
+    double farthest = 0;
+    for (const Vec3d& corner : polygon) farthest = std::max(farthest, depth(corner));
+    const double ahead = dot(forward_, eye_) + kNear * farthest;
+    polygon = clipped(polygon, forward_ * -1.0, -ahead);
+    const std::array<std::pair<Vec3d, double>, 2> sides{
+        {{right_, part * perPixel_ * area_.width() / 2}, {up_, part * perLine_ * area_.height() / 2}}};
+    for (const auto& [axis, reach] : sides)
+        for (const double sign : {1.0, -1.0}) {
+            const Vec3d normal = parallel_ ? axis * sign : axis * sign - forward_ * reach;
+            polygon = clipped(polygon, normal, dot(normal, eye_) + (parallel_ ? reach : 0));
+        }
+    return polygon;
+}
+
 std::optional<QLineF> SceneImage::line(Vec3d from, Vec3d to) const {
-    constexpr double kNear = 1e-4; // of the depth of the farther end
     const double a = depth(from), b = depth(to), near = kNear * std::max(a, b);
     double first = 0, last = 1;
     if (!(near > 0) || !keepBelow(near - a, a - b, first, last)) return std::nullopt;
@@ -70,7 +133,7 @@ std::optional<std::pair<Vec3d, Vec3d>> leftOf(const rtcore::SectionPlanes& secti
                                               double slack) {
     double first = 0, last = 1;
     for (const rtcore::SectionPlane& plane : sections.planes) {
-        const Vec3d normal = normalize(doubles(plane.normal)), point = doubles(plane.point);
+        const Vec3d normal = normalize(exactOf(plane.normal)), point = exactOf(plane.point);
         if (!keepBelow(dot(normal, from - point) - slack, dot(normal, to - from), first, last))
             return std::nullopt;
     }

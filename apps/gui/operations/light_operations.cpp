@@ -133,7 +133,7 @@ void LightOperations::add(const std::string& line) {
 void LightOperations::showState() {
     const SceneState& state = context_.editor.state();
     panel_->show(state);
-    handles_->setMarks(marksOf(state.lights));
+    handles_->setMarks(marksOf(state.lights), state);
     if (added_ != 0 && lightOf(state, added_) != nullptr) select(std::exchange(added_, 0));
     if (panel_->selected() != 0 && lightOf(state, panel_->selected()) == nullptr) select(0);
 }

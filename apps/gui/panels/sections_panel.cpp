@@ -145,6 +145,7 @@ void SectionsPanel::addList(QGroupBox& box) {
     connect(list_, &QListWidget::currentRowChanged, this, [this] {
         showPosition();
         enable();
+        emit selectionChanged(selectedNumber());
     });
     connect(turn_, &QPushButton::clicked, this,
             [this] { emit wanted(command::sectionTurn(list_->currentRow() + 1)); });
@@ -243,7 +244,7 @@ void SectionsPanel::moveTo(double position, std::optional<bool> goesOn) {
     for (std::size_t i = 0; i < point.size(); ++i)
         point.at(i) += double{track.along[static_cast<int>(i)]} * (position - track.at);
     plane.point = state_.origin.local(point);
-    emit edited(QStringLiteral("section at %1").arg(row + 1), command::sectionAt(row + 1, point), goesOn);
+    emit edited(stepAt(row + 1), command::sectionAt(row + 1, point), goesOn);
     showList();
     showPosition();
 }
@@ -311,6 +312,9 @@ void SectionsPanel::enable() {
     colour_->setEnabled(state_.sections.caps.colours == rtcore::CapColours::One);
     hatching_->setEnabled(state_.sections.caps.colours != rtcore::CapColours::None);
 }
+
+void SectionsPanel::select(int number) { list_->setCurrentRow(number - 1); }
+int SectionsPanel::selectedNumber() const { return list_->currentRow() + 1; }
 
 void SectionsPanel::show(const SceneState& state) {
     state_ = state;

@@ -41,6 +41,10 @@ class SectionsPanel : public QWidget {
     /// Selects a section that is new. Emits nothing.
     void show(const SceneState& state);
     using QWidget::show;
+    void select(int number);    ///< from 1; emits selectionChanged()
+    int selectedNumber() const; ///< from 1; 0: none
+    /// The step of undo of moving a section, from 1.
+    static QString stepAt(int number) { return QStringLiteral("section at %1").arg(number); }
 
     // For tests.
     QPushButton& above() { return *above_; }
@@ -63,6 +67,7 @@ class SectionsPanel : public QWidget {
     void wanted(const std::string& line);
     /// One of those that follow a hand, and the step that it makes; `goesOn` as SceneEditor::follow() has it.
     void edited(const QString& step, const std::string& line, std::optional<bool> goesOn);
+    void selectionChanged(int number); ///< from 1; 0: none
 
   private:
     /// A line through the model along which the selected plane moves: coordinates of the model's file, in

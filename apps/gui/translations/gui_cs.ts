@@ -1155,6 +1155,14 @@
         <source>some light has no absolute unit</source>
         <translation>část světla nemá absolutní jednotku</translation>
     </message>
+    <message>
+        <source>&amp;Handles of sections</source>
+        <translation>Úc&amp;hyty řezů</translation>
+    </message>
+    <message>
+        <source>Drag the planes that cut the model open, also while their panel is closed</source>
+        <translation>Táhnout rovinami, které model otevírají, i když je jejich panel zavřený</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>

@@ -1,9 +1,9 @@
 #include "gui/view/light_handles.h"
 
-#include "gui/models/light_marks.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
+#include "gui/view/shown_image.h"
 
 #include <QFontMetrics>
 #include <QMouseEvent>
@@ -18,13 +18,24 @@ namespace gui {
 
 namespace {
 
+using rtcore::Vec3d;
+
 constexpr double kMarkRadius = 7, kReach = 11; ///< pixels: of a mark, and how near a click is to it
 constexpr double kHandle = 56;                 ///< pixels from the mark to the end of a handle, at most
 constexpr double kShortest = 18;               ///< below, an axis that points at the eye has no handle
 constexpr double kMinDrag = 3;
 
-const std::array<QVector3D, 3> kAxes{QVector3D(1, 0, 0), QVector3D(0, 1, 0), QVector3D(0, 0, 1)};
 const std::array<QColor, 3> kAxisColours{QColor(235, 90, 80), QColor(120, 210, 90), QColor(90, 150, 250)};
+
+Vec3d axisOf(int axis) {
+    Vec3d unit{};
+    unit[axis] = 1;
+    return unit;
+}
+
+QVector3D floatsOf(const Vec3d& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 double apart(const QPointF& a, const QPointF& b) {
     const QPointF off = a - b;
@@ -63,8 +74,9 @@ void LightHandles::setShown(bool shown) {
     view_.update();
 }
 
-void LightHandles::setMarks(const QList<LightMark>& marks) {
+void LightHandles::setMarks(const QList<LightMark>& marks, const SceneState& state) {
     marks_ = marks;
+    state_ = state;
     if (!drag_) dropped_.reset();
     view_.update();
 }
@@ -77,11 +89,8 @@ void LightHandles::setSelected(int id) {
 
 // --- Where they are ---
 
-std::optional<Projection> LightHandles::projection() const {
-    const View& view = session_.status().view;
-    const QRectF area = view_.pictureArea();
-    if (!shown_ || !session_.live() || area.isEmpty() || !view.known()) return std::nullopt;
-    return Projection(view, area);
+std::optional<SceneImage> LightHandles::image() const {
+    return shown_ ? shownImage(view_, session_, state_) : std::nullopt;
 }
 
 const LightMark* LightHandles::find(int id) const {
@@ -95,24 +104,24 @@ QVector3D LightHandles::positionOf(const LightMark& mark) const {
 
 std::optional<QPointF> LightHandles::place(int id) const {
     const LightMark* mark = find(id);
-    const std::optional<Projection> in = projection();
+    const std::optional<SceneImage> in = image();
     if (mark == nullptr || !in) return std::nullopt;
     if (drag_ && drag_->onSurface && drag_->id == id) return drag_->now;
     return placeOf(*mark, *in);
 }
 
-std::optional<QPointF> LightHandles::placeOf(const LightMark& mark, const Projection& in) const {
-    return mark.far ? in.farAway(positionOf(mark)) : in.at(positionOf(mark));
+std::optional<QPointF> LightHandles::placeOf(const LightMark& mark, const SceneImage& in) const {
+    return mark.far ? in.farAway(exactOf(positionOf(mark))) : in.at(exactOf(positionOf(mark)));
 }
 
 std::optional<QPointF> LightHandles::handle(int axis) const {
     const LightMark* mark = find(selected_);
     const std::optional<QPointF> centre = place(selected_);
     if (mark == nullptr || mark->far || !centre) return std::nullopt;
-    const std::optional<Projection> in = projection();
-    const QVector3D position = positionOf(*mark);
-    const auto length = static_cast<float>(kHandle * in->unitsPerPixel(position));
-    const auto end = in->at(position + length * kAxes.at(static_cast<std::size_t>(axis)));
+    const std::optional<SceneImage> in = image();
+    const Vec3d position = exactOf(positionOf(*mark));
+    const double length = kHandle * in->unitsPerPixel(position);
+    const auto end = in->at(position + axisOf(axis) * length);
     if (!end || apart(*end, *centre) < kShortest) return std::nullopt;
     return end;
 }
@@ -130,7 +139,7 @@ const LightMark* LightHandles::markAt(const QPointF& at) const {
 }
 
 std::optional<int> LightHandles::axisAt(const QPointF& at) const {
-    for (int axis = 0; axis < static_cast<int>(kAxes.size()); ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         const std::optional<QPointF> end = handle(axis);
         if (end && apart(*end, at) <= kReach) return axis;
     }
@@ -182,7 +191,7 @@ bool LightHandles::press(const QMouseEvent& event) {
 }
 
 void LightHandles::drag(const QMouseEvent& event) {
-    const std::optional<Projection> in = projection();
+    const std::optional<SceneImage> in = image();
     drag_->now = event.position();
     const bool goesOn = drag_->moves;
     if (!in || (!goesOn && apart(drag_->from, drag_->now) < kMinDrag)) return;
@@ -194,21 +203,26 @@ void LightHandles::drag(const QMouseEvent& event) {
     view_.update();
     if (drag_->onSurface) {
         dropped_.reset();
-        const std::optional<QPointF> point = view_.inPicture(drag_->now);
-        if (point) emit movedOntoSurface(id, {(1 + point->x()) / 2, (1 - point->y()) / 2}, goesOn);
+        const std::optional<QPointF> point = inServersImage(view_, session_, drag_->now);
+        if (point) emit movedOntoSurface(id, *point, goesOn);
         return;
     }
-    dropped_ = drag_->axis ? in->movedAlong(drag_->start, kAxes.at(static_cast<std::size_t>(*drag_->axis)),
-                                            drag_->from, drag_->now)
-                           : in->movedInPlane(drag_->start, drag_->from, drag_->now);
+    dropped_ = floatsOf(dragged(*in));
     emit moved(id, *dropped_, goesOn);
 }
 
+Vec3d LightHandles::dragged(const SceneImage& in) const {
+    const Vec3d start = exactOf(drag_->start);
+    if (!drag_->axis) return in.movedInPlane(start, drag_->from, drag_->now);
+    const Vec3d axis = axisOf(*drag_->axis);
+    return start + axis * in.distanceAlong(start, axis, drag_->from, drag_->now);
+}
+
 // As far as the hand goes, the mark goes.
-void LightHandles::dragFar(const Projection& in, bool goesOn) {
-    const std::optional<QPointF> start = in.farAway(drag_->start);
+void LightHandles::dragFar(const SceneImage& in, bool goesOn) {
+    const std::optional<QPointF> start = in.farAway(exactOf(drag_->start));
     if (!start) return;
-    dropped_ = in.ray(*start + drag_->now - drag_->from);
+    dropped_ = floatsOf(in.ray(*start + drag_->now - drag_->from));
     view_.update();
     emit turned(drag_->id, *dropped_, goesOn);
 }
@@ -225,7 +239,7 @@ void LightHandles::showPointer(const QPointF& at) {
 // --- Drawing ---
 
 void LightHandles::draw(QPainter& painter) const {
-    const std::optional<Projection> in = projection();
+    const std::optional<SceneImage> in = image();
     if (!in) return;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -234,13 +248,13 @@ void LightHandles::draw(QPainter& painter) const {
     painter.restore();
 }
 
-void LightHandles::drawMark(QPainter& painter, const Projection& in, const LightMark& mark) const {
+void LightHandles::drawMark(QPainter& painter, const SceneImage& in, const LightMark& mark) const {
     const std::optional<QPointF> centre = place(mark.id);
     if (!centre) return;
     if (mark.direction) {
-        const QVector3D position = positionOf(mark);
-        const auto length = static_cast<float>(0.6 * kHandle * in.unitsPerPixel(position));
-        const std::optional<QPointF> end = in.at(position + length * *mark.direction);
+        const Vec3d position = exactOf(positionOf(mark));
+        const double length = 0.6 * kHandle * in.unitsPerPixel(position);
+        const std::optional<QPointF> end = in.at(position + exactOf(*mark.direction) * length);
         if (end) drawLine(painter, *centre, *end, mark.colour);
     }
     const bool selected = mark.id == selected_;
@@ -268,7 +282,7 @@ void LightHandles::drawName(QPainter& painter, const LightMark& mark, const QPoi
 
 void LightHandles::drawHandles(QPainter& painter, const QPointF& centre) const {
     constexpr double kKnob = 4.5;
-    for (int axis = 0; axis < static_cast<int>(kAxes.size()); ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         const std::optional<QPointF> end = handle(axis);
         if (!end) continue;
         const QColor& colour = kAxisColours.at(static_cast<std::size_t>(axis));

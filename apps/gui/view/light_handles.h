@@ -4,6 +4,9 @@
 /// sun in the sky; dragging that mark turns the light. Marks are seen through walls.
 #pragma once
 
+#include "gui/models/scene_image.h"
+#include "gui/models/scene_state.h"
+
 #include <QColor>
 #include <QList>
 #include <QObject>
@@ -19,7 +22,6 @@ class QPainter;
 namespace gui {
 
 class FrameView;
-class Projection;
 class Session;
 
 struct LightMark {
@@ -41,7 +43,8 @@ class LightHandles : public QObject {
     LightHandles(FrameView& view, Session& session, QObject* parent);
 
     void setShown(bool shown);
-    void setMarks(const QList<LightMark>& marks);
+    /// `state`: of the scene that they are in.
+    void setMarks(const QList<LightMark>& marks, const SceneState& state);
     void setSelected(int id); ///< 0: none
     /// Where the mark of a light is drawn, widget pixels; nothing when it is not.
     std::optional<QPointF> place(int id) const;
@@ -70,24 +73,26 @@ class LightHandles : public QObject {
         bool onSurface = false;
     };
 
-    std::optional<Projection> projection() const;
+    std::optional<SceneImage> image() const;
     const LightMark* find(int id) const;
     const LightMark* markAt(const QPointF& at) const;
     std::optional<int> axisAt(const QPointF& at) const;
     QVector3D positionOf(const LightMark& mark) const;
-    std::optional<QPointF> placeOf(const LightMark& mark, const Projection& in) const;
+    std::optional<QPointF> placeOf(const LightMark& mark, const SceneImage& in) const;
     bool press(const QMouseEvent& event);
     void drag(const QMouseEvent& event);
-    void dragFar(const Projection& in, bool goesOn);
+    rtcore::Vec3d dragged(const SceneImage& in) const;
+    void dragFar(const SceneImage& in, bool goesOn);
     void showPointer(const QPointF& at);
     void draw(QPainter& painter) const;
-    void drawMark(QPainter& painter, const Projection& in, const LightMark& mark) const;
+    void drawMark(QPainter& painter, const SceneImage& in, const LightMark& mark) const;
     void drawName(QPainter& painter, const LightMark& mark, const QPointF& centre) const;
     void drawHandles(QPainter& painter, const QPointF& centre) const;
 
     FrameView& view_;
     Session& session_;
     QList<LightMark> marks_;
+    SceneState state_;
     int selected_ = 0;
     bool shown_ = false, pointing_ = false;
     std::optional<Drag> drag_;

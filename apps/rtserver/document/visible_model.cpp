@@ -22,6 +22,8 @@ void VisibleModel::replace(rtcore::KdTree tree, std::shared_ptr<const rtcore::Kd
     take(scene);
 }
 
-void VisibleModel::take(const rtcore::Scene& scene) { tracer_ = rtcore::shownTracer(surfaces_, scene); }
+void VisibleModel::take(const rtcore::Scene& scene) {
+    tracer_ = rtcore::shownTracer(surfaces_, scene, uncut_);
+}
 
 } // namespace rtserver

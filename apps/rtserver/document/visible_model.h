@@ -5,6 +5,7 @@
 
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/render/section_tracer.h"
 #include "rtcore/scene/scene.h"
 
 #include <memory>
@@ -36,6 +37,7 @@ class VisibleModel {
     rtcore::KdTree tree_;
     bool pruned_ = false;
     std::shared_ptr<const rtcore::KdRayTracer> surfaces_; ///< by that tree
+    rtcore::UncutSurfaces uncut_;
     std::shared_ptr<const rtcore::RayTracer> tracer_;
 };
 

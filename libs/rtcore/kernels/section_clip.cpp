@@ -22,18 +22,6 @@ Vec3 farthest(const Box3& box, Vec3 direction) {
     return corner;
 }
 
-/// `speed`: of the ray along the normal; `room`: from its origin to the plane.
-void clipBy(float speed, float room, float& tMin, float& tMax) {
-    const float t = room / speed;
-    if (speed > 0) {
-        tMax = std::min(tMax, t);
-    } else if (speed < 0) {
-        tMin = std::max(tMin, t);
-    } else if (room < 0) {
-        tMax = -1;
-    }
-}
-
 } // namespace
 
 float roundingOf(const Box3& bounds) {
@@ -58,18 +46,16 @@ bool SectionClip::removes(Vec3 point) const {
 
 void SectionClip::clip(const Ray& ray, float& tMin, float& tMax) const {
     for (const HalfSpace& half : halves_)
-        clipBy(dot(half.normal, ray.direction), half.offset - dot(half.normal, ray.origin), tMin, tMax);
+        clipInterval(dot(half.normal, ray.direction), half.offset - dot(half.normal, ray.origin), tMin, tMax);
 }
 
 void SectionClip::clip(RayWave& rays) const {
-    for (const HalfSpace& half : halves_) {
-        const Vec3 n = half.normal;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const float speed = n.x * rays.dx[i] + n.y * rays.dy[i] + n.z * rays.dz[i];
-            const float room = half.offset - (n.x * rays.ox[i] + n.y * rays.oy[i] + n.z * rays.oz[i]);
-            clipBy(speed, room, rays.tMin[i], rays.tMax[i]);
-        }
-    }
+    const RaySpan span{{rays.ox.data(), rays.oy.data(), rays.oz.data()},
+                       {rays.dx.data(), rays.dy.data(), rays.dz.data()},
+                       nullptr,
+                       nullptr,
+                       rays.size()};
+    for (const HalfSpace& half : halves_) clipRays(half, span, rays.tMin.data(), rays.tMax.data());
 }
 
 } // namespace rtcore

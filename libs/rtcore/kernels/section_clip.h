@@ -2,6 +2,7 @@
 /// anew.
 #pragma once
 
+#include "rtcore/kernels/clip_rays.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/math/box.h"
 #include "rtcore/scene/section_planes.h"
@@ -31,11 +32,6 @@ class SectionClip {
     void clip(RayWave& rays) const;
 
   private:
-    /// dot(normal, x) <= offset is kept.
-    struct HalfSpace {
-        Vec3 normal;
-        float offset = 0;
-    };
     std::vector<HalfSpace> halves_;
 };
 

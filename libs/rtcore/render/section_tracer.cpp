@@ -64,15 +64,27 @@ void SectionTracer::findObstacles(const RayWave& rays, std::span<const std::uint
         if (found[i] == Obstacle::None || whole[i] == Obstacle::Opaque) found[i] = whole[i];
 }
 
-std::shared_ptr<const RayTracer> withSections(std::shared_ptr<const RayTracer> surfaces, const Scene& scene) {
-    if (SectionClip(scene.sections, surfaces->bounds()).empty()) return surfaces;
-    std::shared_ptr<const RayTracer> uncut;
-    if (scene.uncutParts != nullptr) {
-        std::vector<std::uint8_t> others = partTriangles(scene.model, scene.uncutParts);
-        for (std::uint8_t& triangle : others) triangle = triangle == 0 ? 1 : 0;
-        uncut = surfaces->without(others);
+std::shared_ptr<const RayTracer> UncutSurfaces::of(const std::shared_ptr<const RayTracer>& surfaces,
+                                                   const Scene& scene) {
+    if (surfaces == surfaces_ && sameParts(scene.uncutParts, parts_)) return uncut_;
+    forget();
+    if (scene.uncutParts == nullptr) return nullptr;
+    std::vector<std::uint8_t> others = partTriangles(scene.model, scene.uncutParts);
+    for (std::uint8_t& triangle : others) triangle = triangle == 0 ? 1 : 0;
+    uncut_ = surfaces->without(others);
+    surfaces_ = surfaces;
+    parts_ = scene.uncutParts;
+    return uncut_;
+}
+
+std::shared_ptr<const RayTracer> withSections(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
+                                              UncutSurfaces& uncut) {
+    if (SectionClip(scene.sections, surfaces->bounds()).empty()) {
+        uncut.forget();
+        return surfaces;
     }
-    return std::make_shared<const SectionTracer>(std::move(surfaces), scene.sections, std::move(uncut));
+    std::shared_ptr<const RayTracer> whole = uncut.of(surfaces, scene);
+    return std::make_shared<const SectionTracer>(std::move(surfaces), scene.sections, std::move(whole));
 }
 
 } // namespace rtcore

@@ -38,7 +38,22 @@ class SectionTracer final : public RayTracer {
     bool all_; ///< rays of any kind
 };
 
+/// The surfaces that sections leave whole, by a tree of their own, which is kept until others are asked for.
+/// One thread at a time.
+class UncutSurfaces {
+  public:
+    /// Of the scene's parts; null where all may be cut.
+    std::shared_ptr<const RayTracer> of(const std::shared_ptr<const RayTracer>& surfaces, const Scene& scene);
+    void forget() { *this = {}; }
+
+  private:
+    std::shared_ptr<const RayTracer> surfaces_, uncut_;
+    PartSet parts_;
+};
+
 /// The tracer of the scene's surfaces as its sections leave them: `surfaces` itself where none cuts them.
-std::shared_ptr<const RayTracer> withSections(std::shared_ptr<const RayTracer> surfaces, const Scene& scene);
+/// `uncut`: what is known of scenes before.
+std::shared_ptr<const RayTracer> withSections(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
+                                              UncutSurfaces& uncut);
 
 } // namespace rtcore

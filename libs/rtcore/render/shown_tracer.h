@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/render/section_tracer.h"
 #include "rtcore/scene/scene.h"
 
 #include <memory>
@@ -9,7 +10,10 @@
 namespace rtcore {
 
 /// `surfaces` as the scene's sections leave them, and the scene's ground, which no section cuts: `surfaces`
-/// itself where there is neither.
+/// itself where there is neither. `uncut`: what is known of scenes before.
+std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
+                                             UncutSurfaces& uncut);
+/// The same of a scene that does not change.
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene);
 
 } // namespace rtcore

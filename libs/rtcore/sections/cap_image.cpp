@@ -127,7 +127,7 @@ struct CapBand {
 
 } // namespace
 
-void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const Material> materials,
+void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const Colour> colours,
                const Camera& camera, LdrImage& image) {
     if (caps.empty() || style.colours == CapColours::None || image.pixels.empty()) return;
     constexpr int kPixelsAtOnce = 1 << 24; // of 4 bytes
@@ -141,7 +141,7 @@ void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const M
             if (!view.facing()) continue;
             for (const CapShape& shape : cut.shapes) {
                 const bool own = style.colours == CapColours::Own;
-                band.paint(shape, view, CapCodes(own ? materials[shape.material].diffuse : style.colour),
+                band.paint(shape, view, CapCodes(own ? colours[shape.material] : style.colour),
                            style.hatched);
             }
         }

@@ -10,10 +10,10 @@
 namespace rtcore {
 
 /// Paints the caps that the camera looks at over an image of what it sees, as a display shows it. What
-/// was before a cap is taken away; mirrors do not show them. Each shape in the colour
-/// of its material, or in the one of `style`, its edges dark. By one thread, with 64 MB beside the image at
-/// most.
-void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const Material> materials,
+/// was before a cap is taken away; mirrors do not show them. Each shape in the colour of its material, of
+/// which `colours` has one for each, or in the one of `style`, its edges dark. By one thread, with 64 MB
+/// beside the image at most.
+void paintCaps(const SectionCaps& caps, const CapStyle& style, std::span<const Colour> colours,
                const Camera& camera, LdrImage& image);
 
 } // namespace rtcore

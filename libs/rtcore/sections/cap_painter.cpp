@@ -40,7 +40,7 @@ void CapPainter::paint(const Scene& scene, const Camera& camera, LdrImage& image
     const std::lock_guard lock(mutex_);
     const SectionCaps& caps = capsOf(scene);
     if (cover_) before_ = image;
-    paintCaps(caps, scene.sections.caps, scene.materials, camera, image);
+    paintCaps(caps, scene.sections.caps, colours_.of(scene, caps), camera, image);
     if (cover_) cover_->restore(scene, camera, before_, image);
 }
 

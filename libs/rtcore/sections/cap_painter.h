@@ -3,6 +3,7 @@
 
 #include "rtcore/scene/image.h"
 #include "rtcore/scene/scene.h"
+#include "rtcore/sections/cap_colours.h"
 #include "rtcore/sections/section_caps.h"
 #include "rtcore/sections/uncut_cover.h"
 
@@ -35,6 +36,7 @@ class CapPainter {
     PartSet hidden_, uncut_;
     Vec3 up_;
     SectionCaps caps_;
+    CapMaterialColours colours_;
     std::optional<UncutCover> cover_; ///< where there are caps, and parts that are left whole
     LdrImage before_;
 };

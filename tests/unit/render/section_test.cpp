@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -221,6 +222,74 @@ TEST(Sections, LeavePartsWhole) {
     check(0);
     s.scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(1, std::uint8_t{1});
     check(1);
+}
+
+/// Also of rays along a plane, in front of it and behind it, and of a wave that fills no vector.
+TEST(Sections, ClipRaysOfAWaveAsSingleOnes) {
+    test::Random random(8);
+    for (const std::size_t count : {1U, 3U, 21U, 64U}) {
+        SectionPlanes sections = randomPlanes(random, 3);
+        sections.planes[0] = {{0, 0.5F, 0}, {0, 1, 0}};
+        const SectionClip clip(sections, {{-2, -2, -2}, {2, 2, 2}});
+        RayWave wave;
+        for (std::size_t i = 0; i < count; ++i) {
+            Vec3 direction = random.vector(1);
+            if (i % 3 == 0) direction.y = i % 2 == 0 ? 0.0F : -0.0F;
+            wave.push({random.vector(1), 0.1F, direction, i % 4 == 0 ? 1.0F : kFar});
+        }
+        RayWave clipped = wave;
+        clip.clip(clipped);
+        for (std::size_t i = 0; i < count; ++i) {
+            float tMin = wave.tMin[i], tMax = wave.tMax[i];
+            clip.clip(wave.ray(i), tMin, tMax);
+            EXPECT_EQ(clipped.tMin[i], tMin) << i;
+            EXPECT_EQ(clipped.tMax[i], tMax) << i;
+        }
+    }
+}
+
+/// Counts the trees that are made of its surfaces.
+class CountingTracer final : public RayTracer {
+  public:
+    explicit CountingTracer(const RayTracer& tracer) : tracer_(tracer) {}
+    void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override {
+        tracer_.intersect(kind, rays, hits);
+    }
+    void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override {
+        tracer_.occluded(kind, rays, occluded);
+    }
+    Box3 bounds() const override { return tracer_.bounds(); }
+    std::shared_ptr<const RayTracer> without(std::span<const std::uint8_t> left) const override {
+        ++made;
+        return tracer_.without(left);
+    }
+    mutable int made = 0;
+
+  private:
+    const RayTracer& tracer_;
+};
+
+TEST(Sections, KeepTheTreeOfUncutPartsWhileTheyAreTheSame) {
+    test::Random random(3);
+    SectionPlanes level;
+    level.planes = {{{0, 0, 0}, {0, 1, 0}}};
+    test::TracedScene s = soup(random, level, true);
+    const auto surfaces = std::make_shared<const CountingTracer>(s.tracer);
+    UncutSurfaces uncut;
+    const auto kept = shownTracer(surfaces, s.scene, uncut);
+    s.scene.sections.planes[0].point.y = 0.5F;
+    s.scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(*s.scene.uncutParts);
+    shownTracer(surfaces, s.scene, uncut);
+    EXPECT_EQ(surfaces->made, 1) << "a plane moves, the parts are the same";
+    s.scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 1});
+    shownTracer(surfaces, s.scene, uncut);
+    EXPECT_EQ(surfaces->made, 2) << "other parts";
+    const auto others = std::make_shared<const CountingTracer>(s.tracer);
+    shownTracer(others, s.scene, uncut);
+    EXPECT_EQ(others->made, 1) << "other surfaces";
+    s.scene.sections.planes.clear();
+    EXPECT_EQ(shownTracer(others, s.scene, uncut), others);
+    EXPECT_EQ(others.use_count(), 1) << "nothing is kept without a section";
 }
 
 /// A face in a plane stays, whichever way rays come.

@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -87,6 +89,27 @@ TEST(CapImage, HasOneColourAndLinesWhereAsked) {
     for (int x = 0; x < 8; ++x) dark += image.at(kWidth / 2 - 4 + x, kHeight / 2).r < 220 ? 1 : 0;
     EXPECT_GE(dark, 2);
     EXPECT_LE(dark, 4);
+}
+
+TEST(CapImage, HasTheMeanColourOfATexture) {
+    Scene scene = nested();
+    const std::array<Rgba8, 4> texels{
+        {{0, 0, 0, 255}, {255, 0, 0, 255}, {255, 255, 255, 255}, {0, 0, 0, 255}}};
+    const std::array<Texture, 2> textures{
+        {{.width = 1, .height = 1}, {.firstTexel = 1, .width = 1, .height = 2}}};
+    scene.model.texels = texels;
+    scene.model.textures = textures;
+    scene.materials[1].diffuse = {1, 0.5F, 1};
+    scene.materials[1].diffuseTexture = 1;
+    const auto middle = [&] {
+        return painted(scene, cameraAt({0, 0, 4}, {0, 0, 0})).at(kWidth / 2, kHeight / 2);
+    };
+    const auto code = [](float light) {
+        return static_cast<std::uint8_t>(std::lround(255 * srgbEncode(light)));
+    };
+    EXPECT_EQ(middle(), (Rgba8{255, code(0.25F), code(0.5F), 255}));
+    scene.materials[1].diffuseTexture = 0;
+    EXPECT_EQ(middle(), (Rgba8{0, 0, 0, 255}));
 }
 
 /// By each pixel's own ray: where it comes to the plane, if it comes from the side that was taken away.

@@ -1,0 +1,90 @@
+/// The handles of sections in the image, and the mouse that moves planes by them: an arrow along each plane's
+/// normal, to the side that is taken away, from a point of the plane, whose line around the model's box is
+/// painted, too. A plane goes along its normal as the arrow goes with the hand, as far as the box reaches;
+/// where the arrow points at the eye, or away from it, upwards leads away. Handles are seen through walls.
+#pragma once
+
+#include "gui/models/scene_image.h"
+#include "gui/models/scene_state.h"
+#include "gui/models/section_marks.h"
+
+#include <QColor>
+#include <QObject>
+#include <QPointF>
+
+#include <optional>
+
+class QMouseEvent;
+class QPainter;
+
+namespace gui {
+
+class FrameView;
+class Session;
+
+/// Keys and mouse stay the camera's while the view has captured them.
+class SectionHandles : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Both must outlive it.
+    SectionHandles(FrameView& view, Session& session, QObject* parent);
+
+    void setShown(bool shown);
+    void setState(const SceneState& state);
+    void setSelected(int number); ///< from 1; 0: none
+    /// Where the handle of a section, from 1, begins and ends, widget pixels; nothing where it is not
+    /// painted. An arrow that points at the eye ends where it begins.
+    std::optional<QPointF> place(int number) const;
+    std::optional<QPointF> tip(int number) const;
+    int hovered() const { return hovered_; } ///< 0: none
+
+  signals:
+    void picked(int number);
+    /// The section is to go through that point of the model's file. `goesOn`: after the first one of a drag.
+    void moved(int number, const rtcore::FilePoint& point, bool goesOn);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    struct Handle {
+        rtcore::Vec3d hold; ///< scene units
+        QPointF place, tip; ///< widget pixels
+        bool facing;        ///< it points at the eye, or away from it
+    };
+    struct Drag {
+        int number;
+        SectionMark mark;
+        Handle handle;
+        rtcore::FilePoint start;
+        rtcore::Vec3 point; ///< scene units
+        QPointF from;
+        double along = 0; ///< the normal, since the start
+        bool moves = false;
+    };
+
+    std::optional<SceneImage> image() const;
+    int count() const { return static_cast<int>(state_.sections.planes.size()); }
+    SectionMark mark(int number) const;
+    std::optional<Handle> handle(int number, const SceneImage& in) const;
+    int handleAt(const QPointF& at) const;
+    bool press(const QMouseEvent& event);
+    void drag(const QMouseEvent& event);
+    double led(const SceneImage& in, const QPointF& to) const;
+    void endDrag();
+    void hover(const QPointF& at);
+    void draw(QPainter& painter) const;
+    void drawOutline(QPainter& painter, const SceneImage& in, int number) const;
+    void drawHandle(QPainter& painter, const Handle& handle, const QColor& colour) const;
+    QColor colourOf(int number) const;
+
+    FrameView& view_;
+    Session& session_;
+    SceneState state_;
+    int selected_ = 0, hovered_ = 0;
+    bool shown_ = false;
+    std::optional<Drag> drag_;
+};
+
+} // namespace gui

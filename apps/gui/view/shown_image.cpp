@@ -1,0 +1,36 @@
+#include "gui/view/shown_image.h"
+
+#include "gui/session/session.h"
+#include "gui/view/frame_view.h"
+
+namespace gui {
+
+namespace {
+
+/// Scene units between the edges of an image without perspective.
+double widthIn(const QSizeF& image, const Session& session, const SceneState& state) {
+    const double own = parallelWidth(state, session.status().resolution);
+    const double here = parallelWidth(state, image);
+    return double{session.status().view.parallelWidth} * (own > 0 && here > 0 ? here / own : 1);
+}
+
+} // namespace
+
+std::optional<SceneImage> shownImage(const FrameView& view, const Session& session, const SceneState& state) {
+    const View& camera = session.status().view;
+    const QRectF area = view.pictureArea();
+    const QSizeF size = view.shown().size();
+    if (!session.live() || area.isEmpty() || size.isEmpty() || !camera.known()) return std::nullopt;
+    return SceneImage(camera, widthIn(size, session, state), area, size.width() / size.height());
+}
+
+std::optional<QPointF> inServersImage(const FrameView& view, const Session& session, const QPointF& at) {
+    const auto there = view.inPicture(at);
+    const QSizeF own = session.status().resolution, shown = view.shown().size();
+    if (!there || own.isEmpty() || shown.isEmpty()) return std::nullopt;
+    const double taller = own.width() / own.height() * shown.height() / shown.width();
+    const QPointF place((1 + there->x()) / 2, (1 - there->y() * taller) / 2);
+    return QRectF(0, 0, 1, 1).contains(place) ? std::optional(place) : std::nullopt;
+}
+
+} // namespace gui
