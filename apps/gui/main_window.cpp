@@ -7,6 +7,7 @@
 #include "gui/operations/bookmark_operations.h"
 #include "gui/operations/camera_operations.h"
 #include "gui/operations/connection_operations.h"
+#include "gui/operations/corner_plan_operations.h"
 #include "gui/operations/display_operations.h"
 #include "gui/operations/job_operations.h"
 #include "gui/operations/light_meter_operations.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new SectionOperations(context, this);
     new MeasureOperations(context, this);
     auto* plans = new PlanOperations(context, this);
+    new CornerPlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
     save_ = new SaveOperations(context, this);
     connection_->askBeforeLeaving([this](const auto& go) { save_->beforeLeaving(go); });

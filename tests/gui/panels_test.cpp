@@ -166,6 +166,7 @@ TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
 TEST_F(PanelsTest, AClosedPanelGivesTheKeysBackToTheImage) {
     open();
     const std::array keys{std::pair{Qt::Key_F5, Qt::KeyboardModifiers()},
+                          std::pair{Qt::Key_F5, Qt::KeyboardModifiers(Qt::ShiftModifier)},
                           std::pair{Qt::Key_F6, Qt::KeyboardModifiers()},
                           std::pair{Qt::Key_F7, Qt::KeyboardModifiers()},
                           std::pair{Qt::Key_F7, Qt::KeyboardModifiers(Qt::ShiftModifier)},
@@ -205,7 +206,8 @@ TEST_F(PanelsTest, OneKeyHidesAllPanelsAndBringsThemBack) {
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(),
               (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"), QStringLiteral("measures"),
-                           QStringLiteral("model"), QStringLiteral("sections"), QStringLiteral("settings")}));
+                           QStringLiteral("model"), QStringLiteral("sections"), QStringLiteral("settings"),
+                           QStringLiteral("views")}));
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(), QStringList());
     QTest::keyClick(&*window, Qt::Key_F6);

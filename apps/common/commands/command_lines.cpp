@@ -181,6 +181,8 @@ std::string plan(const std::string& file, const std::string& side, double scale,
                  int storey, double height, double dpi) {
     return line(CommandId::Plan, file, side, scale, paper, storey, height, dpi);
 }
+std::string planOutline() { return line(CommandId::PlanOutline); }
+std::string planOutline(int storey) { return line(CommandId::PlanOutline, storey); }
 std::string storeys() { return line(CommandId::Storeys); }
 std::string storeyGo(int number) { return line(CommandId::StoreyGo, number); }
 
@@ -281,6 +283,12 @@ std::string exportVideoStop() { return line(CommandId::ExportVideoStop); }
 
 std::string bookmarkAdd(const std::string& name, const std::string& cameraFile) {
     return line(CommandId::BookmarkAdd, name, cameraFile);
+}
+
+std::string bookmarkAdd(const std::string& name) { return line(CommandId::BookmarkAdd, name); }
+
+std::string bookmarkMove(const std::string& name, int position) {
+    return line(CommandId::BookmarkMove, name, position);
 }
 
 std::string bookmarkGo(const std::string& name) { return line(CommandId::BookmarkGo, name); }

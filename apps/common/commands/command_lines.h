@@ -124,6 +124,8 @@ std::string sectionHatching(bool on);
 /// `storey` 0: that of the camera; `paper`: "sheet", or a size.
 std::string plan(const std::string& file, const std::string& side, double scale, const std::string& paper,
                  int storey, double height, double dpi);
+std::string planOutline(); ///< of the storey of the camera
+std::string planOutline(int storey);
 std::string storeys();
 std::string storeyGo(int number);
 
@@ -190,6 +192,8 @@ std::string exportVideoStart(const std::string& path);
 std::string exportVideoStop();
 
 std::string bookmarkAdd(const std::string& name, const std::string& cameraFile);
+std::string bookmarkAdd(const std::string& name);                ///< the current view
+std::string bookmarkMove(const std::string& name, int position); ///< from 1
 std::string bookmarkGo(const std::string& name);
 std::string bookmarkRename(const std::string& name, const std::string& to);
 std::string bookmarkRemove(const std::string& name);

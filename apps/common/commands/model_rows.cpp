@@ -30,6 +30,12 @@ std::vector<CommandSpec> bookmarkCommands() {
          .arguments = {text("NAME"), text("NEW")},
          .step = "bookmark",
          .help = "give a bookmark of the scene another name"},
+        {.id = CommandId::BookmarkMove,
+         .name = "bookmark move",
+         .arguments = {text("NAME"), whole("POSITION", 1)},
+         .step = "bookmark",
+         .help = "give a bookmark of the scene that position among them, from 1; a larger one than there are "
+                 "is the last"},
         {.id = CommandId::BookmarkRemove,
          .name = "bookmark remove",
          .arguments = {text("NAME")},

@@ -23,6 +23,14 @@ std::vector<CommandSpec> planCommands() {
                  "it must be, a `.pdf` takes as many sheets of paper as it needs, a `.png` or `.tif`, "
                  "of DPI pixels to an inch [300], as many files. The unit must be known: a "
                  "guess is refused. Other commands are answered meanwhile; Ctrl-C gives it up"},
+        {.id = CommandId::PlanOutline,
+         .name = "plan outline",
+         .arguments = {maybe(whole("N", 1, 1000))},
+         .effect = Tells,
+         .browser = BrowserUse::Look,
+         .help = "print the lines of the N-th storey's cut, for a small plan; without N, that of the camera",
+         .more = "No scale, so the unit need not be known; see [plans.md](plans.md). In the background, once "
+                 "for a storey and what is shown"},
         {.id = CommandId::Storeys,
          .name = "storeys",
          .effect = Tells,

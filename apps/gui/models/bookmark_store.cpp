@@ -54,6 +54,13 @@ QString fileNameOf(const QString& name) {
     return clean.left(kLongestName).trimmed();
 }
 
+QByteArray pictureBytes(const QImage& picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!picture.isNull() && buffer.open(QIODevice::WriteOnly)) picture.save(&buffer, "PNG");
+    return bytes;
+}
+
 BookmarkStore::BookmarkStore(QString folder) : root_(std::move(folder)) {}
 
 QString BookmarkStore::usualFolder() {
@@ -126,9 +133,24 @@ QString BookmarkStore::add(const QString& name, const QByteArray& camera, const 
     BookmarkFiles files;
     files.file = QStringLiteral("%1 %2").arg(number + 1, 2, 10, QLatin1Char('0')).arg(fileNameOf(name));
     files.camera = camera;
-    QBuffer buffer(&files.picture);
-    if (!picture.isNull() && buffer.open(QIODevice::WriteOnly)) picture.save(&buffer, "PNG");
+    files.picture = pictureBytes(picture);
     return write(files);
+}
+
+QString BookmarkStore::keepPicture(const Bookmark& bookmark, const QImage& picture) {
+    if (!QFile::exists(cameraPath(bookmark)) || picture.isNull()) return {};
+    return save(path(bookmark.file, ".png"), pictureBytes(picture));
+}
+
+QList<BookmarkFiles> BookmarkStore::exchanged(const Bookmark& a, const Bookmark& b) const {
+    if (std::max(numberOf(a.file), numberOf(b.file)) == 1'000'000) return {};
+    const auto named = [](const Bookmark& number, const Bookmark& name) {
+        return number.file.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + nameOf(name.file);
+    };
+    BookmarkFiles first = read(a), second = read(b);
+    first.file = named(b, a);
+    second.file = named(a, b);
+    return {first, second};
 }
 
 // The image first: a camera without one would stay so.

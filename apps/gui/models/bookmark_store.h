@@ -46,6 +46,10 @@ class BookmarkStore {
     QString remove(const Bookmark& bookmark);
     BookmarkFiles read(const Bookmark& bookmark) const;
     QString write(const BookmarkFiles& files);
+    /// Another image, in place of the one that is there.
+    QString keepPicture(const Bookmark& bookmark, const QImage& picture);
+    /// The files of two after they changed places in the order; none where one has no number there.
+    QList<BookmarkFiles> exchanged(const Bookmark& a, const Bookmark& b) const;
     /// "Place 3": a name that none has, nor is among those.
     QString freeName(const QStringList& taken = {}) const;
     /// Copies of all, for another scene.
@@ -56,6 +60,9 @@ class BookmarkStore {
 
     QString root_, folder_;
 };
+
+/// As BookmarkFiles has it; empty of a null image.
+QByteArray pictureBytes(const QImage& picture);
 
 /// The user's name as a part of a file's name: without '/' and what else file systems do not take.
 QString fileNameOf(const QString& name);

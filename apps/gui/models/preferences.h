@@ -24,6 +24,7 @@ inline const Preference<bool> smoothTransformation{"display/smoothTransformation
 inline const Preference<bool> showOverlay{"display/showOverlay", true};
 inline const Preference<bool> showErrors{"display/showErrors", false};
 inline const Preference<bool> showCube{"display/showCube", true};
+inline const Preference<bool> planInCorner{"display/planInCorner", false};
 inline const Preference<bool> lightMarks{"display/lightMarks", false};
 inline const Preference<bool> sectionHandles{"display/sectionHandles", false};
 inline const Preference<bool> showMeasures{"display/showMeasures", true};

@@ -1,17 +1,20 @@
 #include "gui/operations/bookmark_operations.h"
 
 #include "gui/operations/actions.h"
+#include "gui/operations/bookmark_files_step.h"
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/operations/visit_picture.h"
 #include "gui/panels/bookmarks_panel.h"
+#include "gui/panels/views_strip.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
 #include <QListWidget>
 #include <QShortcut>
-#include <QUndoCommand>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace gui {
@@ -19,43 +22,48 @@ namespace gui {
 namespace {
 
 constexpr int kKeys = 9;
-constexpr QSize kPicture{320, 200}; ///< sharp on a screen of twice the density, too
-
-/// Deleting, as far as it can be taken back.
-class Deletion : public QUndoCommand {
-  public:
-    Deletion(BookmarkStore& store, const Bookmark& bookmark, std::function<void(const QString&)> changed)
-        : QUndoCommand(BookmarkOperations::tr("delete “%1”").arg(bookmark.name)), store_(store),
-          bookmark_(bookmark), files_(store.read(bookmark)), changed_(std::move(changed)) {}
-    void undo() override { changed_(store_.write(files_)); }
-    void redo() override { changed_(store_.remove(bookmark_)); }
-
-  private:
-    BookmarkStore& store_;
-    Bookmark bookmark_;
-    BookmarkFiles files_;
-    std::function<void(const QString&)> changed_;
-};
 
 } // namespace
 
 BookmarkOperations::BookmarkOperations(const GuiContext& context, QObject* parent)
-    : QObject(parent), context_(context), panel_(new BookmarksPanel) {
-    addPanel(context_, panel_, tr("Bookmarks"), QStringLiteral("bookmarks"), ActionId::BookmarksPanel);
+    : QObject(parent), context_(context), panel_(new BookmarksPanel), strip_(new ViewsStrip),
+      visit_(new VisitPicture(context, this)) {
+    addPanels();
     context_.actions.on(ActionId::AddBookmark, [this] { addBookmark(); });
-    connect(panel_, &BookmarksPanel::addWanted, this, &BookmarkOperations::addBookmark);
-    connect(panel_, &BookmarksPanel::goWanted, this, &BookmarkOperations::go);
-    // Not while the list is still busy with its editor.
-    connect(panel_, &BookmarksPanel::renameWanted, this, &BookmarkOperations::rename, Qt::QueuedConnection);
-    connect(panel_, &BookmarksPanel::deleteWanted, this, &BookmarkOperations::remove);
     connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] {
-        store_.setScene(context_.editor.scene());
+        setScene(context_.editor.scene());
         refill();
     });
     connect(&context_.editor, &SceneEditor::stateChanged, this, &BookmarkOperations::onState);
-    connect(&context_.session, &Session::stateChanged, panel_,
-            [this] { panel_->setServerThere(context_.session.live()); });
+    connect(&context_.session, &Session::stateChanged, this, [this] {
+        panel_->setServerThere(context_.session.live());
+        strip_->setServerThere(context_.session.live());
+    });
     addKeys();
+}
+
+// Both show the same, and want the same.
+void BookmarkOperations::addPanels() {
+    addPanel(context_, panel_, tr("Bookmarks"), QStringLiteral("bookmarks"), ActionId::BookmarksPanel);
+    addPanel(context_, strip_, tr("Views"), QStringLiteral("views"), ActionId::ViewsStrip,
+             Qt::BottomDockWidgetArea);
+    const auto connectAll = [this](auto* panel) {
+        using Panel = std::remove_pointer_t<decltype(panel)>;
+        connect(panel, &Panel::addWanted, this, &BookmarkOperations::addBookmark);
+        connect(panel, &Panel::goWanted, this, &BookmarkOperations::go);
+        // Not while the list is still busy with its editor.
+        connect(panel, &Panel::renameWanted, this, &BookmarkOperations::rename, Qt::QueuedConnection);
+        connect(panel, &Panel::deleteWanted, this, &BookmarkOperations::remove);
+    };
+    connectAll(panel_);
+    connectAll(strip_);
+    connect(strip_, &ViewsStrip::replaceWanted, this, &BookmarkOperations::replace);
+    connect(strip_, &ViewsStrip::moveWanted, this, &BookmarkOperations::move);
+}
+
+void BookmarkOperations::setScene(const QString& scene) {
+    store_.setScene(scene);
+    pictures_.setScene(scene);
 }
 
 void BookmarkOperations::addKeys() {
@@ -86,12 +94,17 @@ QList<BookmarkOperations::Entry> BookmarkOperations::entries() const {
     return all;
 }
 
+QImage BookmarkOperations::pictureOf(const Entry& entry) const {
+    const QImage kept = entry.kept ? store_.picture(*entry.kept) : QImage();
+    return kept.isNull() && entry.ofScene ? pictures_.picture(entry.name) : kept;
+}
+
 void BookmarkOperations::refill() {
     QList<BookmarkRow> rows;
-    for (const Entry& entry : entries())
-        rows.append({entry.name, entry.kept ? store_.picture(*entry.kept) : QImage()});
+    for (const Entry& entry : entries()) rows.append({entry.name, pictureOf(entry)});
     shown_ = context_.editor.state().bookmarks;
     panel_->show(rows);
+    strip_->show(rows);
 }
 
 // Whichever client or step of undo changed them.
@@ -114,28 +127,33 @@ void BookmarkOperations::giveToScene() {
 
 void BookmarkOperations::follow(const QString& scene) {
     tellTrouble(store_.copyTo(scene));
-    store_.setScene(scene);
+    const QList<Entry> all = entries();
+    QList<QImage> pictures;
+    for (const Entry& entry : all) pictures.append(pictureOf(entry));
+    setScene(scene);
+    for (qsizetype i = 0; i < all.size(); ++i)
+        if (all[i].ofScene && !all[i].kept) pictures_.keep(all[i].name, pictures[i]);
     refill();
 }
 
 void BookmarkOperations::addBookmark() {
     if (!context_.session.live()) return;
     context_.session.send(command::scene(), this, [this](const Answer& answer) {
-        if (answer.done) store_.setScene(answer.text);
+        if (answer.done) setScene(answer.text);
     });
-    context_.session.send(command::cameraGet(), this, [this](const Answer& answer) {
-        answer.done ? keepWithPicture(answer.text.toUtf8() + '\n') : tellTrouble(answer.text);
+    takeView([this](const QByteArray& camera, const QImage& picture) { keep(camera, picture); });
+}
+
+void BookmarkOperations::takeView(const Keep& keep) {
+    context_.session.send(command::cameraGet(), this, [this, keep](const Answer& answer) {
+        answer.done ? takePicture(answer.text.toUtf8() + '\n', keep) : tellTrouble(answer.text);
     });
 }
 
 // While something moves, the frame that is there was drawn before the camera was asked for; the next one was
 // not. None comes where a key is down that moves nothing, such as the Control of Ctrl+B in flight.
-void BookmarkOperations::keepWithPicture(const QByteArray& camera) {
-    const auto keepNow = [this, camera] {
-        const QImage seen = context_.view.showsLive() ? context_.session.frame() : context_.view.picture();
-        keep(camera,
-             seen.isNull() ? seen : seen.scaled(kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation));
-    };
+void BookmarkOperations::takePicture(const QByteArray& camera, const Keep& keep) {
+    const auto keepNow = [this, camera, keep] { keep(camera, smallPicture(context_)); };
     const ServerStatus& status = context_.session.status();
     if (status.idle || status.paused || !context_.view.showsLive()) return keepNow();
     auto* once = new QObject(this);
@@ -158,6 +176,7 @@ void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {
     refill();
     const int last = static_cast<int>(entries().size()) - 1;
     panel_->list().setCurrentRow(last);
+    strip_->list().setCurrentRow(last);
     context_.view.tell(
         last < kKeys ? tr("Bookmark “%1” added. Alt+%2 goes there.").arg(name, QString::number(last + 1))
                      : tr("Bookmark “%1” added.").arg(name));
@@ -173,9 +192,20 @@ void BookmarkOperations::go(int row) {
                                  : command::loadCamera(store_.cameraPath(*entry.kept).toStdString());
     context_.editor.edit(line, [this, name = entry.name](const Answer& answer) {
         if (answer.done) return context_.view.tell(name);
+        visit_->end();
         tellTrouble(answer.text);
         refill(); // the file may have been removed
     });
+    visit_->begin([this, name = entry.name](const QImage& picture) { keepPicture(name, picture); });
+}
+
+// Where it is still there: in its file, or in the cache.
+void BookmarkOperations::keepPicture(const QString& name, const QImage& picture) {
+    for (const Entry& entry : entries()) {
+        if (entry.name != name) continue;
+        entry.kept ? tellTrouble(store_.keepPicture(*entry.kept, picture)) : pictures_.keep(name, picture);
+        return refill();
+    }
 }
 
 void BookmarkOperations::rename(int row, const QString& name) {
@@ -183,22 +213,63 @@ void BookmarkOperations::rename(int row, const QString& name) {
     if (row >= 0 && row < all.size() && !name.trimmed().isEmpty()) {
         const Entry& entry = all[row];
         if (entry.kept) tellTrouble(store_.rename(*entry.kept, name));
+        if (entry.ofScene && !entry.kept) pictures_.rename(entry.name, name);
         if (entry.ofScene)
             context_.editor.edit(command::bookmarkRename(entry.name.toStdString(), name.toStdString()));
     }
     refill();
 }
 
+void BookmarkOperations::replace(int row) {
+    const QList<Entry> all = entries();
+    if (row < 0 || row >= all.size() || !context_.session.live()) return;
+    if (all[row].ofScene) context_.editor.edit(command::bookmarkAdd(all[row].name.toStdString()));
+    takeView([this, entry = all[row]](const QByteArray& camera, const QImage& picture) {
+        entry.kept ? replaceKept(*entry.kept, camera, picture) : keepPicture(entry.name, picture);
+        context_.view.tell(tr("“%1” is the current view now.").arg(entry.name));
+    });
+}
+
+void BookmarkOperations::replaceKept(const Bookmark& bookmark, const QByteArray& camera,
+                                     const QImage& picture) {
+    const BookmarkFiles before = store_.read(bookmark);
+    if (before.camera.isEmpty()) return refill(); // it was removed meanwhile
+    change(tr("replace “%1”").arg(bookmark.name), {before},
+           {{bookmark.file, camera, picture.isNull() ? before.picture : pictureBytes(picture)}});
+}
+
+// The scene's own come first, and stay first.
+void BookmarkOperations::move(int row, int by) {
+    const QList<Entry> all = entries();
+    const int to = row + by;
+    if (row < 0 || to < 0 || std::max(row, to) >= all.size()) return refill();
+    const Entry &moved = all[row], &other = all[to];
+    if (moved.ofScene && other.ofScene)
+        return context_.editor.edit(command::bookmarkMove(moved.name.toStdString(), to + 1));
+    if (!moved.ofScene && !other.ofScene) return moveKept(*moved.kept, *other.kept);
+    context_.view.tell(tr("Bookmarks of the scene come first."));
+    refill();
+}
+
+void BookmarkOperations::moveKept(const Bookmark& bookmark, const Bookmark& other) {
+    const QList<BookmarkFiles> after = store_.exchanged(bookmark, other);
+    if (after.isEmpty()) return refill();
+    change(tr("move “%1”").arg(bookmark.name), {store_.read(bookmark), store_.read(other)}, after);
+}
+
+void BookmarkOperations::change(const QString& text, const QList<BookmarkFiles>& before,
+                                const QList<BookmarkFiles>& after) {
+    context_.editor.doOwn(new BookmarkFilesStep(text, store_, before, after, [this](const QString& trouble) {
+        tellTrouble(trouble);
+        refill();
+    }));
+}
+
 void BookmarkOperations::remove(int row) {
     const QList<Entry> all = entries();
     if (row < 0 || row >= all.size()) return;
     const Entry& entry = all[row];
-    if (entry.kept) {
-        context_.editor.doOwn(new Deletion(store_, *entry.kept, [this](const QString& trouble) {
-            tellTrouble(trouble);
-            refill();
-        }));
-    }
+    if (entry.kept) change(tr("delete “%1”").arg(entry.name), {store_.read(*entry.kept)}, {});
     if (entry.ofScene) context_.editor.edit(command::bookmarkRemove(entry.name.toStdString()));
 }
 

@@ -1,8 +1,9 @@
 /// Bookmarks: those of the scene, which the server has, and those that the window keeps in files for it;
-/// shown in a panel, reached by keys. Saving the scene makes them its own.
+/// shown in a panel and in a strip, reached by keys. Saving the scene makes them its own.
 #pragma once
 
 #include "gui/models/bookmark_store.h"
+#include "gui/models/view_pictures.h"
 #include "gui/operations/gui_context.h"
 
 #include <QObject>
@@ -13,6 +14,8 @@
 namespace gui {
 
 class BookmarksPanel;
+class ViewsStrip;
+class VisitPicture;
 
 class BookmarkOperations : public QObject {
     Q_OBJECT
@@ -33,21 +36,36 @@ class BookmarkOperations : public QObject {
         std::optional<Bookmark> kept;
     };
     QList<Entry> entries() const;
+    QImage pictureOf(const Entry& entry) const;
+    void addPanels();
+    void setScene(const QString& scene);
     void onState();
     void addKeys();
     void addBookmark();
-    void keepWithPicture(const QByteArray& camera);
+    /// The camera as a .cam, and what is seen by it.
+    using Keep = std::function<void(const QByteArray& camera, const QImage& picture)>;
+    void takeView(const Keep& keep);
+    void takePicture(const QByteArray& camera, const Keep& keep);
     void keep(const QByteArray& camera, const QImage& picture);
+    void keepPicture(const QString& name, const QImage& picture);
     void go(int row);
     void rename(int row, const QString& name);
+    void replace(int row);
+    void replaceKept(const Bookmark& bookmark, const QByteArray& camera, const QImage& picture);
+    void move(int row, int by);
+    void moveKept(const Bookmark& bookmark, const Bookmark& other);
     void remove(int row);
+    void change(const QString& text, const QList<BookmarkFiles>& before, const QList<BookmarkFiles>& after);
     void refill();
     void tellTrouble(const QString& text);
 
     GuiContext context_;
     BookmarkStore store_;
-    QStringList shown_; ///< of the scene, in the panel
+    ViewPictures pictures_; ///< of the scene's own
+    QStringList shown_;     ///< of the scene, in the panel
     BookmarksPanel* panel_;
+    ViewsStrip* strip_;
+    VisitPicture* visit_;
 };
 
 } // namespace gui

@@ -43,16 +43,17 @@ void leadBack(QDockWidget& dock, FrameView& view) {
 }
 
 QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
-                      ActionId action) {
+                      ActionId action, Qt::DockWidgetArea area) {
     auto* window = qobject_cast<QMainWindow*>(&context.window);
     auto* dock = new QDockWidget(title, window);
     dock->setObjectName(name); // restoreState() knows it by this
     dock->setWidget(panel);
-    dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    dock->setAllowedAreas(area == Qt::RightDockWidgetArea ? Qt::LeftDockWidgetArea | area
+                                                          : Qt::TopDockWidgetArea | area);
     const QList<QDockWidget*> others = window->findChildren<QDockWidget*>();
-    window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    window->addDockWidget(area, dock);
     for (QDockWidget* other : others) {
-        if (other == dock || window->dockWidgetArea(other) != Qt::RightDockWidgetArea) continue;
+        if (other == dock || window->dockWidgetArea(other) != area) continue;
         window->tabifyDockWidget(other, dock);
         break;
     }

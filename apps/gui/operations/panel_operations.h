@@ -18,10 +18,10 @@ class SettingsPanel;
 /// Esc leads from the panel back to the image, and so does closing it, in whatever way.
 void leadBack(QDockWidget& dock, FrameView& view);
 
-/// A panel at the right of the window, hidden at first, shown and hidden by a checkable action, which brings
-/// one that is behind another to the front. It leads back.
+/// A panel at the right of the window, or at its lower edge, hidden at first, shown and hidden by a checkable
+/// action, which brings one that is behind another to the front. It leads back.
 QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
-                      ActionId action);
+                      ActionId action, Qt::DockWidgetArea area = Qt::RightDockWidgetArea);
 
 class PanelOperations : public QObject {
     Q_OBJECT

@@ -5,7 +5,6 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QListWidget>
-#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -17,31 +16,6 @@ namespace gui {
 namespace {
 
 constexpr QSize kThumbnail{112, 70};
-
-// All of one size, so that the names stand in a column.
-QIcon iconOf(const QImage& picture, double ratio) {
-    QPixmap pixmap(kThumbnail * ratio);
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
-    if (picture.isNull()) return QIcon(pixmap);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    QRectF area(QPointF(), QSizeF(picture.size()).scaled(kThumbnail, Qt::KeepAspectRatio));
-    area.moveCenter(QRectF(QPointF(), QSizeF(kThumbnail)).center());
-    painter.drawImage(area, picture);
-    painter.end();
-    QIcon icon(pixmap);
-    icon.addPixmap(pixmap, QIcon::Selected); // no veil of the selection's colour
-    return icon;
-}
-
-QAction* addKey(QWidget& widget, const QKeySequence& key) {
-    auto* action = new QAction(&widget);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    widget.addAction(action);
-    return action;
-}
 
 } // namespace
 
@@ -89,7 +63,8 @@ void BookmarksPanel::show(const QList<BookmarkRow>& rows) {
     list_->clear();
     names_.clear();
     for (int i = 0; i < rows.size(); ++i) {
-        auto* item = new QListWidgetItem(iconOf(rows[i].picture, devicePixelRatioF()), rows[i].name, list_);
+        auto* item = new QListWidgetItem(viewIcon(rows[i].picture, kThumbnail, devicePixelRatioF()),
+                                         rows[i].name, list_);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setToolTip(
             plainTip(i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name, QString::number(i + 1)) : rows[i].name));

@@ -1,7 +1,8 @@
 /// The bookmarks of the scene with their images. Knows neither files nor servers.
 #pragma once
 
-#include <QImage>
+#include "gui/panels/view_list.h"
+
 #include <QList>
 #include <QStringList>
 #include <QWidget>
@@ -11,12 +12,6 @@ class QListWidgetItem;
 class QPushButton;
 
 namespace gui {
-
-/// One row, as it is shown.
-struct BookmarkRow {
-    QString name;
-    QImage picture; ///< may be null
-};
 
 class BookmarksPanel : public QWidget {
     Q_OBJECT

@@ -1163,6 +1163,46 @@
         <source>Drag the planes that cut the model open, also while their panel is closed</source>
         <translation>Táhnout rovinami, které model otevírají, i když je jejich panel zavřený</translation>
     </message>
+    <message>
+        <source>Plan in the &amp;corner</source>
+        <translation>Plán v ro&amp;hu</translation>
+    </message>
+    <message>
+        <source>A small plan of the storey where you are: a click goes there, a drag looks there</source>
+        <translation>Malý plán podlaží, kde jste: kliknutí tam přejde, tažení tam otočí pohled</translation>
+    </message>
+    <message>
+        <source>To the &amp;ground floor</source>
+        <translation>Post&amp;avit se do přízemí</translation>
+    </message>
+    <message>
+        <source>Stand on the ground floor, where you are</source>
+        <translation>Postavit se do přízemí na místě, kde jste</translation>
+    </message>
+    <message>
+        <source>One storey &amp;up</source>
+        <translation>O pod&amp;laží výš</translation>
+    </message>
+    <message>
+        <source>Stand on the storey above, where you are</source>
+        <translation>Postavit se o podlaží výš na místě, kde jste</translation>
+    </message>
+    <message>
+        <source>One storey &amp;down</source>
+        <translation>O podlaží &amp;níž</translation>
+    </message>
+    <message>
+        <source>Stand on the storey below, where you are</source>
+        <translation>Postavit se o podlaží níž na místě, kde jste</translation>
+    </message>
+    <message>
+        <source>Strip of &amp;views</source>
+        <translation>Pás &amp;uložených pohledů</translation>
+    </message>
+    <message>
+        <source>Your bookmarks as images beside each other: a click goes there</source>
+        <translation>Záložky jako obrázky vedle sebe: kliknutí tam přejde</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1236,6 +1276,26 @@ Qt %1</translation>
     <message>
         <source>There is no bookmark %1.</source>
         <translation>Záložka %1 neexistuje.</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Pohledy</translation>
+    </message>
+    <message>
+        <source>“%1” is the current view now.</source>
+        <translation>„%1“ je teď aktuální pohled.</translation>
+    </message>
+    <message>
+        <source>replace “%1”</source>
+        <translation>nahradit „%1“</translation>
+    </message>
+    <message>
+        <source>Bookmarks of the scene come first.</source>
+        <translation>Záložky scény jsou vždy první.</translation>
+    </message>
+    <message>
+        <source>move “%1”</source>
+        <translation>přesunout „%1“</translation>
     </message>
 </context>
 <context>
@@ -1718,6 +1778,64 @@ Alt+%2</translation>
     <message>
         <source>&amp;Stop</source>
         <translation>&amp;Zastavit</translation>
+    </message>
+</context>
+<context>
+    <name>gui::CornerPlan</name>
+    <message>
+        <source>Show the storey below</source>
+        <translation>Ukázat podlaží níže</translation>
+    </message>
+    <message>
+        <source>Show the storey above</source>
+        <translation>Ukázat podlaží výše</translation>
+    </message>
+    <message>
+        <source>Plan in the corner</source>
+        <translation>Plán v rohu</translation>
+    </message>
+    <message>
+        <source>A click goes there, a drag looks there</source>
+        <translation>Kliknutí tam přejde, tažení tam otočí pohled</translation>
+    </message>
+    <message>
+        <source>Nothing is cut there.</source>
+        <translation>Řez tam nic neprotíná.</translation>
+    </message>
+    <message>
+        <source>Storey %1 of %2</source>
+        <translation>Podlaží %1 z %2</translation>
+    </message>
+    <message>
+        <source>No storeys: contour lines</source>
+        <translation>Bez podlaží: vrstevnice</translation>
+    </message>
+</context>
+<context>
+    <name>gui::CornerPlanOperations</name>
+    <message>
+        <source>The plan is being made…</source>
+        <translation>Plán se připravuje…</translation>
+    </message>
+    <message>
+        <source>The plan cannot be read.</source>
+        <translation>Plán nelze přečíst.</translation>
+    </message>
+    <message>
+        <source>This model has no storeys.</source>
+        <translation>Tento model nemá podlaží.</translation>
+    </message>
+    <message>
+        <source>This is the lowest storey.</source>
+        <translation>Toto je nejnižší podlaží.</translation>
+    </message>
+    <message>
+        <source>This is the highest storey.</source>
+        <translation>Toto je nejvyšší podlaží.</translation>
+    </message>
+    <message>
+        <source>Storey %1 of %2</source>
+        <translation>Podlaží %1 z %2</translation>
     </message>
 </context>
 <context>
@@ -4519,6 +4637,55 @@ Dvojklik natočí pohled. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>Fly</source>
         <translation>Létat</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ViewsStrip</name>
+    <message>
+        <source>Views</source>
+        <translation>Pohledy</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Přidat</translation>
+    </message>
+    <message>
+        <source>Keep the current view</source>
+        <translation>Uchovat aktuální pohled</translation>
+    </message>
+    <message>
+        <source>&amp;Go there</source>
+        <translation>&amp;Jít tam</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Přej&amp;menovat</translation>
+    </message>
+    <message>
+        <source>Re&amp;place by the current view</source>
+        <translation>&amp;Nahradit aktuálním pohledem</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>Přesunout do&amp;leva</translation>
+    </message>
+    <message>
+        <source>Move r&amp;ight</source>
+        <translation>Přesunout do&amp;prava</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Smazat</translation>
+    </message>
+    <message>
+        <source>%1
+Alt+%2</source>
+        <translation>%1
+Alt+%2</translation>
+    </message>
+    <message>
+        <source>Its image comes when you go there.</source>
+        <translation>Obrázek přibude, až tam přejdete.</translation>
     </message>
 </context>
 </TS>

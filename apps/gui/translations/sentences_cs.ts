@@ -1192,6 +1192,10 @@
         <translation>patří ke stejným povrchům v jiném osvětlení; vytvořte jej znovu pomocí --make-light</translation>
     </message>
     <message>
+        <source>it cannot be read</source>
+        <translation>nelze to přečíst</translation>
+    </message>
+    <message>
         <source>it ends after {0} of the {1} elements {2} that its head promises</source>
         <translation>končí po {0} z {1} prvků {2}, které slibuje hlavička</translation>
     </message>
@@ -2854,6 +2858,10 @@
     <message>
         <source>the outer angle is not wider than the inner</source>
         <translation>vnější úhel není větší než vnitřní</translation>
+    </message>
+    <message>
+        <source>the outline was given up</source>
+        <translation>hledání obrysu bylo zrušeno</translation>
     </message>
     <message>
         <source>the pack was stopped</source>

@@ -24,9 +24,9 @@ CommandService::CommandService(Workspace& state, Messages& messages, Services se
     : state_(state), messages_(messages), services_(std::move(services)), requests_(services_.replies) {}
 
 CommandService::~CommandService() {
-    longWork_.stopWhere([](const ipc::Command&) { return true; });
-    sideWork_.waitFor(kPatience);
-    longWork_.waitFor(kPatience);
+    for (SideWork* const work : {&longWork_, &tellingWork_})
+        work->stopWhere([](const ipc::Command&) { return true; });
+    for (SideWork* const work : {&sideWork_, &longWork_, &tellingWork_}) work->waitFor(kPatience);
 }
 
 // --- Running ---
@@ -78,7 +78,7 @@ std::optional<Answer> CommandService::begin(const ipc::Command& command, Result 
         served = Served::Beside;
         break;
     case ReplyWhen::Apart:
-        longWork_.start(command, std::move(result.work), std::move(result.stop));
+        startApart(command, std::move(result));
         break;
     case ReplyWhen::WhenIdle:
         requests_.addForIdle(command);
@@ -99,9 +99,12 @@ void CommandService::finishSideWork() {
         commands_.resume(done.command.client);
     }
     // A client that has left, by Ctrl-C for example, takes no answer any more.
-    longWork_.stopWhere([this](const ipc::Command& command) {
+    const auto left = [this](const ipc::Command& command) {
         return command.wantsAnswer && !services_.replies.isConnected(command);
-    });
+    };
+    longWork_.stopWhere(left);
+    tellingWork_.stopWhere(left);
+    answerTelling();
     for (const SideWork::Done& done : longWork_.takeDone())
         answerBy(done.command, [&] { return std::optional(done.finish()); });
 }
@@ -168,6 +171,7 @@ void CommandService::refuseAll(const std::vector<ipc::Command>& commands, const 
 
 Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
     Arrivals arrivals;
+    answerTelling();
     for (ipc::Command& command : commands) {
         const app::CommandEffect effect = effectOf(command.text);
         const bool tells = effect == app::CommandEffect::Tells, waits = effect == app::CommandEffect::Waits;
@@ -187,10 +191,28 @@ Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
 // The status stays as it is: it tells of the frame that is drawn, too.
 void CommandService::tell(const ipc::Command& command) {
     try {
-        const Result result = runCommand(command.text, state_, services_.host, command.client);
+        Result result = runCommand(command.text, state_, services_.host, command.client);
+        if (result.when == ReplyWhen::Apart) return startApart(command, std::move(result));
         services_.replies.answer(command, result.answer, result.detail);
     } catch (const std::exception& error) {
         refuseFor(command, error);
+    }
+}
+
+void CommandService::startApart(const ipc::Command& command, Result result) {
+    const bool tells = effectOf(command.text) == app::CommandEffect::Tells;
+    (tells ? tellingWork_ : longWork_).start(command, std::move(result.work), std::move(result.stop));
+}
+
+// What is told needs no state any more.
+void CommandService::answerTelling() {
+    for (const SideWork::Done& done : tellingWork_.takeDone()) {
+        try {
+            const Answer answer = done.finish();
+            services_.replies.answer(done.command, answer.text, answer.detail);
+        } catch (const std::exception& error) {
+            refuseFor(done.command, error);
+        }
     }
 }
 

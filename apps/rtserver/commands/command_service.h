@@ -62,11 +62,12 @@ class CommandService {
     bool waits() const { return commands_.waits(); }
     bool hasNew() const { return commands_.hasNew(); }
     bool worksBeside() const { return sideWork_.underWay(); }
-    bool worksApart() const { return longWork_.underWay(); }
+    bool worksApart() const { return longWork_.underWay() || tellingWork_.underWay(); }
 
     // --- While a frame is drawn ---
 
-    /// Answers what only asks something at once, and takes the others for the next serve().
+    /// Answers what only asks something, at once or when it is found out beside the frame, and takes the
+    /// others for the next serve().
     Arrivals addDuringFrame(std::vector<ipc::Command> commands);
 
   private:
@@ -76,6 +77,8 @@ class CommandService {
     std::optional<Answer> begin(const ipc::Command& command, Result result, Served& served);
     void answerBy(const ipc::Command& command, const Act& act);
     void tell(const ipc::Command& command);
+    void startApart(const ipc::Command& command, Result result);
+    void answerTelling();
     void refuseFor(const ipc::Command& command, const std::exception& error);
     void refuseAll(const std::vector<ipc::Command>& commands, const rtcore::Sentence& why);
 
@@ -85,7 +88,8 @@ class CommandService {
     CommandBook commands_;
     Requests requests_;
     SideWork sideWork_;
-    SideWork longWork_; ///< no client's further commands wait for it
+    SideWork longWork_;    ///< no client's further commands wait for it
+    SideWork tellingWork_; ///< the same of commands that only tell something: no frame is left for its answer
 };
 
 } // namespace rtserver

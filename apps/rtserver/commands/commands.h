@@ -40,7 +40,8 @@ enum class ReplyWhen {
     WhenLoaded,   ///< when the scene stands
     WhenReleased, ///< when the key is up again
     Beside,       ///< when the work is done, which touches files and goes on beside the server
-    Apart,        ///< the same for long work: what the client sends meanwhile does not wait for it
+    Apart,        ///< the same for long work: what the client sends meanwhile does not wait for it; where
+                  ///< the command Tells, what the work returns uses no state
 };
 
 struct Result {

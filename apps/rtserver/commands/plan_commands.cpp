@@ -1,8 +1,11 @@
 // Commands for storeys, and for drawings to scale.
 #include "rtserver/commands/command_call.h"
+#include "rtserver/document/storey_outlines.h"
 
 #include "common/plans/plan_order.h"
 #include "common/process/threads.h"
+
+#include "ipc/layout/limits.h"
 
 #include "rtcore/io/drawings/drawing_file.h"
 #include "rtcore/plans/file_metres.h"
@@ -75,6 +78,25 @@ Result plan(const Call& call) {
             .stop = stop};
 }
 
+// By one thread, for what is small: live frames keep the others.
+Result outline(const Call& call) {
+    const Document& document = call.document();
+    if (!call.state.outlines) call.state.outlines = std::make_shared<StoreyOutlines>();
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    const StoreyOutlines::Order order{.scene = document.scene(),
+                                      .bounds = document.world().loaded.tree.bounds,
+                                      .storey =
+                                          call.size() > 0 ? std::optional(integer(call[0])) : std::nullopt,
+                                      .eye = document.camera().eye,
+                                      .maxBytes = ipc::kMaxAnswerText};
+    return {.when = ReplyWhen::Apart,
+            .work = [order, outlines = call.state.outlines, stop]() -> Finish {
+                app::useThreads(1);
+                return [told = outlines->text(order, *stop)] { return told; };
+            },
+            .stop = stop};
+}
+
 Result storeys(const Call& call) {
     const rtcore::Scene& scene = *call.document().scene();
     const double unit = rtcore::exactMetresPerUnit(scene);
@@ -102,6 +124,7 @@ Result storeyGo(const Call& call) {
 
 constexpr std::array kPlanFunctions{
     CommandFunction{app::CommandId::Plan, plan},
+    CommandFunction{app::CommandId::PlanOutline, outline},
     CommandFunction{app::CommandId::Storeys, storeys},
     CommandFunction{app::CommandId::StoreyGo, storeyGo},
 };

@@ -188,6 +188,17 @@ Result renameBookmark(const Call& call) {
     return {};
 }
 
+Result moveBookmark(const Call& call) {
+    rtcore::SceneBookmarks all = call.document().bookmarks();
+    const auto bookmark = named(all, call[0]);
+    rtcore::SceneBookmark moved = std::move(*bookmark);
+    all.erase(bookmark);
+    const auto before = std::min(static_cast<std::size_t>(integer(call[1]) - 1), all.size());
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(before), std::move(moved));
+    call.document().setBookmarks(std::move(all));
+    return {};
+}
+
 Result removeBookmark(const Call& call) {
     rtcore::SceneBookmarks all = call.document().bookmarks();
     all.erase(named(all, call[0]));
@@ -205,6 +216,7 @@ constexpr std::array kSaveFunctions{
     CommandFunction{app::CommandId::BookmarkAdd, addBookmark},
     CommandFunction{app::CommandId::BookmarkGo, goToBookmark},
     CommandFunction{app::CommandId::BookmarkRename, renameBookmark},
+    CommandFunction{app::CommandId::BookmarkMove, moveBookmark},
     CommandFunction{app::CommandId::BookmarkRemove, removeBookmark},
 };
 

@@ -11,6 +11,7 @@
 namespace rtserver {
 
 struct Measuring;
+class StoreyOutlines;
 
 /// `options` and `messages` must outlive it.
 struct Workspace {
@@ -27,8 +28,9 @@ struct Workspace {
     bool restsInWalkLight = false;
     bool wantsExact = false; ///< a frame is to be written: it depends on the state alone
     bool idles = true;       ///< false: every frame is drawn, though it equals the last
-    std::shared_ptr<PackProgress> packing = nullptr; ///< of the pack that is being made; null: none is
-    std::shared_ptr<Measuring> measuring = nullptr;  ///< the light that is being measured; null: none is
+    std::shared_ptr<PackProgress> packing = nullptr;    ///< of the pack that is being made; null: none is
+    std::shared_ptr<Measuring> measuring = nullptr;     ///< the light that is being measured; null: none is
+    std::shared_ptr<StoreyOutlines> outlines = nullptr; ///< once one was asked for
 };
 
 } // namespace rtserver

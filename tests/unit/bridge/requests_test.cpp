@@ -52,8 +52,8 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
               (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
-                     "measure list", "measure point", "measure seen", "measure volume", "parts", "sections",
-                     "seen", "storeys"}));
+                     "measure list", "measure point", "measure seen", "measure volume", "parts",
+                     "plan outline", "sections", "seen", "storeys"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Move),
               (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
                      "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",

@@ -63,6 +63,27 @@ TEST_F(CommandServiceTest, RefusesWithTheExitCode) {
         << "since its client wants no answer";
 }
 
+// Neither does the frame end for it, nor does it wait for the frame.
+TEST_F(CommandServiceTest, WhatIsFoundOutApartIsToldDuringAFrame) {
+    EXPECT_FALSE(during("plan outline").change);
+    EXPECT_TRUE(service.worksApart());
+    for (int i = 0; i < 2000 && told.lines.empty(); ++i) {
+        EXPECT_FALSE(service.addDuringFrame({}).change);
+        std::this_thread::sleep_for(1ms);
+    }
+    ASSERT_EQ(told.lines.size(), 1U);
+    EXPECT_EQ(told.lines[0].rfind("plan outline: storey 0", 0), 0U) << told.lines[0];
+    EXPECT_FALSE(service.worksApart());
+    told.take();
+    during("plan outline 7");
+    for (int i = 0; i < 2000 && told.lines.empty(); ++i) {
+        service.finishSideWork();
+        std::this_thread::sleep_for(1ms);
+    }
+    ASSERT_EQ(told.lines.size(), 1U);
+    EXPECT_EQ(told.lines[0].rfind("plan outline 7: 1 there is no storey 7", 0), 0U) << told.lines[0];
+}
+
 TEST_F(CommandServiceTest, WhatNeedsAFrameIsRunAgain) {
     serve({"screenshot DIR/b.png", "ping"});
     EXPECT_TRUE(service.waits());

@@ -1,10 +1,14 @@
 // Commands for storeys and drawings, on the room.
 #include "command_room.h"
 
+#include "common/commands/outline_text.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <string>
+#include <vector>
 
 namespace rtserver {
 namespace {
@@ -54,6 +58,51 @@ TEST_F(PlanCommands, GoToAStorey) {
     EXPECT_FLOAT_EQ(document.camera().eye.y, 0.8F);
     EXPECT_FLOAT_EQ(document.camera().eye.z, 3) << "where it was";
     EXPECT_EQ(document.history().last()->label, "storey go 1");
+}
+
+// The unit is a guess, which a plan without a scale does not need.
+TEST_F(PlanCommands, OutlineTheStoreyOfTheCamera) {
+    EXPECT_EQ(app::parseOutline(answer("plan outline")).storey, 0) << "there is none";
+    EXPECT_EQ(refusal("plan outline 1").code, 1);
+    answer("units 2");
+    const app::ToldOutline outline = app::parseOutline(answer("plan outline"));
+    EXPECT_EQ(outline.storey, 1);
+    EXPECT_EQ(outline.floors, std::vector<double>{0});
+    EXPECT_DOUBLE_EQ(outline.top, 1);
+    EXPECT_NEAR(outline.eyeHeight, 0.8, 1e-6);
+    // The box is cut at 0.6 of its own height, and lower once more.
+    ASSERT_EQ(outline.solids.size(), 1U);
+    EXPECT_EQ(outline.solids[0].size(), 5U);
+    EXPECT_EQ(outline.size, (std::array<int, 2>{2000, 2000}));
+    EXPECT_NEAR(outline.step, 1.0 / 2000, 1e-9);
+    EXPECT_NEAR(outline.corner[0], -0.5, 1e-6);
+    EXPECT_NEAR(outline.corner[1], 0, 1e-6);
+    EXPECT_NEAR(outline.corner[2], -2, 1e-6) << "nearest to the viewer";
+    EXPECT_EQ(outline.right, (std::array<float, 3>{1, 0, 0}));
+    EXPECT_EQ(outline.ahead, (std::array<float, 3>{0, 0, -1}));
+    EXPECT_EQ(answer("plan outline 1"), app::formatOutline(outline));
+}
+
+TEST_F(PlanCommands, OutlinesAreOfWhatIsShown) {
+    answer("units 2");
+    EXPECT_FALSE(app::parseOutline(answer("plan outline")).solids.empty());
+    answer("part hide box");
+    const app::ToldOutline without = app::parseOutline(answer("plan outline"));
+    EXPECT_TRUE(without.solids.empty() && without.light.empty());
+    EXPECT_EQ(without.size, (std::array<int, 2>{0, 0}));
+    answer("part show-all");
+    EXPECT_FALSE(app::parseOutline(answer("plan outline")).solids.empty());
+    answer("units 0.5");
+    EXPECT_EQ(app::parseOutline(answer("plan outline")).storey, 0) << "too low to stand below its top";
+}
+
+TEST_F(PlanCommands, OutlinesAreGivenUpAndFoundAgain) {
+    answer("units 2");
+    const Result result = run("plan outline");
+    EXPECT_EQ(result.when, ReplyWhen::Apart);
+    result.stop->store(true);
+    EXPECT_THROW(result.work()(), rtcore::Refusal);
+    EXPECT_FALSE(app::parseOutline(answer("plan outline")).solids.empty());
 }
 
 } // namespace

@@ -59,6 +59,19 @@ TEST_F(Saving, TheSceneHasWhatEditsMadeOfIt) {
     EXPECT_EQ(file.bookmarks[1].camera, document.camera());
 }
 
+TEST_F(Saving, BookmarksHaveAnOrder) {
+    answer("bookmark add here");
+    answer("bookmark add there");
+    answer("bookmark move there 1");
+    EXPECT_EQ(answer("bookmarks"), "there\ndoor\nhere");
+    answer("bookmark move there 99");
+    EXPECT_EQ(answer("bookmarks"), "door\nhere\nthere");
+    document.undo();
+    EXPECT_EQ(answer("bookmarks"), "there\ndoor\nhere");
+    EXPECT_EQ(refusal("bookmark move gate 1").code, 2);
+    EXPECT_EQ(refusal("bookmark move door 0").code, 2);
+}
+
 TEST_F(Saving, StillsKeepWhatTheyHaveOfTheirOwnButForWhatWasChanged) {
     rtcore::LoadedScene room = test::makeRoom();
     room.live = {{"maxDepth", 2}, {"width", 640}, {"height", 480}, {"exposure.key", 0.3F}};

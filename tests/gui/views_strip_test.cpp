@@ -1,0 +1,198 @@
+/// The strip of saved views, which has the bookmarks of the panel.
+#include "gui/models/bookmark_store.h"
+#include "gui/models/view_pictures.h"
+#include "gui/operations/scene_editor.h"
+#include "gui/panels/bookmarks_panel.h"
+#include "gui/panels/views_strip.h"
+#include "gui/window_support.h"
+
+#include <QDir>
+#include <QListWidget>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QToolButton>
+
+namespace {
+
+namespace views_strip_test {
+
+using namespace test;
+using namespace gui;
+
+void forgetViews() {
+    QDir(BookmarkStore::usualFolder()).removeRecursively();
+    QDir(ViewPictures::usualFolder()).removeRecursively();
+}
+
+class ViewsStripTest : public WindowFixture {
+  protected:
+    void SetUp() override {
+        forgetViews();
+        ASSERT_NO_FATAL_FAILURE(WindowFixture::SetUp());
+        window->preferences().set(pref::progressiveRendering, false);
+        window->resize(900, 640);
+        writeText(folder() / "marked.scn",
+                  "version = 2\nmodel = \"room.obj\"\n"
+                  "[[bookmark]]\nname = \"Door\"\neye = [1, 2, 4]\nlookAt = [0, 1, 0]\n"
+                  "[[bookmark]]\nname = \"Above\"\neye = [0, 9, 1]\nlookAt = [0, 1, 0]\n");
+    }
+    void TearDown() override {
+        WindowFixture::TearDown();
+        forgetViews();
+    }
+    void openWithStrip(const std::string& scene) {
+        ASSERT_NO_FATAL_FAILURE(openAndRest(scene));
+        action(ActionId::ViewsStrip)->trigger();
+        ASSERT_TRUE(comes([&] { return strip().isVisible(); }));
+    }
+    ViewsStrip& strip() { return *window->findChild<ViewsStrip*>(); }
+    static QStringList namesIn(QListWidget& list) {
+        QStringList names;
+        for (int i = 0; i < list.count(); ++i) names.append(list.item(i)->text());
+        return names;
+    }
+    bool shows(const QStringList& names) {
+        return comes([&] {
+            return namesIn(strip().list()) == names &&
+                   namesIn(window->findChild<BookmarksPanel*>()->list()) == names;
+        });
+    }
+    void keepView(const char* camera, int count) {
+        ASSERT_TRUE(ask(window->session(), QString::fromLatin1(camera)).done);
+        ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+        strip().adder().click();
+        ASSERT_TRUE(comes([&] { return strip().list().count() == count; }));
+    }
+    QPoint middleOf(int row) { return strip().list().visualItemRect(strip().list().item(row)).center(); }
+    void click(int row) { QTest::mouseClick(strip().list().viewport(), Qt::LeftButton, {}, middleOf(row)); }
+    QAction* entry(const char* text) {
+        for (QAction* each : strip().menu().actions())
+            if (each->text().remove(QLatin1Char('&')) == QLatin1String(text)) return each;
+        throw std::logic_error(text);
+    }
+    bool isAt(QVector3D eye) {
+        return comes([&] { return (status().view.eye - eye).length() < 1e-3F; });
+    }
+};
+
+TEST_F(ViewsStripTest, AClickGoesToAView) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
+    ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", 1));
+    ASSERT_NO_FATAL_FAILURE(keepView("camera set -1 2 5 0 0 -1", 2));
+    EXPECT_TRUE(shows({QStringLiteral("Place 1"), QStringLiteral("Place 2")}));
+    EXPECT_FALSE(strip().list().item(1)->toolTip().contains(QStringLiteral("comes"))) << "it has an image";
+    click(0);
+    EXPECT_TRUE(isAt({1, 2, 5}));
+    click(1);
+    EXPECT_TRUE(isAt({-1, 2, 5}));
+    strip().list().setCurrentRow(0);
+    strip().list().setFocus();
+    QTest::keyClick(&strip().list(), Qt::Key_Return);
+    EXPECT_TRUE(isAt({1, 2, 5}));
+    QTest::keyClick(&strip().list(), Qt::Key_Escape);
+    EXPECT_TRUE(comes([&] { return window->view().hasFocus(); }));
+}
+
+TEST_F(ViewsStripTest, AViewIsReplacedByTheCurrentOne) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
+    ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", 1));
+    BookmarkStore store;
+    store.setScene(file("room.obj"));
+    const BookmarkFiles before = store.read(store.list().front());
+    EXPECT_FALSE(before.picture.isEmpty());
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set -2 2 5 1 0 -1")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 2; })); // two cameras
+    strip().list().setCurrentRow(0);
+    entry("Replace by the current view")->trigger();
+    ASSERT_TRUE(comes([&] { return store.read(store.list().front()).camera != before.camera; }));
+    EXPECT_NE(store.read(store.list().front()).picture, before.picture);
+    EXPECT_TRUE(action(ActionId::Undo)->text().contains(QStringLiteral("replace")));
+    action(ActionId::Undo)->trigger();
+    EXPECT_EQ(store.read(store.list().front()).camera, before.camera);
+    EXPECT_EQ(store.read(store.list().front()).picture, before.picture);
+    click(0);
+    EXPECT_TRUE(isAt({1, 2, 5}));
+}
+
+TEST_F(ViewsStripTest, ViewsAreMovedRenamedAndDeleted) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
+    for (int i = 1; i <= 3; ++i) ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", i));
+    strip().list().setCurrentRow(2);
+    EXPECT_FALSE(entry("Move right")->isEnabled());
+    strip().list().setFocus();
+    QTest::keyClick(&strip().list(), Qt::Key_Left, Qt::ControlModifier);
+    EXPECT_TRUE(shows({QStringLiteral("Place 1"), QStringLiteral("Place 3"), QStringLiteral("Place 2")}));
+    EXPECT_EQ(strip().list().currentRow(), 1);
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(shows({QStringLiteral("Place 1"), QStringLiteral("Place 2"), QStringLiteral("Place 3")}));
+    strip().list().item(0)->setText(QStringLiteral("Altar"));
+    EXPECT_TRUE(shows({QStringLiteral("Altar"), QStringLiteral("Place 2"), QStringLiteral("Place 3")}));
+    strip().list().setCurrentRow(1);
+    QTest::keyClick(&strip().list(), Qt::Key_Delete);
+    EXPECT_TRUE(shows({QStringLiteral("Altar"), QStringLiteral("Place 3")}));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(shows({QStringLiteral("Altar"), QStringLiteral("Place 2"), QStringLiteral("Place 3")}));
+}
+
+// The scene's file has none, and the window does not know their cameras before.
+TEST_F(ViewsStripTest, AViewOfTheSceneGetsItsImageWhenItIsVisited) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("marked.scn"));
+    ASSERT_TRUE(shows({QStringLiteral("Door"), QStringLiteral("Above")}));
+    EXPECT_TRUE(strip().list().item(0)->toolTip().contains(QStringLiteral("comes")));
+    click(0);
+    ASSERT_TRUE(isAt({1, 2, 4}));
+    EXPECT_TRUE(comes([&] { return !strip().list().item(0)->toolTip().contains(QStringLiteral("comes")); }));
+    EXPECT_TRUE(strip().list().item(1)->toolTip().contains(QStringLiteral("comes")));
+    ViewPictures pictures;
+    pictures.setScene(file("marked.scn"));
+    const QImage seen = pictures.picture(QStringLiteral("Door"));
+    EXPECT_FALSE(seen.isNull());
+    EXPECT_LE(seen.width(), 320);
+    // It keeps it under another name, and another position.
+    strip().list().item(0)->setText(QStringLiteral("Gate"));
+    ASSERT_TRUE(shows({QStringLiteral("Gate"), QStringLiteral("Above")}));
+    EXPECT_FALSE(strip().list().item(0)->toolTip().contains(QStringLiteral("comes")));
+    strip().list().setCurrentRow(0);
+    entry("Move right")->trigger();
+    ASSERT_TRUE(shows({QStringLiteral("Above"), QStringLiteral("Gate")}));
+    EXPECT_FALSE(strip().list().item(1)->toolTip().contains(QStringLiteral("comes")));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(shows({QStringLiteral("Gate"), QStringLiteral("Above")}));
+}
+
+TEST_F(ViewsStripTest, AViewThatIsLeftAtOnceGetsNoImage) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("marked.scn"));
+    ASSERT_TRUE(shows({QStringLiteral("Door"), QStringLiteral("Above")}));
+    emit strip().goWanted(0);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 0 2 7 0 0 -1")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    QTest::qWait(200);
+    ViewPictures pictures;
+    pictures.setScene(file("marked.scn"));
+    EXPECT_TRUE(pictures.picture(QStringLiteral("Door")).isNull());
+}
+
+TEST(ViewPicturesTest, AreFewSmallAndPrivate) {
+    const TemporaryFolder folder;
+    ViewPictures pictures(QString::fromStdString((folder / "views").string()));
+    QImage image(32, 20, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    pictures.keep(QStringLiteral("nowhere"), image);
+    pictures.setScene(QStringLiteral("/a.scn"));
+    for (int i = 0; i < ViewPictures::kMaxFiles + 5; ++i) pictures.keep(QString::number(i), image);
+    const QDir files(QString::fromStdString((folder / "views").string()));
+    EXPECT_EQ(files.entryList(QDir::Files).size(), ViewPictures::kMaxFiles);
+    EXPECT_FALSE(pictures.picture(QString::number(ViewPictures::kMaxFiles + 4)).isNull()) << "the newest";
+    for (const QFileInfo& file : files.entryInfoList(QDir::Files))
+        ASSERT_FALSE(file.permission(QFileDevice::ReadGroup) || file.permission(QFileDevice::ReadOther));
+    pictures.rename(QString::number(ViewPictures::kMaxFiles + 4), QStringLiteral("b"));
+    EXPECT_FALSE(pictures.picture(QStringLiteral("b")).isNull());
+    pictures.setScene(QStringLiteral("/other.scn"));
+    EXPECT_TRUE(pictures.picture(QStringLiteral("b")).isNull());
+}
+
+} // namespace views_strip_test
+
+} // namespace
