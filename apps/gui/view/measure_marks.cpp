@@ -3,6 +3,7 @@
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
+#include "gui/view/shown_image.h"
 
 #include <QFontMetrics>
 #include <QKeyEvent>
@@ -104,33 +105,15 @@ void MeasureMarks::forgetPoints() {
 
 // --- Where they are ---
 
-std::optional<SceneImage> MeasureMarks::image() const {
-    const View& view = session_.status().view;
-    const QRectF area = view_.pictureArea();
-    const QSizeF size = view_.shown().size();
-    if (!session_.live() || area.isEmpty() || size.isEmpty() || !view.known()) return std::nullopt;
-    return SceneImage(view, widthIn(view, size), area, size.width() / size.height());
-}
-
-// An image that was rendered before the window had its size may have another shape than the server's.
-double MeasureMarks::widthIn(const View& view, const QSizeF& image) const {
-    const double own = parallelWidth(state_, session_.status().resolution);
-    const double here = parallelWidth(state_, image);
-    return double{view.parallelWidth} * (own > 0 && here > 0 ? here / own : 1);
-}
+std::optional<SceneImage> MeasureMarks::image() const { return shownImage(view_, session_, state_); }
 
 std::optional<QPointF> MeasureMarks::place(const Vec3d& point) const {
     const auto in = image();
     return in ? in->at(point) : std::nullopt;
 }
 
-double MeasureMarks::slack() const {
-    constexpr double kOfDiagonal = 1e-4;
-    return state_.bounds.empty() ? 0 : kOfDiagonal * double{state_.bounds.diagonal()};
-}
-
 bool MeasureMarks::isLeft(Vec3d point) const {
-    return leftOf(state_.sections, point, point, slack()).has_value();
+    return leftOf(state_.sections, point, point, cutSlack(state_)).has_value();
 }
 
 std::vector<QPointF> MeasureMarks::labelPlaces() const {
@@ -159,20 +142,10 @@ void MeasureMarks::look(const QPointF& at) {
     ask();
 }
 
-// An image that was rendered before the window had its size may have another shape than the server's.
-std::optional<QPointF> MeasureMarks::inServersImage(const QPointF& at) const {
-    const auto there = view_.inPicture(at);
-    const QSizeF own = session_.status().resolution, shown = view_.shown().size();
-    if (!there || own.isEmpty() || shown.isEmpty()) return std::nullopt;
-    const double taller = own.width() / own.height() * shown.height() / shown.width();
-    const QPointF place((1 + there->x()) / 2, (1 - there->y() * taller) / 2);
-    return QRectF(0, 0, 1, 1).contains(place) ? std::optional(place) : std::nullopt;
-}
-
 // One question at a time: a hand that moves asks again, where it is by then.
 void MeasureMarks::ask() {
     if (asking_ || !asksAgain_ || !kind_ || !pointer_) return;
-    const auto there = inServersImage(*pointer_);
+    const auto there = inServersImage(view_, session_, *pointer_);
     asksAgain_ = false;
     if (!there) return caught_.reset();
     asking_ = true;
@@ -291,7 +264,7 @@ bool MeasureMarks::key(const QKeyEvent& event) {
 }
 
 void MeasureMarks::click(const QPointF& at, bool onAxis) {
-    const auto there = inServersImage(at);
+    const auto there = inServersImage(view_, session_, at);
     if (!there) return;
     if (kind_ == MeasureKind::Area) return emit faceWanted(*there);
     if (kind_ == MeasureKind::Volume) return emit partWanted(*there);
@@ -371,7 +344,7 @@ void MeasureMarks::draw(QPainter& painter) const {
 }
 
 void MeasureMarks::drawPart(QPainter& painter, const SceneImage& in, Vec3d from, Vec3d to) const {
-    const auto part = leftOf(state_.sections, from, to, slack());
+    const auto part = leftOf(state_.sections, from, to, cutSlack(state_));
     if (!part) return;
     if (const auto line = in.line(part->first, part->second)) drawOnAny(painter, *line, kMeasureColour);
 }

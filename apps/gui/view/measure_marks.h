@@ -67,12 +67,7 @@ class MeasureMarks : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    /// Scene units between the edges of an image without perspective.
-    double widthIn(const View& view, const QSizeF& image) const;
     std::optional<SceneImage> image() const;
-    /// Of a point of the widget: 0..1 from the left and from the top; nothing: beside it.
-    std::optional<QPointF> inServersImage(const QPointF& at) const;
-    double slack() const;
     void onFrame();
     void look(const QPointF& at);
     void ask();
