@@ -62,7 +62,7 @@ MUTANTS = [
          "if (false)"),
     ]),
     ("requests: edits are not locked", [
-        ("control/requests.cpp", "if (command.browser == BrowserUse::Edit && limits.isLocked(\"edits\"))",
+        ("control/requests.cpp", "if (command.browser == BrowserUse::Edit && limits.isLocked(\"edits\") && !visitors)",
          "if (false)"),
     ]),
     ("requests: settings have no caps", [

@@ -107,6 +107,11 @@ app::OptionGroup permissionOptions() {
           .help =
               "settings that pages cannot change; fog.*: all of that group; edits: no settings, lights or "
               "materials at all"},
+         {.name = "visitor-notes",
+          .help = "pages that only look may add notes to the scene, with a name",
+          .more =
+              "Three at once and one every 20 seconds for each page, ten and one every 5 seconds for all, "
+              "and none where the scene has 500. `--lock=edits` does not forbid them"},
          {.name = "clients",
           .value = ValueKind::Integer,
           .argument = "N",
@@ -293,6 +298,7 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     if (const auto origin = arguments.text("origin")) options.origin = parseOrigin(*origin);
     options.limits.locked = lockedOf(arguments.text("lock").value_or(""));
     options.limits.maxPixels = arguments.integer("max-pixels").value_or(options.limits.maxPixels);
+    options.limits.visitorNotes = arguments.has("visitor-notes");
     options.viewOnly = arguments.has("view-only");
     options.clients = static_cast<std::size_t>(arguments.integer("clients").value_or(64));
     options.stream.maxBits = 1e6 * arguments.number("max-mbit").value_or(0);

@@ -124,6 +124,7 @@ json Hub::welcome(const Room& room, const Entrance& entrance, Right right) const
                    {"requests", kRequests},
                    {"heartbeat", InputState::kHeartbeat * kMs}}},
                  {"locked", options_.limits.locked},
+                 {"visitorNotes", options_.limits.visitorNotes},
                  {"rungs", rungs_}};
     welcome.update(tables_);
     if (!entrance.own.empty()) welcome["token"] = entrance.own;

@@ -18,6 +18,7 @@
 #include "gui/operations/mode_operations.h"
 #include "gui/operations/model_operations.h"
 #include "gui/operations/motion_operations.h"
+#include "gui/operations/note_operations.h"
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/plan_operations.h"
 #include "gui/operations/render_operations.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new ModelOperations(context, this);
     new SectionOperations(context, this);
     new MeasureOperations(context, this);
+    new NoteOperations(context, this);
     auto* plans = new PlanOperations(context, this);
     new CornerPlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);

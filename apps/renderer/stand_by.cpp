@@ -43,6 +43,7 @@ std::string descriptionOf(const Request& request, const rtcore::LightingOptions&
     rtcore::SceneFile file = rtcore::readSceneFile(request.scene);
     file.bookmarks.clear();
     file.measures = {};
+    file.notes.clear();
     if (!request.camera.empty() && !file.defaultLight && !lighting.preset) {
         file.camera.reset();
         file.cameraFile.reset();

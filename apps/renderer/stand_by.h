@@ -15,9 +15,9 @@
 namespace renderer {
 
 /// Renders the image of the options, then those of Requests, until standard input ends or a signal comes. The
-/// scene is loaded again when its description, but for camera, bookmarks and measures, or a file that it was
-/// loaded from has changed. Throws what a run of one image throws, except for an image that is not wanted any
-/// more.
+/// scene is loaded again when its description, but for camera, bookmarks, measures and notes, or a file that
+/// it was loaded from has changed. Throws what a run of one image throws, except for an image that is not
+/// wanted any more.
 app::ExitCode standBy(const RendererOptions& options, const std::vector<rtcore::SettingAssignment>& settings,
                       Preview& preview, app::Progress& progress);
 

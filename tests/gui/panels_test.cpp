@@ -168,6 +168,7 @@ TEST_F(PanelsTest, AClosedPanelGivesTheKeysBackToTheImage) {
     const std::array keys{std::pair{Qt::Key_F5, Qt::KeyboardModifiers()},
                           std::pair{Qt::Key_F5, Qt::KeyboardModifiers(Qt::ShiftModifier)},
                           std::pair{Qt::Key_F6, Qt::KeyboardModifiers()},
+                          std::pair{Qt::Key_F6, Qt::KeyboardModifiers(Qt::ShiftModifier)},
                           std::pair{Qt::Key_F7, Qt::KeyboardModifiers()},
                           std::pair{Qt::Key_F7, Qt::KeyboardModifiers(Qt::ShiftModifier)},
                           std::pair{Qt::Key_F8, Qt::KeyboardModifiers()},

@@ -98,6 +98,13 @@ struct Browser {
     QTextBrowser page;
 };
 
+TEST(BridgeWordsTest, AllowNotesOfVisitorsWhereThatIsChosen) {
+    BridgeRequest request;
+    EXPECT_FALSE(bridgeWords(request).contains(QStringLiteral("--visitor-notes")));
+    request.mayNote = true;
+    EXPECT_TRUE(bridgeWords(request).contains(QStringLiteral("--visitor-notes")));
+}
+
 class ShareTest : public WindowFixture {
   protected:
     void SetUp() override {

@@ -53,6 +53,8 @@ TEST_F(PageModules, AModelInTheHandNeverFallsBehind) { passes("orbit_test.js"); 
 TEST_F(PageModules, PointsAreShownWithPerspectiveAndWithout) { passes("measures_test.js"); }
 TEST_F(PageModules, LinesAreClippedBeforeTheEye) { passes("measures_test.js"); }
 TEST_F(PageModules, MeasuresHaveLabels) { passes("measures_test.js"); }
+TEST_F(PageModules, NotesAreTextWithoutControlCharacters) { passes("notes_test.js"); }
+TEST_F(PageModules, NotesHaveAHead) { passes("notes_test.js"); }
 TEST_F(PageModules, ADoubleClickTurnsThere) { passes("directions_test.js"); }
 TEST_F(PageModules, TheScreenIsKeptOnOnce) { passes("wake_lock_test.js"); }
 TEST_F(PageModules, SectionsHaveASideAndATrack) { passes("sections_test.js"); }

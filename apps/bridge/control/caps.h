@@ -20,9 +20,15 @@ inline double minOf(const rtcore::Setting& setting) {
 
 inline constexpr std::size_t kMaxLights = 64; ///< no page adds one beyond them
 
+/// Beyond so many notes of a scene those who only look add none.
+inline constexpr std::size_t kMaxVisitorNotes = 500;
+/// Bytes of the text of a note that a page sends: a message has 4096.
+inline constexpr std::size_t kMaxPageNote = 3000;
+
 struct Limits {
     std::int64_t maxPixels = 1920 * 1080;
     std::vector<std::string> locked; ///< names of settings, or "edits"
+    bool visitorNotes = false;       ///< all pages may add notes, those that only look with a name
 
     bool isLocked(std::string_view name) const { return std::ranges::find(locked, name) != locked.end(); }
 };

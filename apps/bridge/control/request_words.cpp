@@ -78,6 +78,23 @@ std::string settingWord(const json& value) {
     return std::string(setting->name);
 }
 
+std::string noteWord(const json& value) {
+    if (!value.is_string()) throw Refused("the text of a note is a text");
+    std::string text = rtcore::noteText(value.get_ref<const std::string&>());
+    if (text.empty()) throw Refused("the note has no text");
+    if (text.size() > kMaxPageNote)
+        throw Refused(rtcore::say("the text of a note has at most {0} bytes here", kMaxPageNote));
+    return text;
+}
+
+std::string authorWord(const json& value) {
+    if (!value.is_string()) throw Refused("the name of an author is a text");
+    std::string name = rtcore::noteAuthor(value.get_ref<const std::string&>());
+    const rtcore::SceneNote note{.point = {}, .text = "a", .author = name, .view = {}};
+    if (const auto problem = problemOf(note)) throw Refused(problem->why);
+    return name;
+}
+
 /// One of the words that may stand in an argument's place.
 std::optional<std::string> tableWord(const CommandArgument& argument, const json& value) {
     if (!value.is_string()) return std::nullopt;
@@ -111,6 +128,10 @@ std::string wordOf(const CommandArgument& argument, const json& value, const Req
         return materialValueWord(argument, value);
     case ArgumentType::Bookmark:
         return bookmarkWord(value, context.bookmarks);
+    case ArgumentType::Note:
+        return noteWord(value);
+    case ArgumentType::Author:
+        return authorWord(value);
     case ArgumentType::Text:
     case ArgumentType::Path:
     case ArgumentType::SettingValue: // of `set`, which knows the setting

@@ -9,8 +9,9 @@
 
 namespace bridge {
 
-/// Numbers are written anew, other words are those of tables. Throws Refused: of another type, unknown, or of
-/// an argument that is text or a path, which no page gives.
+/// Numbers are written anew, other words are those of tables; the text and the author of a note are as
+/// rtcore::noteText() has them, of kMaxPageNote bytes and kMaxNoteAuthor characters at most. Throws Refused:
+/// of another type, too long, unknown, or of an argument that is other text or a path, which no page gives.
 std::string wordOf(const app::CommandArgument& argument, const nlohmann::json& value,
                    const RequestContext& context);
 

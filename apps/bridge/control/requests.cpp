@@ -56,9 +56,14 @@ bool setsNothing(const CommandSpec& command, const RequestContext& context) {
     return context.sky && command.name.starts_with("sky");
 }
 
+bool addsNote(const CommandSpec& command) {
+    return command.id == CommandId::NoteAdd || command.id == CommandId::NoteAt;
+}
+
 void checkLocks(const CommandSpec& command, const RequestContext& context) {
     const Limits& limits = context.limits;
-    if (command.browser == BrowserUse::Edit && limits.isLocked("edits"))
+    const bool visitors = limits.visitorNotes && addsNote(command);
+    if (command.browser == BrowserUse::Edit && limits.isLocked("edits") && !visitors)
         throw Refused("edits are locked here");
     if (command.id == CommandId::Defaults && !limits.locked.empty())
         throw Refused("some settings are locked; reset others one by one");
@@ -130,8 +135,14 @@ PlannedCommand planRequest(const json& request, const RequestContext& context) {
     checkAmounts(command, given, context);
     const bool step = command.id == CommandId::Undo || command.id == CommandId::Redo;
     if (step && !words.empty()) throw Refused("a page takes back its own last edit only");
-    PlannedCommand planned{command.id, lineOf(command, words), command.browser == BrowserUse::Look,
-                           command.edits(), command.id == CommandId::Set ? words.front() : std::string()};
+    PlannedCommand planned{.id = command.id,
+                           .line = lineOf(command, words),
+                           .anyone = command.browser == BrowserUse::Look,
+                           .edits = command.edits(),
+                           .setting = command.id == CommandId::Set ? words.front() : std::string()};
+    planned.note = addsNote(command);
+    planned.named = planned.note && words.size() == command.arguments.size() && !words.back().empty();
+    planned.anyone = planned.anyone || (planned.note && context.limits.visitorNotes);
     if (isAlso(request) && command.edits()) planned.line = "also " + planned.line;
     return planned;
 }

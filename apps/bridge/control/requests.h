@@ -1,5 +1,6 @@
 /// Requests of pages: commands that the table permits them, with arguments that are checked against its rows.
-/// A line is composed of numbers and of words of tables alone: text of a page is never part of it.
+/// A line is composed of numbers and of words of tables alone. Text of a page is part of it in notes only, as
+/// one word in quotation marks, without control characters but for line breaks.
 #pragma once
 
 #include "bridge/control/caps.h"
@@ -26,6 +27,8 @@ struct PlannedCommand {
     app::CommandId id{};
     std::string line;    ///< for the server
     bool anyone = false; ///< viewers may, too
+    bool note = false;   ///< adds one
+    bool named = false;  ///< it has an author
     bool edits = false;  ///< one step of undo
     std::string setting; ///< that `set` changes
 };

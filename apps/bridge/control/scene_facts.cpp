@@ -75,7 +75,7 @@ json valueJson(const rtcore::MeasureValue& value) {
     return {{"value", value.value}, {"power", value.power}, {"decimals", value.decimals}};
 }
 
-/// Whether a section takes the point away where the label of a measure is.
+/// Whether a section takes the point away.
 bool isCutAway(rtcore::Vec3d point, const app::StateReport& state) {
     constexpr double kOfDiagonal = 1e-4;
     const double slack = state.bounds.empty() ? 0 : kOfDiagonal * double{state.bounds.diagonal()};
@@ -85,11 +85,14 @@ bool isCutAway(rtcore::Vec3d point, const app::StateReport& state) {
     });
 }
 
+json doublesJson(const rtcore::Vec3d& p, const rtcore::LocalOrigin& origin) {
+    return {p.x + origin.at[0], p.y + origin.at[1], p.z + origin.at[2]};
+}
+
 json measureJson(const rtcore::KeptMeasure& measure, const app::StateReport& state) {
     const double metres{state.metresPerUnit};
     json points = json::array(), legs = json::array();
-    for (const rtcore::Vec3d p : measure.points)
-        points.push_back({p.x + state.origin.at[0], p.y + state.origin.at[1], p.z + state.origin.at[2]});
+    for (const rtcore::Vec3d p : measure.points) points.push_back(doublesJson(p, state.origin));
     for (const rtcore::MeasureValue& leg : legsOf(measure, state.measures, metres))
         legs.push_back(valueJson(leg));
     json row = valueJson(valueOf(measure, state.measures, metres));
@@ -105,6 +108,17 @@ json measuresJson(const app::StateReport& state) {
     json rows = json::array();
     for (const rtcore::KeptMeasure& measure : state.measures.all) rows.push_back(measureJson(measure, state));
     return {{"unit", nameOf(state.measures.unit)}, {"count", state.measureCount}, {"all", std::move(rows)}};
+}
+
+json notesJson(const app::StateReport& state) {
+    json rows = json::array();
+    for (const rtcore::SceneNote& note : state.notes)
+        rows.push_back({{"point", doublesJson(note.point, state.origin)},
+                        {"text", note.text},
+                        {"author", note.author},
+                        {"written", note.written},
+                        {"cut", isCutAway(note.point, state)}});
+    return {{"count", state.noteCount}, {"shortened", state.notesShortened}, {"all", std::move(rows)}};
 }
 
 json environmentsJson(const std::vector<app::NamedSwitch>& environments) {
@@ -213,6 +227,7 @@ json sceneJson(const app::StateReport& state) {
                {"sections", sectionsJson(state)},
                {"bookmarks", state.bookmarks},
                {"measures", measuresJson(state)},
+               {"notes", notesJson(state)},
                {"undo", stepJson(state.undo)},
                {"redo", stepJson(state.redo)},
                {"edits", state.edits},
@@ -229,6 +244,7 @@ bool SceneFacts::read(std::string_view report) {
         changes_ = difference(now, all_);
         all_ = std::move(now);
         bookmarks_ = state.bookmarks;
+        notes_ = static_cast<std::size_t>(state.noteCount);
         lights_ = state.lights.size();
         hasSky_ = state.sky.has_value();
         settings_ = state.settings;

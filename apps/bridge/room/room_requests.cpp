@@ -52,6 +52,7 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     if (asker.open >= kMaxRequests || (planned.anyone && !asker.asked.take(now)))
         throw Refused("too many requests at once");
     if (server_.link && !server_.isThere()) throw Refused("there is no server");
+    if (planned.note && !drives) checkNote(asker, planned, now);
     const std::string line = lineOf(by, planned);
     heavy_.sent(planned, server_, edits_, now);
     if (isStep(planned)) edits_.sent();
@@ -61,6 +62,14 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     }
     ++asker.open;
     links_.ask(line, [this, by, id, planned](const ipc::Reply& reply) { answered(by, id, planned, reply); });
+}
+
+/// Of a page that does not drive.
+void RoomRequests::checkNote(Asker& asker, const PlannedCommand& planned, double now) {
+    if (!planned.named) throw Refused("a note needs a name");
+    if (server_.facts.notes() >= kMaxVisitorNotes)
+        throw Refused(rtcore::say("there are {0} notes, the most that visitors may have", kMaxVisitorNotes));
+    if (!asker.notes.take(now) || !notes_.take(now)) throw Refused("too many notes; wait a minute");
 }
 
 /// The command as the server gets it: in the name of the session, and of its own edits only.
@@ -83,7 +92,7 @@ void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand
     }
     if (isStep(planned)) edits_.answered();
     heavy_.answered(planned, clock_.seconds());
-    if (!planned.anyone) links_.refresh();
+    if (!planned.anyone || planned.edits) links_.refresh();
     const auto asker = askers_.find(by);
     if (asker == askers_.end()) return;
     --asker->second.open;

@@ -63,7 +63,9 @@ class RoomRequests {
     struct Asker {
         int open = 0;               ///< requests without an answer
         TokenBucket asked{50, 100}; ///< of those that viewers may send, a second
+        TokenBucket notes{0.05, 3}; ///< that it added without driving, a second
     };
+    void checkNote(Asker& asker, const PlannedCommand& planned, double now);
     std::string lineOf(SessionId by, const PlannedCommand& planned) const;
     void send(SessionId to, std::uint32_t id, bool ok, nlohmann::json content);
     void answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply);
@@ -73,6 +75,7 @@ class RoomRequests {
     const Clock& clock_;
     const RequestLinks links_;
     std::map<SessionId, Asker> askers_;
+    TokenBucket notes_{0.2, 10}; ///< that all add who do not drive, a second: a page may come again and again
     OwnEdits edits_;
     HeavyEdits heavy_;
     int moving_ = 0; ///< requests without an answer that may move the camera

@@ -268,6 +268,17 @@ std::string measureUnit(const std::string& unit, int decimals) {
 }
 std::string measureExport(const std::string& path) { return line(CommandId::MeasureExport, path); }
 
+std::string noteGet(int number) { return line(CommandId::NoteGet, number); }
+std::string noteAdd(const Position& point, const std::string& text, const std::string& author) {
+    return line(CommandId::NoteAdd, point, text, author);
+}
+std::string noteText(int number, const std::string& text, const std::string& author) {
+    return line(CommandId::NoteText, number, text, author);
+}
+std::string noteRemove(int number) { return line(CommandId::NoteRemove, number); }
+std::string noteGo(int number) { return line(CommandId::NoteGo, number); }
+std::string noteExport(const std::string& path) { return line(CommandId::NoteExport, path); }
+
 std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
 
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {

@@ -182,6 +182,14 @@ std::string measureRemoveAll();
 std::string measureUnit(const std::string& unit, int decimals); ///< of rtcore::kLengthUnits
 std::string measureExport(const std::string& path);
 
+// Notes, counted from 1; an author may be "".
+std::string noteGet(int number);
+std::string noteAdd(const Position& point, const std::string& text, const std::string& author);
+std::string noteText(int number, const std::string& text, const std::string& author);
+std::string noteRemove(int number);
+std::string noteGo(int number);
+std::string noteExport(const std::string& path);
+
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);

@@ -89,6 +89,7 @@ std::vector<CommandSpec> sectionCommands();
 std::vector<CommandSpec> planCommands();
 std::vector<CommandSpec> dimensionCommands();
 std::vector<CommandSpec> keptMeasureCommands();
+std::vector<CommandSpec> noteCommands();
 std::vector<CommandSpec> measureCommands();
 std::vector<CommandSpec> keyCommands();
 

@@ -10,7 +10,7 @@ std::span<const CommandSpec> commandTable() {
         for (const auto& group :
              {shellCommands(), serverCommands(), settingCommands(), editCommands(), cameraCommands(),
               fileCommands(), lightCommands(), skyCommands(), bookmarkCommands(), modelCommands(),
-              sectionCommands(), planCommands(), dimensionCommands(), keptMeasureCommands(),
+              sectionCommands(), planCommands(), dimensionCommands(), keptMeasureCommands(), noteCommands(),
               measureCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;

@@ -173,6 +173,14 @@ enum class CommandId {
     MeasureRemove,
     MeasureUnit,
     MeasureExport,
+    NoteList,
+    NoteGet,
+    NoteAdd,
+    NoteAt,
+    NoteText,
+    NoteRemove,
+    NoteGo,
+    NoteExport,
     MeasureLight,
     MeasureLightAt,
     MeasureLightGrid,
@@ -202,6 +210,8 @@ enum class ArgumentType {
     MaterialKey,   ///< a key of a [[material]]
     MaterialValue, ///< of the key before it: a number, true or false
     Bookmark,      ///< the name of a bookmark
+    Note,          ///< the text of a note
+    Author,        ///< the name of its author
     Key,           ///< the name of a key
     Action,        ///< what a key can be bound to
 };

@@ -27,7 +27,8 @@ struct Extent {
     std::size_t max; ///< of the switches
     bool names;
     bool lights; ///< all of each light
-    std::size_t measures;
+    std::size_t measures, notes;
+    std::size_t noteBytes; ///< of a text
 };
 
 constexpr const char* kPathsFrom = "/"; ///< where those of luminaires begin
@@ -105,6 +106,24 @@ void writeMeasures(rtcore::TomlWriter& writer, const rtcore::KeptMeasures& measu
     }
 }
 
+std::size_t firstNotes(const rtcore::SceneNotes& notes, std::size_t max) {
+    std::size_t bytes = 0, count = 0;
+    for (; count < notes.size(); ++count) {
+        bytes += std::min(notes[count].text.size(), kShortNote);
+        if (bytes > max) break;
+    }
+    return count;
+}
+
+void writeNotes(rtcore::TomlWriter& writer, const rtcore::SceneNotes& notes, const Extent& extent) {
+    for (std::size_t i = 0; i < std::min(notes.size(), extent.notes); ++i) {
+        rtcore::SceneNote note = notes[i];
+        note.text = rtcore::shortened(note.text, extent.noteBytes);
+        note.view.reset(); // `note go` knows it
+        rtcore::writeNote(writer, note);
+    }
+}
+
 std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
     writer.add("version", kVersion);
@@ -127,6 +146,8 @@ std::string format(const StateReport& state, const Extent& extent) {
     rtcore::writeSectionStyle(writer, state.sections);
     rtcore::writeMeasureStyle(writer, state.measures);
     if (state.measureCount > 0) writer.add("measureCount", state.measureCount);
+    if (state.noteCount > 0) writer.add("noteCount", state.noteCount);
+    if (state.notesShortened || extent.noteBytes < rtcore::kMaxNoteBytes) writer.add("notesShortened", true);
     writeLights(writer, state, extent);
     write(writer, "environments", state.environments, extent);
     if (state.map) {
@@ -137,6 +158,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     if (state.sky) rtcore::writeSky(writer, *state.sky);
     for (const rtcore::SectionPlane& plane : state.sections.planes) rtcore::writeSectionPlane(writer, plane);
     writeMeasures(writer, state.measures, extent.measures);
+    writeNotes(writer, state.notes, extent);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
     rtcore::writeSettingsSection(writer, "settings", state.settings);
@@ -199,17 +221,30 @@ ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
 } // namespace
 
 std::string formatStateReport(const StateReport& state, std::size_t max) {
-    const std::size_t measures = firstMeasures(state.measures);
-    Extent extent{std::max(state.lights.size(), state.environments.size()), true, true, measures};
+    const std::size_t measures = firstMeasures(state.measures), notes = firstNotes(state.notes, max);
+    const bool longTexts = std::ranges::any_of(
+        state.notes, [](const rtcore::SceneNote& note) { return note.text.size() > kShortNote; });
+    Extent extent{.max = std::max(state.lights.size(), state.environments.size()),
+                  .names = true,
+                  .lights = true,
+                  .measures = measures,
+                  .notes = notes,
+                  .noteBytes = rtcore::kMaxNoteBytes};
     for (;;) {
         std::string text = format(state, extent);
         if (text.ends_with('\n')) text.pop_back();
         if (text.size() <= max) return text;
-        if (extent.measures > 0) {
+        if (longTexts && extent.noteBytes > kShortNote) {
+            extent.noteBytes = kShortNote;
+            continue;
+        }
+        if (extent.measures > 0 || extent.notes > 0) {
             extent.measures /= 2;
+            extent.notes /= 2;
             continue;
         }
         extent.measures = measures;
+        extent.notes = notes;
         if (extent.max == 0) throw rtcore::Refusal("the state takes more bytes than an answer has");
         if (!extent.lights && !extent.names) extent.max /= 2;
         if (!extent.lights) extent.names = false;
@@ -241,6 +276,9 @@ StateReport parseStateReport(std::string_view text) {
     state.bounds = readBounds(root);
     state.sections = rtcore::readSectionPlanes(root);
     state.measures = rtcore::readMeasures(root);
+    state.notes = rtcore::readNotes(root, state.up);
+    state.noteCount = root.integer("noteCount", 0, kMax).value_or(0);
+    state.notesShortened = root.boolean("notesShortened").value_or(false);
     state.measureCount = root.integer("measureCount", 0, kMax).value_or(0);
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));
     state.camera = rtcore::readCamera(camera, rtcore::Vec3{0, 1, 0}, false);

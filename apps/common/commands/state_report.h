@@ -60,6 +60,9 @@ struct StateReport {
     rtcore::SectionPlanes sections = {};
     rtcore::KeptMeasures measures = {};              ///< the first ones of very many
     int measureCount = 0;                            ///< of all
+    rtcore::SceneNotes notes = {};                   ///< the first ones of very many; without their views
+    int noteCount = 0;                               ///< of all
+    bool notesShortened = false;                     ///< texts of more than kShortNote bytes
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing
@@ -71,7 +74,11 @@ struct StateReport {
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 
-/// Bytes of names that are no UTF-8 are shown as `\xNN`. At most `max` bytes: where that is too little the
+/// Where there is no room for all: bytes of a note's text, whose last character is an ellipsis then.
+inline constexpr std::size_t kShortNote = 240;
+
+/// Bytes of names that are no UTF-8 are shown as `\xNN`. At most `max` bytes: where that is too little texts
+/// of notes are shortened, then notes and measures left out from the end, or, where that does not do, the
 /// descriptions of lights are left out, then names, then lights and environments from the end. Throws
 /// std::runtime_error where even that does not do.
 std::string formatStateReport(const StateReport& state, std::size_t max);

@@ -111,6 +111,9 @@ void ShareLinksPage::show(const BridgeRequest& request, const BridgeLinks& links
                              "anything, nor end the server."));
     driver_.meaning->setText(driver_.meaning->text() + QLatin1Char(' ') +
                              tr("The link is good once, for one page; then the next one is shown here."));
+    viewer_.meaning->setText(
+        request.mayNote ? tr("For any number of visitors who only look, and write notes with their name.")
+                        : tr("For any number of visitors who only look."));
     // A phone does not reach an address that only this machine knows.
     for (const Row& row : {driver_, viewer_})
         row.code->setVisible(hasQrCodes() && !request.address.isEmpty());

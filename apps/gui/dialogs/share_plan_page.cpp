@@ -25,8 +25,9 @@ SharePlanPage::SharePlanPage(Preferences& preferences, const QList<OwnAddress>& 
       key_(new FileField(FileField::Kind::Open, tr("Key of the certificate"),
                          tr("Keys (*.pem *.key);;All files (*)"))),
       drive_(new QCheckBox(tr("&Visitors may walk, one at a time"))),
-      edit_(new QCheckBox(tr("They may also change settings, &lights and materials"))), hint_(wrappedLabel()),
-      trouble_(wrappedLabel()), form_(new QFormLayout(this)) {
+      edit_(new QCheckBox(tr("They may also change settings, &lights and materials"))),
+      note_(new QCheckBox(tr("Visitors who only look may &write notes, with their name"))),
+      hint_(wrappedLabel()), trouble_(wrappedLabel()), form_(new QFormLayout(this)) {
     from_->setAccessibleName(tr("From"));
     encryption_->setAccessibleName(tr("Encryption"));
     from_->addItem(tr("this machine only"));
@@ -36,6 +37,7 @@ SharePlanPage::SharePlanPage(Preferences& preferences, const QList<OwnAddress>& 
         {tr("TLS, by a certificate that is made"), tr("TLS, by a certificate of yours"), tr("none")});
     drive_->setChecked(preferences_.get(pref::shareDriving));
     edit_->setChecked(preferences_.get(pref::shareEdits));
+    note_->setChecked(preferences_.get(pref::shareNotes));
     certificate_->setPath(preferences_.get(pref::shareCertificate));
     key_->setPath(preferences_.get(pref::shareKey));
     if (!certificate_->path().isEmpty()) encryption_->setCurrentIndex(ByCertificate);
@@ -51,6 +53,7 @@ void SharePlanPage::build() {
                         "stop sharing.")));
     form_->addRow(QString(), drive_);
     form_->addRow(QString(), edit_);
+    form_->addRow(QString(), note_);
     form_->addRow(tr("&From:"), from_);
     form_->addRow(tr("&Encryption:"), encryption_);
     form_->addRow(tr("&Certificate:"), certificate_);
@@ -101,12 +104,14 @@ BridgeRequest SharePlanPage::request() const {
     }
     request.mayDrive = drive_->isChecked();
     request.mayEdit = edit_->isChecked();
+    request.mayNote = note_->isChecked();
     return request;
 }
 
 void SharePlanPage::remember() {
     preferences_.set(pref::shareDriving, drive_->isChecked());
     preferences_.set(pref::shareEdits, edit_->isChecked());
+    preferences_.set(pref::shareNotes, note_->isChecked());
     preferences_.set(pref::shareCertificate, certificate_->path());
     preferences_.set(pref::shareKey, key_->path());
 }

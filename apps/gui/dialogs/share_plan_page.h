@@ -45,6 +45,7 @@ class SharePlanPage : public QWidget {
     FileField* key_;
     QCheckBox* drive_;
     QCheckBox* edit_;
+    QCheckBox* note_;
     PlainLabel* hint_;
     PlainLabel* trouble_;
     QFormLayout* form_;

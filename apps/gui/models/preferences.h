@@ -28,6 +28,8 @@ inline const Preference<bool> planInCorner{"display/planInCorner", false};
 inline const Preference<bool> lightMarks{"display/lightMarks", false};
 inline const Preference<bool> sectionHandles{"display/sectionHandles", false};
 inline const Preference<bool> showMeasures{"display/showMeasures", true};
+inline const Preference<bool> showNotes{"display/showNotes", true};
+inline const Preference<QString> noteAuthor{"notes/author", QString()};
 inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
@@ -46,6 +48,7 @@ inline const Preference<bool> keepServers{"server/keepRunning", false};
 inline const Preference<QString> instance{"server/instance", QStringLiteral("default")};
 inline const Preference<bool> shareDriving{"share/driving", true}; ///< pages may walk
 inline const Preference<bool> shareEdits{"share/edits", true};     ///< and change settings and lights
+inline const Preference<bool> shareNotes{"share/notes", false};    ///< those who only look may write notes
 inline const Preference<QString> shareCertificate{"share/certificate", QString()};
 inline const Preference<QString> shareKey{"share/key", QString()};
 inline const Preference<double> mouseSensitivity{"input/mouseSensitivity", 0.12}; ///< degrees per pixel

@@ -62,6 +62,9 @@ std::optional<StateAnswer> readState(const QString& answer) {
         result.state.sections = report.sections;
         result.state.measures = report.measures;
         result.state.measureCount = report.measureCount;
+        result.state.notes = report.notes;
+        result.state.noteCount = report.noteCount;
+        result.state.notesShortened = report.notesShortened;
         if (report.camera.kind == rtcore::CameraKind::Orthographic) {
             result.state.parallelWidth = report.camera.orthographicWidth;
             result.state.framedAspect = report.camera.aspect;

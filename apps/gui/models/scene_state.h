@@ -50,6 +50,9 @@ struct SceneState {
     rtcore::SectionPlanes sections;
     rtcore::KeptMeasures measures; ///< the first ones of very many
     int measureCount = 0;          ///< of all
+    rtcore::SceneNotes notes;      ///< the first ones of very many; without their views
+    int noteCount = 0;             ///< of all
+    bool notesShortened = false;   ///< long texts
     float parallelWidth = 0;       ///< of a view without perspective that rests; 0: it has one
     float framedAspect = 0;        ///< of the image that this is the width of; 0: of any
     QString undo, redo;            ///< the steps that these would make (editLabel()); empty: none

@@ -39,6 +39,10 @@ MeasureOperations::MeasureOperations(const GuiContext& context, QObject* parent)
         }
         measure(on ? std::optional(last_) : std::nullopt);
     });
+    // By what else takes clicks, too.
+    connect(context_.actions[ActionId::Measure], &QAction::toggled, this, [this](bool on) {
+        if (!on && marks_->measuring()) measure({});
+    });
     connect(&context_.editor, &SceneEditor::stateChanged, this, &MeasureOperations::showState);
     connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] { measure({}); });
     const auto enable = [this] {
@@ -82,6 +86,7 @@ void MeasureOperations::measure(std::optional<rtcore::MeasureKind> kind) {
     if (kind && !context_.session.live()) kind.reset();
     if (kind) {
         last_ = *kind;
+        context_.actions[ActionId::AddNote]->setChecked(false);
         context_.view.input().release();
         context_.view.setFocus();
     }

@@ -42,6 +42,7 @@ QStringList bridgeWords(const BridgeRequest& request) {
               << QStringLiteral("--tls-key=") + request.key;
     if (!request.mayDrive) words.append(QStringLiteral("--view-only"));
     if (!request.mayEdit) words.append(QStringLiteral("--lock=edits"));
+    if (request.mayNote) words.append(QStringLiteral("--visitor-notes"));
     return words;
 }
 

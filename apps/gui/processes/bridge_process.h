@@ -17,6 +17,7 @@ struct BridgeRequest {
     bool encrypted() const { return ownCertificate || !certificate.isEmpty(); }
     bool mayDrive = true; ///< pages with the driver's link
     bool mayEdit = true;  ///< those that drive: settings, lights, materials
+    bool mayNote = false; ///< all of them, those that only look, too: notes with their name
 };
 
 /// As RTBridge takes them.

@@ -1203,6 +1203,30 @@
         <source>Your bookmarks as images beside each other: a click goes there</source>
         <translation>Záložky jako obrázky vedle sebe: kliknutí tam přejde</translation>
     </message>
+    <message>
+        <source>Add a &amp;note</source>
+        <translation>Přid&amp;at poznámku</translation>
+    </message>
+    <message>
+        <source>Click a place of the model and write what is to be said of it</source>
+        <translation>Klepněte na místo modelu a napište, co k němu chcete říci</translation>
+    </message>
+    <message>
+        <source>Notes an&amp;d comments</source>
+        <translation>Pa&amp;nel poznámek</translation>
+    </message>
+    <message>
+        <source>Texts at places of the model</source>
+        <translation>Texty u míst modelu</translation>
+    </message>
+    <message>
+        <source>S&amp;how notes</source>
+        <translation>Zo&amp;brazit poznámky</translation>
+    </message>
+    <message>
+        <source>Show the numbers of notes over the image</source>
+        <translation>Zobrazit čísla poznámek v obraze</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2872,6 +2896,131 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::NoteDialog</name>
+    <message>
+        <source>Add a note</source>
+        <translation>Přidat poznámku</translation>
+    </message>
+    <message>
+        <source>Edit the note</source>
+        <translation>Upravit poznámku</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Žádný</translation>
+    </message>
+    <message>
+        <source>Kept with the note, and as a preference; may be empty</source>
+        <translation>Zůstane u poznámky a v předvolbách; může být prázdný</translation>
+    </message>
+    <message>
+        <source>&amp;Text:</source>
+        <translation>&amp;Text:</translation>
+    </message>
+    <message>
+        <source>&amp;Author:</source>
+        <translation>&amp;Autor:</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>A note has at most %1 characters.</source>
+        <translation>Poznámka má nejvýše %1 znaků.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::NoteOperations</name>
+    <message>
+        <source>Notes</source>
+        <translation>Poznámky</translation>
+    </message>
+    <message>
+        <source>Click the place that the note is about. Esc ends.</source>
+        <translation>Klepněte na místo, kterého se poznámka týká. Esc končí.</translation>
+    </message>
+    <message>
+        <source>Nothing of the model is seen there.</source>
+        <translation>Tam není z modelu nic vidět.</translation>
+    </message>
+    <message>
+        <source>Export the notes</source>
+        <translation>Exportovat poznámky</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabulky (*.csv)</translation>
+    </message>
+    <message>
+        <source>The notes were written to %1.</source>
+        <translation>Poznámky byly zapsány do %1.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::NotesPanel</name>
+    <message>
+        <source>Notes</source>
+        <translation>Poznámky</translation>
+    </message>
+    <message>
+        <source>Add a note</source>
+        <translation>Přidat poznámku</translation>
+    </message>
+    <message>
+        <source>Click the place in the image that the note is about</source>
+        <translation>Klepněte v obraze na místo, kterého se poznámka týká</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Přejít tam</translation>
+    </message>
+    <message>
+        <source>Look from where the note was written; also Enter or a double click</source>
+        <translation>Pohled odtud, kde byla poznámka napsána; též Enter nebo dvojité klepnutí</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Upravit…</translation>
+    </message>
+    <message>
+        <source>Change the text or the author of the selected note</source>
+        <translation>Změnit text nebo autora vybrané poznámky</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+    <message>
+        <source>Remove the selected note; also Del</source>
+        <translation>Odebrat vybranou poznámku; též Del</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportovat…</translation>
+    </message>
+    <message>
+        <source>Write all notes as a table, a .csv file</source>
+        <translation>Zapsat všechny poznámky jako tabulku, soubor .csv</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>a %n další</numerusform>
+            <numerusform>a %n další</numerusform>
+            <numerusform>a %n dalších</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gui::NoticeBar</name>
     <message>
         <source>Notice</source>
@@ -3979,6 +4128,10 @@ Alt+%2</translation>
         <source>Browsers ask once whether to go on. This certificate is known by %1</source>
         <translation>Prohlížeče se jednou zeptají, zda pokračovat. Tento certifikát se pozná podle %1</translation>
     </message>
+    <message>
+        <source>For any number of visitors who only look, and write notes with their name.</source>
+        <translation>Pro libovolný počet návštěvníků, kteří se jen dívají a píší poznámky se svým jménem.</translation>
+    </message>
 </context>
 <context>
     <name>gui::ShareOperations</name>
@@ -4088,6 +4241,10 @@ Alt+%2</translation>
     <message>
         <source>TLS, by a certificate of yours</source>
         <translation>TLS, vaším certifikátem</translation>
+    </message>
+    <message>
+        <source>Visitors who only look may &amp;write notes, with their name</source>
+        <translation>Návštěvníci, kteří se jen dívají, smějí psát &amp;poznámky, se jménem</translation>
     </message>
 </context>
 <context>

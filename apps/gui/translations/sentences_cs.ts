@@ -392,6 +392,10 @@
         <translation>síť s {0} vstupy; známé jsou 3 (radiance), 6 (s albedem) a 9 (s normálami)</translation>
     </message>
     <message>
+        <source>a note needs a name</source>
+        <translation>poznámka potřebuje jméno</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>číslo</translation>
     </message>
@@ -2808,6 +2812,14 @@
         <translation>název míry je UTF-8 o nejvýše {0} bajtech</translation>
     </message>
     <message>
+        <source>the name of an author is UTF-8 of at most {0} characters, without control characters</source>
+        <translation>jméno autora je UTF-8 o nejvýše {0} znacích, bez řídicích znaků</translation>
+    </message>
+    <message>
+        <source>the name of an author is a text</source>
+        <translation>jméno autora je text</translation>
+    </message>
+    <message>
         <source>the net has {0} outputs, not 3</source>
         <translation>síť má {0} výstupů, ne 3</translation>
     </message>
@@ -2822,6 +2834,10 @@
     <message>
         <source>the normal of the section is zero or too large; give the side that is taken away</source>
         <translation>normála řezu je nulová nebo příliš dlouhá; uveďte stranu, která se odebírá</translation>
+    </message>
+    <message>
+        <source>the note has no text</source>
+        <translation>poznámka nemá text</translation>
     </message>
     <message>
         <source>the number of angles in a plane</source>
@@ -2882,6 +2898,10 @@
     <message>
         <source>the plan was given up</source>
         <translation>kreslení plánu bylo zrušeno</translation>
+    </message>
+    <message>
+        <source>the point of the note has a coordinate beyond 1e12; give one near the model</source>
+        <translation>bod poznámky má souřadnici za 1e12; zadejte bod u modelu</translation>
     </message>
     <message>
         <source>the point of the section has a coordinate beyond 1e12; give one near the model</source>
@@ -2964,6 +2984,22 @@
         <translation>tabulka oddílů je neúplná</translation>
     </message>
     <message>
+        <source>the text of a note has at most {0} bytes here</source>
+        <translation>text poznámky tu má nejvýše {0} bajtů</translation>
+    </message>
+    <message>
+        <source>the text of a note has at most {0} characters and {1} bytes</source>
+        <translation>text poznámky má nejvýše {0} znaků a {1} bajtů</translation>
+    </message>
+    <message>
+        <source>the text of a note is UTF-8 without control characters, but for line breaks and tabs</source>
+        <translation>text poznámky je UTF-8 bez řídicích znaků kromě konců řádků a tabulátorů</translation>
+    </message>
+    <message>
+        <source>the text of a note is a text</source>
+        <translation>text poznámky je text</translation>
+    </message>
+    <message>
         <source>the textures of material {0} lie on it in different ways; all are laid as the first one is</source>
         <translation>textury materiálu {0} na něm leží různě; všechny jsou položené jako první</translation>
     </message>
@@ -3008,6 +3044,10 @@
         <translation>je tu více než {0} měr; některé vynechte</translation>
     </message>
     <message>
+        <source>there are more than {0} notes; leave some out</source>
+        <translation>je tu více než {0} poznámek; některé vynechte</translation>
+    </message>
+    <message>
         <source>there are more than {0} sections; leave some out</source>
         <translation>řezů je více než {0}; některé vynechte</translation>
     </message>
@@ -3034,6 +3074,14 @@
     <message>
         <source>there are {0} measures already; remove one first</source>
         <translation>už je tu {0} měr; nejdřív jednu odeberte</translation>
+    </message>
+    <message>
+        <source>there are {0} notes already; remove one first</source>
+        <translation>už je tu {0} poznámek; nejdřív jednu odeberte</translation>
+    </message>
+    <message>
+        <source>there are {0} notes, the most that visitors may have</source>
+        <translation>poznámek je už {0}, víc jich návštěvníci mít nesmějí</translation>
     </message>
     <message>
         <source>there is a file of this name that is no .bsp file; remove it, or name another</source>
@@ -3094,6 +3142,10 @@
     <message>
         <source>there is no measure {0}; 'measure list' lists them</source>
         <translation>míra {0} není; vypíše je 'measure list'</translation>
+    </message>
+    <message>
+        <source>there is no note {0}; 'note list' lists them</source>
+        <translation>poznámka {0} není; vypíše je 'note list'</translation>
     </message>
     <message>
         <source>there is no room to stand here, or no floor below; move elsewhere first</source>
@@ -3252,6 +3304,10 @@
         <translation>příliš mnoho klíčů s tečkami</translation>
     </message>
     <message>
+        <source>too many notes; wait a minute</source>
+        <translation>příliš mnoho poznámek; počkejte minutu</translation>
+    </message>
+    <message>
         <source>too many of its records are in one place</source>
         <translation>příliš mnoho jeho záznamů je na jednom místě</translation>
     </message>
@@ -3406,6 +3462,10 @@
     <message>
         <source>with the [sky]</source>
         <translation>map okolí i s [sky]</translation>
+    </message>
+    <message>
+        <source>written is no time such as 2026-11-30T18:40:00Z</source>
+        <translation>written není čas jako 2026-11-30T18:40:00Z</translation>
     </message>
     <message>
         <source>you drive now</source>

@@ -794,6 +794,10 @@
         <source>measure</source>
         <translation>míra</translation>
     </message>
+    <message>
+        <source>note</source>
+        <translation>poznámka</translation>
+    </message>
 </context>
 <context>
     <name>LightKinds</name>

@@ -112,13 +112,8 @@ std::optional<QPointF> MeasureMarks::place(const Vec3d& point) const {
     return in ? in->at(point) : std::nullopt;
 }
 
-double MeasureMarks::slack() const {
-    constexpr double kOfDiagonal = 1e-4;
-    return state_.bounds.empty() ? 0 : kOfDiagonal * double{state_.bounds.diagonal()};
-}
-
 bool MeasureMarks::isLeft(Vec3d point) const {
-    return leftOf(state_.sections, point, point, slack()).has_value();
+    return leftOf(state_.sections, point, point, cutSlack(state_)).has_value();
 }
 
 std::vector<QPointF> MeasureMarks::labelPlaces() const {
@@ -349,7 +344,7 @@ void MeasureMarks::draw(QPainter& painter) const {
 }
 
 void MeasureMarks::drawPart(QPainter& painter, const SceneImage& in, Vec3d from, Vec3d to) const {
-    const auto part = leftOf(state_.sections, from, to, slack());
+    const auto part = leftOf(state_.sections, from, to, cutSlack(state_));
     if (!part) return;
     if (const auto line = in.line(part->first, part->second)) drawOnAny(painter, *line, kMeasureColour);
 }

@@ -68,7 +68,6 @@ class MeasureMarks : public QObject {
 
   private:
     std::optional<SceneImage> image() const;
-    double slack() const;
     void onFrame();
     void look(const QPointF& at);
     void ask();

@@ -1,4 +1,4 @@
-/// The image that the viewport shows, as marks over it need it.
+/// Points of the scene in the image that a view shows, and of that image in the server's.
 #pragma once
 
 #include "gui/models/scene_image.h"
@@ -13,12 +13,14 @@ namespace gui {
 class FrameView;
 class Session;
 
-/// With the camera of its frame; nothing where there is none. An image that was rendered before the window
-/// had its size may have another shape than the server's.
+/// Where the shown image has points of the scene; nothing: none is shown, or its camera is not known.
 std::optional<SceneImage> shownImage(const FrameView& view, const Session& session, const SceneState& state);
 
-/// Of a point of the widget, where it is in the server's image: 0..1 from the left and from the top; nothing:
-/// beside it.
+/// Where a point of the widget is in the server's image: 0..1 from the left and from the top; nothing: beside
+/// it.
 std::optional<QPointF> inServersImage(const FrameView& view, const Session& session, const QPointF& at);
+
+/// So far beyond a plane, in scene units, a point still lies in it.
+double cutSlack(const SceneState& state);
 
 } // namespace gui

@@ -44,6 +44,7 @@ std::span<const CommandFunction> sectionFunctions();
 std::span<const CommandFunction> planFunctions();
 std::span<const CommandFunction> dimensionFunctions();
 std::span<const CommandFunction> keptMeasureFunctions();
+std::span<const CommandFunction> noteFunctions();
 std::span<const CommandFunction> measureFunctions();
 std::span<const CommandFunction> keyFunctions();
 std::span<const CommandFunction> saveFunctions();

@@ -80,6 +80,8 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
                             .sections = document.scene()->sections,
                             .measures = document.measures(),
                             .measureCount = static_cast<int>(document.measures().all.size()),
+                            .notes = document.notes(),
+                            .noteCount = static_cast<int>(document.notes().size()),
                             .camera = document.camera(),
                             .settings = rtcore::settingAssignments(document.settings(), true)};
     if (const auto sun = rtcore::sunOf(*document.scene()))

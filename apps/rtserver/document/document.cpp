@@ -55,6 +55,7 @@ void Document::show(std::unique_ptr<World> world) {
     bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(world_->loaded.bookmarks);
     const std::optional<rtcore::SceneFile>& file = world_->loaded.sceneFile;
     measures_ = std::make_shared<const rtcore::KeptMeasures>(file ? file->measures : rtcore::KeptMeasures());
+    notes_ = std::make_shared<const rtcore::SceneNotes>(file ? file->notes : rtcore::SceneNotes());
     history_.clear();
     savedState_ = history_.state();
     if (follower_ != nullptr) follower_->sceneOpened();
@@ -185,6 +186,11 @@ void Document::setMeasures(rtcore::KeptMeasures measures) {
     measures_ = std::make_shared<const rtcore::KeptMeasures>(std::move(measures));
 }
 
+void Document::setNotes(rtcore::SceneNotes notes) {
+    if (notes == *notes_) return;
+    notes_ = std::make_shared<const rtcore::SceneNotes>(std::move(notes));
+}
+
 // --- Settings ---
 
 void Document::setSettings(const rtcore::RenderSettings& settings) {
@@ -255,6 +261,7 @@ void Document::makeOf(const EditStep& step, const Snapshot& from, const Snapshot
     if (changesScene(step)) publish(rtcore::withSkyMap(*to.scene, scene_.get()));
     if (changesBookmarks(step)) bookmarks_ = to.bookmarks;
     if (changesMeasures(step)) measures_ = to.measures;
+    if (changesNotes(step)) notes_ = to.notes;
     if (changesCamera(step) || changesModelUnits(step)) setCamera(to.camera);
 }
 

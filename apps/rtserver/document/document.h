@@ -98,6 +98,8 @@ class Document {
     /// The scene's own, as its file is to have them.
     const rtcore::KeptMeasures& measures() const { return *measures_; }
     void setMeasures(rtcore::KeptMeasures measures);
+    const rtcore::SceneNotes& notes() const { return *notes_; }
+    void setNotes(rtcore::SceneNotes notes);
     const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }
     void setBookmarks(rtcore::SceneBookmarks bookmarks);
 
@@ -119,7 +121,9 @@ class Document {
     // --- Steps ---
 
     /// The state that edits change, as it is now.
-    Snapshot snapshot() const { return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_}; }
+    Snapshot snapshot() const {
+        return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_, notes_};
+    }
     /// The changes since snapshot() was `before` become one step that can be taken back. `label` and
     /// `goesOn`: as in EditHistory.
     void keepStep(std::string label, Snapshot before, const EditAuthor& by = {}, bool goesOn = false);
@@ -157,6 +161,7 @@ class Document {
     int lastBloomRadius_; ///< when it is switched on again
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks_;
     std::shared_ptr<const rtcore::KeptMeasures> measures_;
+    std::shared_ptr<const rtcore::SceneNotes> notes_;
     EditHistory history_;
     std::uint64_t savedState_ = 0;
 };

@@ -34,15 +34,24 @@ std::size_t bytesOf(const rtcore::KeptMeasures& measures) {
     return bytes;
 }
 
+std::size_t bytesOf(const rtcore::SceneNotes& notes) {
+    std::size_t bytes = 0;
+    for (const rtcore::SceneNote& each : notes)
+        bytes += sizeof(each) + each.text.size() + each.author.size() + each.written.size();
+    return bytes;
+}
+
 std::size_t bytesOf(const EditStep& step) {
     const std::size_t measures =
         changesMeasures(step) ? bytesOf(*step.before.measures) + bytesOf(*step.after.measures) : 0;
-    return sizeof(step) + measures + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
+    const std::size_t notes =
+        changesNotes(step) ? bytesOf(*step.before.notes) + bytesOf(*step.after.notes) : 0;
+    return sizeof(step) + measures + notes + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
 }
 
 bool changesAnything(const EditStep& step) {
     return changesScene(step) || changesSettings(step) || changesCamera(step) || changesModelUnits(step) ||
-           changesBookmarks(step) || changesMeasures(step);
+           changesBookmarks(step) || changesMeasures(step) || changesNotes(step);
 }
 
 } // namespace
@@ -61,9 +70,11 @@ bool changesBookmarks(const EditStep& step) { return step.before.bookmarks != st
 
 bool changesMeasures(const EditStep& step) { return step.before.measures != step.after.measures; }
 
+bool changesNotes(const EditStep& step) { return step.before.notes != step.after.notes; }
+
 bool placesOnlyTheCamera(const EditStep& step) {
     return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesModelUnits(step) &&
-           !changesBookmarks(step) && !changesMeasures(step);
+           !changesBookmarks(step) && !changesMeasures(step) && !changesNotes(step);
 }
 
 void EditHistory::add(EditStep step, bool goesOn) {

@@ -23,6 +23,7 @@ struct Snapshot {
     rtcore::ModelUnits modelUnits; ///< the up axis and the unit, and why
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
     std::shared_ptr<const rtcore::KeptMeasures> measures;
+    std::shared_ptr<const rtcore::SceneNotes> notes;
 };
 
 /// Who made an edit.
@@ -42,13 +43,15 @@ struct EditStep {
 };
 
 /// Whether a step changed the scene, the settings, the camera, the up axis or the unit, the bookmarks, the
-/// measures: those that it left alone stay when it is taken back. A step that changed nothing is none.
+/// measures, the notes: those that it left alone stay when it is taken back. A step that changed nothing is
+/// none.
 bool changesScene(const EditStep& step);
 bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);
 bool changesModelUnits(const EditStep& step);
 bool changesBookmarks(const EditStep& step);
 bool changesMeasures(const EditStep& step);
+bool changesNotes(const EditStep& step);
 /// It changed nothing but the camera.
 bool placesOnlyTheCamera(const EditStep& step);
 

@@ -96,6 +96,7 @@ rtcore::SceneFile describe(const Document& document) {
     file.camera->nameOffset = 0;
     file.bookmarks = document.bookmarks();
     file.measures = document.measures();
+    file.notes = document.notes();
     return file;
 }
 

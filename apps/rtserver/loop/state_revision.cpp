@@ -13,6 +13,7 @@ std::uint64_t StateRevision::of(const Workspace& state, bool idle) {
     Key key{.scene = shown.scene,
             .bookmarks = shown.bookmarks,
             .measures = shown.measures,
+            .notes = shown.notes,
             .source = state.document.world().source,
             .settings = shown.settings,
             .bindings = {bindings.begin(), bindings.end()},

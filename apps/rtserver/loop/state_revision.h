@@ -24,6 +24,7 @@ class StateRevision {
         std::shared_ptr<const rtcore::Scene> scene;
         std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
         std::shared_ptr<const rtcore::KeptMeasures> measures;
+        std::shared_ptr<const rtcore::SceneNotes> notes;
         std::filesystem::path source;
         rtcore::RenderSettings settings;
         std::vector<rtcore::KeyBinding> bindings;

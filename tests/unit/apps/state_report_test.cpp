@@ -73,6 +73,37 @@ TEST(StateReport, HasTheMeasures) {
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
 }
 
+TEST(StateReport, HasTheNotes) {
+    app::StateReport state = sampleReport();
+    state.notes = {
+        {.point = {1.0 / 3, 1e9, 0}, .text = "a \"b\"\n\tc", .author = "Ada", .view = {}},
+        {.point = {1, 2, 3}, .text = std::string(2000, 'x'), .view = {}, .written = "2026-11-30T18:40:00Z"}};
+    state.noteCount = 2;
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+    state.notes[0].view = rtcore::Camera{};
+    const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 60000));
+    EXPECT_FALSE(read.notes[0].view) << "the server knows it";
+}
+
+TEST(StateReport, HasTheBeginningsOfLongNotesAndTheFirstOfVeryMany) {
+    app::StateReport state = sampleReport();
+    state.notes.assign(40, {.point = {1, 2, 3}, .text = std::string(2000, 'x'), .view = {}});
+    state.noteCount = 40;
+    const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 60000));
+    ASSERT_EQ(read.notes.size(), 40U);
+    EXPECT_TRUE(read.notesShortened);
+    EXPECT_EQ(read.notes[39].text, rtcore::shortened(state.notes[39].text, app::kShortNote));
+    state.notes.assign(1000, {.point = {1.0 / 3, 1.0 / 7, 3}, .text = std::string(2000, '"'), .view = {}});
+    state.noteCount = 1000;
+    const std::string text = app::formatStateReport(state, 60000);
+    EXPECT_LE(text.size(), 60000U);
+    const app::StateReport many = app::parseStateReport(text);
+    EXPECT_GT(many.notes.size(), 30U);
+    EXPECT_LT(many.notes.size(), 1000U);
+    EXPECT_EQ(many.noteCount, 1000);
+    EXPECT_EQ(many.bookmarks, state.bookmarks);
+}
+
 TEST(StateReport, HasTheFirstOfVeryManyMeasures) {
     app::StateReport state = sampleReport();
     rtcore::KeptMeasure chain{.kind = rtcore::MeasureKind::Chain,

@@ -74,4 +74,9 @@ TEST(WatchOption, IsOffUnlessAskedFor) {
     EXPECT_TRUE(optionsOf({"--watch"}).watch);
 }
 
+TEST(VisitorNotesOption, IsOffUnlessAskedFor) {
+    EXPECT_FALSE(optionsOf({}).limits.visitorNotes);
+    EXPECT_TRUE(optionsOf({"--visitor-notes"}).limits.visitorNotes);
+}
+
 } // namespace

@@ -52,13 +52,28 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
               (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
-                     "measure list", "measure point", "measure seen", "measure volume", "parts",
-                     "plan outline", "sections", "seen", "storeys"}));
-    EXPECT_EQ(commandsFor(app::BrowserUse::Move),
-              (Names{"bookmark go", "camera angle", "camera approach", "camera fit", "camera lens",
-                     "camera look-at", "camera orbit", "camera orthographic", "camera pan", "camera pivot",
-                     "camera reset", "camera set", "camera view", "camera zoom", "fly", "focus", "speed",
-                     "storey go", "walk"}));
+                     "measure list", "measure point", "measure seen", "measure volume", "note get",
+                     "note list", "parts", "plan outline", "sections", "seen", "storeys"}));
+    EXPECT_EQ(commandsFor(app::BrowserUse::Move), (Names{"bookmark go",
+                                                         "camera angle",
+                                                         "camera approach",
+                                                         "camera fit",
+                                                         "camera lens",
+                                                         "camera look-at",
+                                                         "camera orbit",
+                                                         "camera orthographic",
+                                                         "camera pan",
+                                                         "camera pivot",
+                                                         "camera reset",
+                                                         "camera set",
+                                                         "camera view",
+                                                         "camera zoom",
+                                                         "fly",
+                                                         "focus",
+                                                         "note go",
+                                                         "speed",
+                                                         "storey go",
+                                                         "walk"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Edit), (Names{"bloom",
                                                          "defaults",
                                                          "environment",
@@ -91,6 +106,10 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "measure keep volume",
                                                          "measure remove",
                                                          "measure unit",
+                                                         "note add",
+                                                         "note at",
+                                                         "note remove",
+                                                         "note text",
                                                          "part hide",
                                                          "part isolate",
                                                          "part show",
@@ -276,6 +295,9 @@ json usual(const app::CommandSpec& command) {
         case app::ArgumentType::MaterialKey:
             arguments.push_back("opacity");
             break;
+        case app::ArgumentType::Note:
+            arguments.push_back("too dark");
+            break;
         case app::ArgumentType::Date:
             arguments.push_back("2026-01-01");
             break;
@@ -306,6 +328,46 @@ TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
                   command.browser == app::BrowserUse::Look)
             << command.name;
     }
+}
+
+TEST(Requests, HoldTheTextsOfNotesAsOneWord) {
+    EXPECT_EQ(lineOf(request("note add", {0, 1.5, -2, "too \"dark\"\\\r\nhere; exit", "Ada L"})),
+              "note add 0 1.5 -2 \"too \\\"dark\\\"\\\\\nhere; exit\" \"Ada L\"");
+    EXPECT_EQ(lineOf(request("note at", {0.5, 0.25, "a"})), "note at 0.5 0.25 a");
+    EXPECT_EQ(lineOf(request("note text", {1, "\u001B[1m\u202Eb", ""})), "note text 1 [1mb \"\"");
+    EXPECT_EQ(lineOf(request("note add", {0, 0, 0, "<b>=1</b>"})), "note add 0 0 0 <b>=1</b>");
+    for (const json& text : {json(""), json(" \n"), json("\a"), json(7), json(true), json::array({"a"}),
+                             json(), json(std::string(3001, 'x'))})
+        EXPECT_REFUSED(request("note add", {0, 0, 0, text})) << text;
+    EXPECT_REFUSED(request("note add", {0, 0, 0, "a", std::string(65, 'x')}));
+    EXPECT_REFUSED(request("note add", {0, 0, 0, "a", 7}));
+    EXPECT_REFUSED(request("note add", {0, 0, 0, "a", "b", "c"}));
+    EXPECT_REFUSED(request("note export", {"/tmp/x.csv"}));
+}
+
+TEST(Requests, OfAllPagesMayAddNotesWhereThatIsAllowed) {
+    Limits visitors;
+    visitors.visitorNotes = true;
+    visitors.locked = {"edits"};
+    const auto planned = [&](const json& each, const Limits& limits) {
+        return bridge::planRequest(each, {limits, kBookmarks});
+    };
+    EXPECT_FALSE(planned(request("note add", {0, 0, 0, "a", "Ada"}), {}).anyone);
+    for (const json& each :
+         {request("note add", {0, 0, 0, "a", "Ada"}), request("note at", {0, 0, "a", "Ada"})}) {
+        EXPECT_TRUE(planned(each, visitors).anyone) << each;
+        EXPECT_TRUE(planned(each, visitors).named) << each;
+        EXPECT_TRUE(planned(each, visitors).edits) << each;
+    }
+    EXPECT_FALSE(planned(request("note at", {0, 0, "a"}), visitors).named);
+    EXPECT_FALSE(planned(request("note at", {0, 0, "a", " "}), visitors).named);
+    for (const json& each : {request("note remove", {1}), request("note remove", {"all"}),
+                             request("note text", {1, "a", "Ada"})})
+        EXPECT_EQ(refusalOf(each, visitors), "edits are locked here") << each;
+    visitors.locked.clear();
+    for (const json& each :
+         {request("note remove", {1}), request("note text", {1, "a"}), request("note go", {1})})
+        EXPECT_FALSE(planned(each, visitors).anyone) << each;
 }
 
 /// Whatever a page writes: each line that comes out is one of a command that is allowed, with arguments that
@@ -380,6 +442,7 @@ TEST(Answers, OfListsBecomeRows) {
     EXPECT_EQ(seen["part"]["number"], 12);
     EXPECT_EQ(seen["material"]["name"], "oak");
     EXPECT_EQ(bridge::answerContent(app::CommandId::LightAdd, "7")["light"], 7);
+    EXPECT_EQ(bridge::answerContent(app::CommandId::NoteGet, "see /etc/x\n<b>")["note"], "see /etc/x\n<b>");
     for (const char* rubbish : {"", "x", "\n\n", "[[", "1"})
         for (const auto command : {app::CommandId::Parts, app::CommandId::MaterialGet, app::CommandId::Seen,
                                    app::CommandId::LightAdd})

@@ -100,6 +100,56 @@ TEST_F(RequestsOfARoom, ThatMoveOrEditAreTheDriversAlone) {
     EXPECT_EQ(asked.size(), 1U);
 }
 
+json noteBy(const char* author) { return command("note add", {0, 0, 0, "dark", author}); }
+
+TEST_F(RequestsOfARoom, AreNotesOfTheDriverAloneUnlessOthersMay) {
+    EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "only the driver may do that; ask to drive first");
+    EXPECT_EQ(refusal(kAnna, command("note add", {0, 0, 0, "dark"})), "taken");
+    limits.visitorNotes = true;
+    EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken");
+    EXPECT_EQ(lines(), (Lines{"by 1 note add 0 0 0 dark", "by 2 note add 0 0 0 dark Ben"}));
+    answer(1, "2");
+    EXPECT_EQ(refreshes, 1) << "the state has another note";
+    EXPECT_EQ(refusal(kBen, command("note remove", {1}), false),
+              "only the driver may do that; ask to drive first");
+}
+
+TEST_F(RequestsOfARoom, AreNotesWithANameAndFewOfThoseThatOnlyLook) {
+    limits.visitorNotes = true;
+    for (const char* const author : {"", " ", "\a"})
+        EXPECT_EQ(refusal(kBen, noteBy(author), false), "a note needs a name");
+    const auto taken = [&](SessionId by, int of, bool drives = false) {
+        int count = 0;
+        for (int i = 0; i < of; ++i) {
+            if (refusal(by, noteBy("Ben"), drives) != "taken") continue;
+            answer(asked.size() - 1);
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_EQ(taken(kBen, 9), 3);
+    EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "too many notes; wait a minute");
+    EXPECT_EQ(taken(kAnna, 9, true), 9) << "who drives";
+    clock.pass(21);
+    EXPECT_EQ(taken(kBen, 9), 1);
+    int all = 0;
+    for (SessionId id = 10; id < 20; ++id) {
+        requests.join(id);
+        all += taken(id, 9);
+    }
+    EXPECT_LE(all, 12) << "pages that come again and again";
+    EXPECT_GE(all, 9);
+}
+
+TEST_F(RequestsOfARoom, AreNoNotesOfVisitorsWhereTheSceneHasVeryMany) {
+    limits.visitorNotes = true;
+    app::StateReport state = app::parseStateReport(test::stateReport());
+    state.noteCount = bridge::kMaxVisitorNotes;
+    server.facts.read(app::formatStateReport(state, 65000));
+    EXPECT_NE(refusal(kBen, noteBy("Ben"), false).find("the most that visitors may have"), std::string::npos);
+    EXPECT_EQ(refusal(kAnna, noteBy("Anna")), "taken");
+}
+
 TEST_F(RequestsOfARoom, AreFourWithoutAnAnswerAtMost) {
     for (int i = 0; i < 4; ++i) ask(kAnna, command("walk"));
     EXPECT_EQ(refusal(kAnna, command("walk")), "too many requests at once");

@@ -94,6 +94,32 @@ TEST(SceneFacts, TellMeasuresAsTheirLabelsDo) {
     EXPECT_EQ(measures["all"][1]["legs"][1]["value"], 100);
 }
 
+TEST(SceneFacts, TellNotesAsTheyAre) {
+    app::StateReport state = sample();
+    state.origin.at = {100, 0, 0};
+    state.bounds = {{-1, -1, -1}, {1, 3, 1}};
+    state.sections.planes = {{{0, 1, 0}, {0, 1, 0}}};
+    state.notes = {{.point = {1, 0.5, 0},
+                    .text = "see /etc/x\n<script>",
+                    .author = "=1+2",
+                    .view = {},
+                    .written = "2026-11-30T18:40:00Z"},
+                   {.point = {0, 2, 0}, .text = "b", .view = {}}};
+    state.noteCount = 7;
+    bridge::SceneFacts facts;
+    ASSERT_TRUE(readState(facts, state));
+    const json notes = facts.all()["notes"];
+    EXPECT_EQ(notes["count"], 7);
+    EXPECT_EQ(facts.notes(), 7U);
+    EXPECT_EQ(notes["shortened"], false);
+    EXPECT_EQ(notes["all"][0], (json{{"point", {101, 0.5, 0}},
+                                     {"text", "see /etc/x\n<script>"},
+                                     {"author", "=1+2"},
+                                     {"written", "2026-11-30T18:40:00Z"},
+                                     {"cut", false}}));
+    EXPECT_EQ(notes["all"][1]["cut"], true);
+}
+
 TEST(SceneFacts, TellOnlyWhatChanged) {
     bridge::SceneFacts facts;
     app::StateReport state = sample();

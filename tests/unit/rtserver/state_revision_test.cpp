@@ -30,6 +30,8 @@ TEST_F(Revised, GrowsWithEachAnswerThatIsAnother) {
                                    "measure keep distance 0 0 0 1 0 0",
                                    "measure name 1 a",
                                    "measure unit mm",
+                                   "note add 0 0 0 a",
+                                   "note text 1 b",
                                    "material set 1 diffuse 1 0 0",
                                    "part hide box",
                                    "camera angle 80",

@@ -52,6 +52,22 @@ TEST(Mutation, ScenesAreReadOrRefused) {
 }
 
 /// In files of nothing else, so that damage meets them.
+TEST(Mutation, NotesAreReadOrRefused) {
+    const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\n";
+    const std::vector<std::string> examples{
+        head + "[[note]]\npoint = [0, 1e11, -8.5]\ntext = \"a\\n\\\"\xC5\xBD\\t\\u20AC\"\nauthor = \"Ada\"\n"
+               "written = \"2026-11-30T18:40:00Z\"\n[[note]]\npoint = [0, 0, 0]\ntext = \"b\"\n",
+        head + "[[note]]\npoint = [1, 2, 3]\ntext = \"c\"\neye = [0, 1.7, -8]\nforward = [0, 0, -1]\n"
+               "up = [0, 1, 0]\nfov = 70\naspect = 1.5\n[[note]]\npoint = [0, 0, 1]\ntext = \"d\"\n"
+               "eye = [0, 0, 0]\nlookAt = [1, 0, 0]\northographicWidth = 4\n"};
+    expectSome(survivorsOf(examples, 57, [](const std::string& text) {
+        const rtcore::SceneFile scene = rtcore::parseSceneFile(text, "/s/x.scn");
+        const rtcore::SceneFile again =
+            rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "/s/x.scn"), "/s/x.scn");
+        EXPECT_EQ(again.notes, scene.notes) << text;
+    }));
+}
+
 TEST(Mutation, SectionsAndMeasuresAreReadOrRefused) {
     const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\n";
     const std::vector<std::string> examples{

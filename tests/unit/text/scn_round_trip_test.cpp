@@ -39,6 +39,22 @@ rtcore::KeptMeasure randomMeasure(Random& random, const std::string& name) {
     return measure;
 }
 
+std::string noteOf(Random& random) {
+    constexpr std::array<std::string_view, 9> pieces{
+        "a", "\n", "\t", "\"", "\\", "\xC5\xBD", "\xF0\x9F\x98\x80", "#", "'"};
+    std::string text = "n";
+    for (std::size_t n = random.below(12); n > 0; --n) text += pieces.at(random.below(pieces.size()));
+    return text;
+}
+
+rtcore::SceneNote randomNote(Random& random, const std::optional<rtcore::Camera>& view) {
+    rtcore::SceneNote note{
+        .point = {double{random.fraction()} / 3, 1e11 / 7, -1.0 / 3}, .text = noteOf(random), .view = view};
+    if (random.flag()) note.author = "Ada \"A\" \xC5\xBD";
+    if (random.flag()) note.written = "2026-11-30T18:40:00Z";
+    return note;
+}
+
 /// With quotes, backslashes, control characters and letters of two to four bytes; never empty.
 std::string awkwardName(Random& random) {
     constexpr std::array<std::string_view, 17> pieces{
@@ -192,6 +208,9 @@ SceneFile randomScene(Random& random) {
         s.bookmarks.push_back({std::to_string(n) + awkwardName(random), randomSceneCamera(random)});
     for (std::size_t n = random.below(4); n > 0; --n)
         s.measures.all.push_back(randomMeasure(random, awkwardName(random)));
+    for (std::size_t n = random.below(4); n > 0; --n)
+        s.notes.push_back(
+            randomNote(random, random.flag() ? std::optional(randomSceneCamera(random)) : std::nullopt));
     if (random.flag()) s.measures.unit = rtcore::LengthUnit::Inch;
     s.measures.decimals = static_cast<int>(random.below(7));
     for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
@@ -230,6 +249,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.defaultLight, b.defaultLight);
     EXPECT_EQ(a.bookmarks, b.bookmarks);
     EXPECT_EQ(a.measures, b.measures);
+    EXPECT_EQ(a.notes, b.notes);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.pose, b.pose);
     EXPECT_EQ(a.deflection, b.deflection);
@@ -321,7 +341,7 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     const test::TemporaryFolder folder;
     SceneFile good;
     good.model = "a.obj";
-    std::vector<SceneFile> bad(16, good);
+    std::vector<SceneFile> bad(17, good);
     bad[0].model = "";
     bad[1].up = {0, 1, 1};
     bad[2].fog.density = -1;
@@ -335,6 +355,7 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     bad[9].bookmarks = {{"a", {}}, {"a", {}}};
     bad[14].measures.all.resize(1);
     bad[15].measures.decimals = 7;
+    bad[16].notes.resize(1); // without a text
     for (std::size_t i = 10; i < 14; ++i) bad[i].sky.emplace();
     bad[10].sky->turbidity = 1;
     bad[11].sky->date->day = 31; // of June

@@ -173,6 +173,56 @@ TEST(Scn, RefusesMeasuresWithTheirLine) {
               std::string::npos);
 }
 
+TEST(Scn, ReadsNotes) {
+    const rtcore::SceneNotes notes =
+        parseSceneFile(
+            "version = 2\nmodel = \"a\"\nup = \"+z\"\n"
+            "[[note]]\npoint = [0.1, 1e9, 3]\ntext = \"too dark,\\n<b>here</b>\"\nauthor = \"Ada\"\n"
+            "written = \"2026-11-30T18:40:00Z\"\neye = [1, 2, 3]\nlookAt = [1, 5, 3]\nfov = 70\n"
+            "[[note]]\npoint = [0, 0, 0]\ntext = \"a\"\n",
+            "x.scn")
+            .notes;
+    ASSERT_EQ(notes.size(), 2U);
+    EXPECT_EQ(notes[0].point, (rtcore::Vec3d{0.1, 1e9, 3}));
+    EXPECT_EQ(notes[0].text, "too dark,\n<b>here</b>");
+    EXPECT_EQ(notes[0].author, "Ada");
+    EXPECT_EQ(notes[0].written, "2026-11-30T18:40:00Z");
+    ASSERT_TRUE(notes[0].view);
+    EXPECT_EQ(notes[0].view->forward, (rtcore::Vec3{0, 3, 0}));
+    EXPECT_EQ(notes[0].view->up, (rtcore::Vec3{0, 0, 1}));
+    EXPECT_EQ(notes[0].view->horizontalFov, 70);
+    EXPECT_FALSE(notes[1].view);
+}
+
+TEST(Scn, RefusesNotesWithTheirLine) {
+    const auto refusal = [](const std::string& text) {
+        return test::badData([&] { parseSceneFile("version = 2\nmodel = \"a\"\n" + text, "x.scn"); });
+    };
+    const auto refused = [&](const std::string& keys, const char* part) {
+        EXPECT_NE(refusal("[[note]]\n" + keys).find(part), std::string::npos) << refusal("[[note]]\n" + keys);
+    };
+    EXPECT_EQ(refusal("[[note]]\npoint = [0, 0, 0]\ntext = \" \"\n"), "x.scn:5:8: the note has no text");
+    refused("text = \"a\"\n", "point");
+    refused("point = [0, 0, 0]\n", "text");
+    refused("point = [0, 0]\ntext = \"a\"\n", "three numbers");
+    refused("point = [0, 2e12, 0]\ntext = \"a\"\n", "x.scn:4:");
+    refused("point = [0, 0, 0]\ntext = \"a\\u0007\"\n", "x.scn:5:8: the text of a note is UTF-8");
+    refused("point = [0, 0, 0]\ntext = \"a\\u202E\"\n", "control characters");
+    refused("point = [0, 0, 0]\ntext = \"" + std::string(2001, 'x') + "\"\n", "at most 2000 characters");
+    refused("point = [0, 0, 0]\ntext = \"a\"\nauthor = \"" + std::string(65, 'x') + "\"\n",
+            "x.scn:6:10: the name of an author");
+    refused("point = [0, 0, 0]\ntext = \"a\"\nauthor = \"a\\nb\"\n", "x.scn:6:10: ");
+    refused("point = [0, 0, 0]\ntext = \"a\"\nwritten = \"2026-02-30T00:00:00Z\"\n", "x.scn:6:11: written");
+    refused("point = [0, 0, 0]\ntext = \"a\"\neye = [0, 0, 0]\n", "forward");
+    refused("point = [0, 0, 0]\ntext = \"a\"\nfov = 60\n", "eye");
+    refused("point = [0, 0, 0]\ntext = \"a\"\nname = \"b\"\n", "unknown key 'name'");
+    std::string many;
+    for (int i = 0; i < 1001; ++i) many += "[[note]]\npoint = [0, 0, 0]\ntext = \"a\"\n";
+    EXPECT_NE(refusal(many).find("more than 1000 notes"), std::string::npos);
+    EXPECT_NE(sceneProblem("[[note]]\npoint = [0, 0, 0]\ntext = \"a\"\n").find("version = 2"),
+              std::string::npos);
+}
+
 TEST(Scn, ReadsBookmarks) {
     const std::string newest = "version = 2\nmodel = \"a\"\nup = \"+z\"\n";
     const SceneFile scene = parseSceneFile(newest + "[[bookmark]]\nname = \"door\"\neye = [1, 2, 3]\n"
@@ -538,10 +588,12 @@ TEST(Scn, PositionsAreSeenFromTheModelsZero) {
         "[[bookmark]]\nname = \"b\"\neye = [458213, 5428765, 312.1]\nforward = [1, 0, 0]\n"
         "[[measure]]\nkind = \"distance\"\n"
         "points = [[458213.001, 5428765, 312], [458214.001, 5428765, 312]]\n"
+        "[[note]]\npoint = [458213.001, 5428765, 312]\ntext = \"a\"\n"
         "[fog]\nkind = \"exponential\"\ngroundHeight = 311.9\n";
     const rtcore::SceneFile scene = rtcore::parseSceneFile(byHand, "x.scn", zero);
     EXPECT_NEAR(scene.measures.all[0].points[0].x, 0.001, 1e-9);
     EXPECT_NEAR(scene.measures.all[0].points[1].x, 1.001, 1e-9);
+    EXPECT_NEAR(scene.notes[0].point.x, 0.001, 1e-9);
     EXPECT_EQ(scene.camera->eye, (rtcore::Vec3{0.25F, -5, 1.5F}));
     EXPECT_EQ(scene.camera->forward, (rtcore::Vec3{0, 5, 0}));
     EXPECT_EQ(scene.lights[0].light.position, (rtcore::Vec3{1.1F, 0, 0}));
@@ -554,6 +606,7 @@ TEST(Scn, PositionsAreSeenFromTheModelsZero) {
     EXPECT_EQ(again.lights, scene.lights);
     EXPECT_EQ(again.bookmarks, scene.bookmarks);
     EXPECT_EQ(again.measures, scene.measures);
+    EXPECT_EQ(again.notes, scene.notes);
     EXPECT_EQ(again.fog.groundHeight, scene.fog.groundHeight);
 }
 

@@ -51,7 +51,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         around.showOrbit();
         around.showStatus();
         asked.offer();
-        app.measures.show();
+        app.showMarks();
         panels.show();
     });
 
@@ -61,7 +61,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         // A whole state comes after each loss of the link, too: hands go on as they were.
         const another = scene !== app.state.scene || indoors !== app.state.indoors;
         if (another) app.orbit.begin(app.state.indoors);
-        app.measures.show();
+        app.showMarks();
         around.showHeader();
         panels.show();
     });
@@ -71,7 +71,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         app.follow(status);
         if (first) asked.offer();
         app.upright.follow();
-        app.measures.show();
+        app.showMarks();
         around.showStatus();
         panels.show();
     });
@@ -135,6 +135,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
     on("lost", ({ code, reason, final }) => {
         app.letGo();
         app.measures.stop();
+        app.notes.stop();
         showBusy(false);
         around.setLive(false);
         notices.hide("server");

@@ -13,9 +13,11 @@ import { connectHands } from "./hands.js";
 import { Held } from "./held.js";
 import { Link } from "./link.js";
 import { Measures } from "./measures.js";
+import { Notes } from "./notes.js";
 import { Orbit } from "./orbit.js";
 import { lightsPanel } from "./panel_lights.js";
 import { modelPanel } from "./panel_model.js";
+import { notesPanel } from "./panel_notes.js";
 import { pagePanel } from "./panel_page.js";
 import { peoplePanel } from "./panel_people.js";
 import { sectionsPanel } from "./panel_sections.js";
@@ -64,28 +66,31 @@ app.upright = new Upright({ drives: () => app.drives(), room: pixels,
 app.orbit = new Orbit(app.picture, { ask: (...command) => app.ask(...command),
     range: (...which) => app.argument(...which),
     changed: () => onOrbit() });
-/** Two panels below each other: a phone has room for so many tabs. */
-const joined = (first, second) => (app) => {
-    const [upper, lower] = [first(app), second(app)];
+/** Panels below each other: a phone has room for so many tabs. */
+const joined = (...subjects) => (app) => {
+    const [upper, ...lower] = subjects.map((subject) => subject(app));
     return {
         id: upper.id,
         fill(place) {
             upper.fill(place);
-            const part = make("div");
-            place.append(make("h3", {}, t(lower.id)), part);
-            lower.fill(part);
+            for (const each of lower) {
+                const part = make("div");
+                place.append(make("h3", {}, t(each.id)), part);
+                each.fill(part);
+            }
         },
         show() {
-            upper.show();
-            lower.show();
+            for (const each of [upper, ...lower]) each.show();
         },
     };
 };
-const panels = [viewsPanel, lightsPanel, skyPanel, joined(modelPanel, sectionsPanel), settingsPanel, peoplePanel,
-    pagePanel];
+const panels = [viewsPanel, lightsPanel, skyPanel, joined(modelPanel, sectionsPanel, notesPanel), settingsPanel,
+    peoplePanel, pagePanel];
 app.panels = new Panels(panels.map((panel) => panel(app)), () => sendView());
 app.statistics.onChange = () => app.panels.show();
 app.measures = new Measures(app);
+app.notes = new Notes(app);
+app.showMarks = () => [app.measures, app.notes].forEach((marks) => marks.show());
 app.around = new Around(app);
 app.driving = new Driving(app);
 connectHands(app, canvas);
@@ -100,7 +105,7 @@ function onOrbit() {
 function onDrawn({ drawn, still }) {
     app.picture.drew(drawn, still);
     app.around.showFrame(still !== undefined);
-    app.measures.show();
+    app.showMarks();
     app.statistics.drawn(drawn, drawn.input ? app.held.until(drawn.at, drawn.input) : null);
 }
 

@@ -3,7 +3,7 @@
  * a distance by two taps.
  */
 import { byId } from "./dom.js";
-import { SceneImage } from "./scene_image.js";
+import { imageIn } from "./scene_image.js";
 import { number, t } from "./texts.js";
 
 const SVG = "http://www.w3.org/2000/svg", POWERS = ["", "", "²", "³"];
@@ -97,14 +97,10 @@ export class Measures {
     /** Paints them anew. */
     show() {
         this.forgetOtherView();
-        const { status, picture } = this.app;
         if (this.measuring && !this.app.mayEdit()) return this.stop();
-        const width = status.orthographic ?? 0;
-        const seen = status.eye && (status.fov > 0 || width > 0) && (this.all.length > 0 || this.measuring);
-        if (!seen) return this.place.replaceChildren();
-        const origin = this.place.getBoundingClientRect(), box = picture.box();
-        const area = { ...box, x: box.x - origin.x, y: box.y - origin.y };
-        const image = new SceneImage(status, width, area);
+        const shown = (this.all.length > 0 || this.measuring) && imageIn(this.place, this.app);
+        if (!shown) return this.place.replaceChildren();
+        const { area, image } = shown;
         const all = this.all.filter(({ cut }) => !cut); // no line over a label
         const marks = [...all.flatMap((one) => this.linesOf(one, image)),
             ...all.flatMap((one) => this.textsOf(one, image))];

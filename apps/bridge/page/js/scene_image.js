@@ -4,6 +4,15 @@ import { cross, dot, unit } from "./directions.js";
 const difference = (a, b) => a.map((part, index) => part - b[index]);
 const between = (a, b, part) => a.map((from, index) => from + part * (b[index] - from));
 
+/** The image that is shown, in pixels of `place`, and where it is there; null: its camera is not known. */
+export function imageIn(place, { status, picture }) {
+    const width = status.orthographic ?? 0;
+    if (!status.eye || !(status.fov > 0 || width > 0)) return null;
+    const origin = place.getBoundingClientRect(), box = picture.box();
+    const area = { ...box, x: box.x - origin.x, y: box.y - origin.y };
+    return { area, image: new SceneImage(status, width, area) };
+}
+
 export class SceneImage {
     /**
      * @param {{eye: number[], forward: number[], up: number[], fov: number}} view

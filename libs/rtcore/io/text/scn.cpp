@@ -111,6 +111,7 @@ class SceneReader {
         readActiveEnvironment();
         scene_.bookmarks = readBookmarks(root_, scene_.up);
         scene_.measures = readMeasures(root_);
+        scene_.notes = readNotes(root_, scene_.up);
     }
 
     void readScenePose() {
@@ -203,6 +204,7 @@ class SceneWriter {
         }
         for (const SceneBookmark& bookmark : scene_.bookmarks) writeBookmark(writer_, bookmark);
         for (const KeptMeasure& measure : scene_.measures.all) writeMeasure(writer_, measure);
+        for (const SceneNote& note : scene_.notes) writeNote(writer_, note);
         writeFog();
         writeWalk();
         writeSettingsSection(writer_, "live", scene_.live);

@@ -11,6 +11,7 @@
 #include "rtcore/scene/material_override.h"
 #include "rtcore/scene/pose_choice.h"
 #include "rtcore/scene/scene.h"
+#include "rtcore/scene/scene_note.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <filesystem>
@@ -97,6 +98,7 @@ struct SceneFile : SceneLook {
     std::vector<EnvironmentFile> environments;
     SceneBookmarks bookmarks;
     KeptMeasures measures;
+    SceneNotes notes;
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 

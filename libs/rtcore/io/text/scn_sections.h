@@ -29,6 +29,8 @@ Sky readSky(StrictTable& table, const Sky& usual = {});
 
 /// All [[measure]] of the root, and the unit of their labels.
 KeptMeasures readMeasures(StrictTable& root);
+/// All [[note]] of the root; `up` as in readCamera().
+SceneNotes readNotes(StrictTable& root, Vec3 up);
 /// All [[bookmark]] of the root; `up` as in readCamera().
 SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
 
@@ -44,6 +46,7 @@ void writeSectionStyle(TomlWriter& writer, const SectionPlanes& sections);
 void writeSectionPlane(TomlWriter& writer, const SectionPlane& plane);
 void writeMeasureStyle(TomlWriter& writer, const KeptMeasures& measures);
 void writeMeasure(TomlWriter& writer, const KeptMeasure& measure);
+void writeNote(TomlWriter& writer, const SceneNote& note);
 void writeSky(TomlWriter& writer, const Sky& sky);
 void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);
 

@@ -201,15 +201,24 @@ std::optional<Vec3> StrictTable::position(std::string_view key) {
                 nearestFloat(p[2] + shift_[2])};
 }
 
+std::optional<FilePoint> StrictTable::precisePosition(std::string_view key) {
+    const TextValue* found = value(key);
+    if (found == nullptr) return std::nullopt;
+    return shifted(threeNumbers<double>({*file_, key}, *found, kCoordinate));
+}
+
 std::optional<std::vector<FilePoint>> StrictTable::positions(std::string_view key) {
     const auto* array = typed<TextArray>(key, form("positions in brackets"));
     if (array == nullptr) return std::nullopt;
     std::vector<FilePoint> points;
-    for (const TextValue& item : *array) {
-        points.push_back(threeNumbers<double>({*file_, key}, item, kCoordinate));
-        for (std::size_t i = 0; i < 3; ++i) points.back()[i] += shift_[i];
-    }
+    for (const TextValue& item : *array)
+        points.push_back(shifted(threeNumbers<double>({*file_, key}, item, kCoordinate)));
     return points;
+}
+
+FilePoint StrictTable::shifted(FilePoint point) const {
+    for (std::size_t i = 0; i < 3; ++i) point[i] += shift_[i];
+    return point;
 }
 
 std::optional<float> StrictTable::height(std::string_view key, Vec3 up) {

@@ -48,7 +48,9 @@ class StrictTable {
     std::optional<Vec3> vector(std::string_view key);
     /// Three coordinates, or one of them along an axis, as seen from the zero of readOrigin().
     std::optional<Vec3> position(std::string_view key);
-    /// Positions in brackets, in doubles.
+    /// The same in doubles, at most 1e12 from zero.
+    std::optional<FilePoint> precisePosition(std::string_view key);
+    /// Such positions in brackets.
     std::optional<std::vector<FilePoint>> positions(std::string_view key);
     std::optional<float> height(std::string_view key, Vec3 up);
     std::optional<Colour> colour(std::string_view key, const Limits& limits);
@@ -92,6 +94,7 @@ class StrictTable {
     const TextEntry* find(std::string_view key) const;
     template <typename T>
     const T* typed(std::string_view key, const Sentence& wanted);
+    FilePoint shifted(FilePoint point) const;
     StrictTable within(const TextValue& table) const;
 
     const TextValue* table_;
