@@ -109,6 +109,11 @@ TEST(LightMeter, GivesUpWhileAnotherMeasures) {
     EXPECT_TRUE(s.meter.done());
     s.meter.measure({0.5, 0.5});
     EXPECT_EQ(s.sent.size(), 2U);
+    s.answer(luminance(0.4));
+    EXPECT_TRUE(s.meter.reading().luminance);
+    s.meter.glance({0.5, 0.5});
+    s.answer(QStringLiteral("light is being measured already"), false);
+    EXPECT_FALSE(s.meter.reading().luminance) << "it was that of another view";
 }
 
 TEST(LightMeter, GlancesWhileTheViewMoves) {

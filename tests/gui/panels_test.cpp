@@ -207,8 +207,8 @@ TEST_F(PanelsTest, OneKeyHidesAllPanelsAndBringsThemBack) {
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(),
               (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"), QStringLiteral("measures"),
-                           QStringLiteral("model"), QStringLiteral("sections"), QStringLiteral("settings"),
-                           QStringLiteral("views")}));
+                           QStringLiteral("model"), QStringLiteral("notes"), QStringLiteral("sections"),
+                           QStringLiteral("settings"), QStringLiteral("views")}));
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(), QStringList());
     QTest::keyClick(&*window, Qt::Key_F6);

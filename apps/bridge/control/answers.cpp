@@ -117,6 +117,8 @@ json answerContent(app::CommandId id, const std::string& text) {
             return listJson("materials", text, materialRow);
         case MaterialGet:
             return materialJson(text);
+        case NoteList:
+            return {{"notes", text}};
         case NoteGet:
             return {{"note", text}};
         case Seen:

@@ -52,7 +52,7 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     if (asker.open >= kMaxRequests || (planned.anyone && !asker.asked.take(now)))
         throw Refused("too many requests at once");
     if (server_.link && !server_.isThere()) throw Refused("there is no server");
-    if (planned.note && !drives) checkNote(asker, planned, now);
+    if (planned.note && (!drives || limits_.isLocked("edits"))) checkNote(asker, planned, now);
     const std::string line = lineOf(by, planned);
     heavy_.sent(planned, server_, edits_, now);
     if (isStep(planned)) edits_.sent();
@@ -64,7 +64,7 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     links_.ask(line, [this, by, id, planned](const ipc::Reply& reply) { answered(by, id, planned, reply); });
 }
 
-/// Of a page that does not drive.
+/// Of a page that does not drive, or may do no more than others.
 void RoomRequests::checkNote(Asker& asker, const PlannedCommand& planned, double now) {
     if (!planned.named) throw Refused("a note needs a name");
     if (server_.facts.notes() >= kMaxVisitorNotes)

@@ -238,9 +238,9 @@ std::string formatStateReport(const StateReport& state, std::size_t max) {
             extent.noteBytes = kShortNote;
             continue;
         }
-        if (extent.measures > 0 || extent.notes > 0) {
-            extent.measures /= 2;
-            extent.notes /= 2;
+        // Strangers may write notes.
+        if (std::size_t& fewer = extent.notes > 0 ? extent.notes : extent.measures; fewer > 0) {
+            fewer /= 2;
             continue;
         }
         extent.measures = measures;

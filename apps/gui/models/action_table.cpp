@@ -177,7 +177,7 @@ constexpr ActionRow kRows[]{
               Checkable},
     ActionRow{ActionId::ShowMeasures, MenuId::Window, TEXT("Labels o&f measures"),
               TEXT("Show the measures that are kept over the image"), "Shift+F9", Checkable},
-    ActionRow{ActionId::ShowNotes, MenuId::Window, TEXT("S&how notes"),
+    ActionRow{ActionId::ShowNotes, MenuId::Window, TEXT("Notes o&ver the image"),
               TEXT("Show the numbers of notes over the image"), "", Checkable},
     ActionRow{ActionId::Statistics, MenuId::Window, TEXT("S&tatistics"),
               TEXT("Frames/s, rays/s, resolution, polygons"), "Ctrl+T", 0},

@@ -28,6 +28,10 @@ void LightMeter::drop() {
 
 void LightMeter::forget() {
     drop();
+    showNone();
+}
+
+void LightMeter::showNone() {
     if (!reading_.luminance) return;
     reading_ = {};
     emit changed();
@@ -61,7 +65,7 @@ void LightMeter::take(const Answer& answer) {
     busy_ = false;
     const std::optional<QPointF> point = std::exchange(asked_, std::nullopt);
     if (!point || (wanted_ && !glances_)) return ask(); // another point by now
-    if (!answer.done) return;                           // another client measures
+    if (!answer.done) return showNone();                // another client measures
     reading_ = lightReadingOf(answer.text);
     const bool enough = glances_ || (isExact(reading_.illuminance) && isExact(reading_.luminance));
     if (!enough && paths_ < kMaxPaths) {

@@ -44,6 +44,7 @@ class LightMeter : public QObject {
 
   private:
     void drop();
+    void showNone();
     void ask();
     void take(const Answer& answer);
 

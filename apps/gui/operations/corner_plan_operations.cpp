@@ -7,6 +7,7 @@
 #include "gui/session/session.h"
 #include "gui/view/corner_plan.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/input_capture.h"
 
 #include "rtcore/platform/error.h"
 
@@ -48,6 +49,9 @@ CornerPlanOperations::CornerPlanOperations(const GuiContext& context, QObject* p
     connect(&context_.editor, &SceneEditor::sceneChanged, this, &CornerPlanOperations::forget);
     connect(&context_.editor, &SceneEditor::stateChanged, this, [this] {
         if (!plan_->isHidden()) changed_.start();
+    });
+    connect(&context_.view.input(), &InputCapture::capturedChanged, plan_, [plan = plan_](bool captured) {
+        plan->setAttribute(Qt::WA_TransparentForMouseEvents, captured);
     });
     addStoreys();
 }
@@ -137,7 +141,8 @@ void CornerPlanOperations::follow() {
 }
 
 void CornerPlanOperations::want(int storey) {
-    if (std::exchange(wanted_, storey) != storey && storey != plan_->outline().storey) ask();
+    // What is on its way is another one.
+    if (std::exchange(wanted_, storey) != storey && (asks_ || storey != plan_->outline().storey)) ask();
 }
 
 void CornerPlanOperations::choose(int storey) {

@@ -5,6 +5,7 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/plain_widgets.h"
+#include "gui/view/shown_image.h"
 
 #include <QMouseEvent>
 
@@ -51,7 +52,12 @@ bool LightMeterOperations::eventFilter(QObject* /*watched*/, QEvent* event) {
         // A captured mouse turns the camera: what is in the middle is measured.
         const auto& moved = static_cast<const QMouseEvent&>(*event);
         const QPointF middle = QRectF(context_.view.rect()).center();
-        pointAt(context_.view.input().captured() ? middle : moved.position());
+        const QPointF at = context_.view.input().captured() ? middle : moved.position();
+        // A drag moves the view, too.
+        if (moved.buttons() != Qt::NoButton && position_)
+            position_ = at;
+        else
+            pointAt(at);
     }
     if (event->type() == QEvent::Leave) pointAt(std::nullopt);
     return false;
@@ -101,9 +107,7 @@ void LightMeterOperations::restart() {
 
 /// 0..1 from the left and from the top.
 std::optional<QPointF> LightMeterOperations::pointOfImage() const {
-    const auto seen = position_ ? context_.view.inPicture(*position_) : std::nullopt;
-    if (!seen) return std::nullopt;
-    return QPointF(std::clamp((seen->x() + 1) / 2, 0.0, 1.0), std::clamp((1 - seen->y()) / 2, 0.0, 1.0));
+    return position_ ? inServersImage(context_.view, context_.session, *position_) : std::nullopt;
 }
 
 void LightMeterOperations::measure() {

@@ -18,6 +18,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace gui {
 
 NoteOperations::NoteOperations(const GuiContext& context, QObject* parent)
@@ -92,8 +94,6 @@ void NoteOperations::ask(const QPointF& at) {
 NoteDialog* NoteOperations::open(const QString& text, const QString& author) {
     if (dialog_ != nullptr) dialog_->reject();
     dialog_ = new NoteDialog(text, author, &context_.window);
-    connect(dialog_, &NoteDialog::written, this,
-            [this](const QString&, const QString& by) { context_.preferences.set(pref::noteAuthor, by); });
     dialog_->open();
     return dialog_;
 }
@@ -106,6 +106,7 @@ void NoteOperations::write(const rtcore::Vec3d& point) {
     const std::array<double, 3>& zero = context_.editor.state().origin.at;
     const command::Position place{point.x + zero[0], point.y + zero[1], point.z + zero[2]};
     connect(dialog, &NoteDialog::written, this, [this, place](const QString& text, const QString& author) {
+        context_.preferences.set(pref::noteAuthor, author);
         context_.editor.edit(command::noteAdd(place, text.toStdString(), author.toStdString()));
     });
 }
@@ -125,10 +126,15 @@ void NoteOperations::edit(int index) {
 void NoteOperations::change(int index, const QString& text) {
     const rtcore::SceneNotes& notes = context_.editor.state().notes;
     if (index >= std::ssize(notes)) return;
-    const QString author = QString::fromStdString(notes[static_cast<std::size_t>(index)].author);
-    NoteDialog* dialog = open(text, author);
-    connect(dialog, &NoteDialog::written, this, [this, index](const QString& now, const QString& by) {
-        context_.editor.edit(command::noteText(index + 1, now.toStdString(), by.toStdString()));
+    const rtcore::SceneNote before = notes[static_cast<std::size_t>(index)];
+    NoteDialog* dialog = open(text, QString::fromStdString(before.author));
+    // Its number may be another one by then.
+    connect(dialog, &NoteDialog::written, this, [this, before](const QString& now, const QString& by) {
+        const rtcore::SceneNotes& all = context_.editor.state().notes;
+        const auto found = std::ranges::find(all, before);
+        if (found == all.end()) return context_.view.tell(tr("This note was changed or removed meanwhile."));
+        const int number = static_cast<int>(found - all.begin()) + 1;
+        context_.editor.edit(command::noteText(number, now.toStdString(), by.toStdString()));
     });
 }
 

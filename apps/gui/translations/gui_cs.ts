@@ -1173,7 +1173,7 @@
     </message>
     <message>
         <source>To the &amp;ground floor</source>
-        <translation>Post&amp;avit se do přízemí</translation>
+        <translation>Do přízemí &amp;budovy</translation>
     </message>
     <message>
         <source>Stand on the ground floor, where you are</source>
@@ -1220,7 +1220,7 @@
         <translation>Texty u míst modelu</translation>
     </message>
     <message>
-        <source>S&amp;how notes</source>
+        <source>Notes o&amp;ver the image</source>
         <translation>Zo&amp;brazit poznámky</translation>
     </message>
     <message>
@@ -2964,6 +2964,10 @@ Alt+%2</translation>
         <source>The notes were written to %1.</source>
         <translation>Poznámky byly zapsány do %1.</translation>
     </message>
+    <message>
+        <source>This note was changed or removed meanwhile.</source>
+        <translation>Tato poznámka byla mezitím změněna nebo odstraněna.</translation>
+    </message>
 </context>
 <context>
     <name>gui::NotesPanel</name>
@@ -2985,7 +2989,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Look from where the note was written; also Enter or a double click</source>
-        <translation>Pohled odtud, kde byla poznámka napsána; též Enter nebo dvojité klepnutí</translation>
+        <translation>Pohled z místa, kde byla poznámka napsána; též Enter nebo dvojité klepnutí</translation>
     </message>
     <message>
         <source>Edit…</source>

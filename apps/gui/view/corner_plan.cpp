@@ -89,6 +89,7 @@ void CornerPlan::setOutline(const app::ToldOutline& outline) {
 }
 
 void CornerPlan::setMessage(const QString& text) {
+    pressed_.reset();
     known_ = false;
     outline_ = {};
     message_ = text;

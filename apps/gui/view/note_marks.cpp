@@ -106,7 +106,8 @@ bool NoteMarks::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonPress:
         return press(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseButtonDblClick:
-        return adding_ && static_cast<const QMouseEvent&>(*event).button() == Qt::LeftButton;
+        if (!adding_) return press(static_cast<const QMouseEvent&>(*event));
+        return static_cast<const QMouseEvent&>(*event).button() == Qt::LeftButton;
     case QEvent::MouseMove: {
         const auto& move = static_cast<const QMouseEvent&>(*event);
         if (move.buttons() == Qt::NoButton) hover(at(move.position()));

@@ -16,10 +16,14 @@ std::string coordinateText(double coordinate) {
 } // namespace
 
 std::string tableField(std::string_view text) {
-    const bool formula =
-        !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
-    std::string plain = formula ? "'" : "";
-    plain += text;
+    // Where a program takes `;` for what parts cells, quotation marks hold nothing together.
+    constexpr std::string_view kFormulas = "=+-@", kNewCell = "\n\r\t;";
+    std::string plain = text.starts_with('\t') || text.starts_with('\r') ? "'" : "";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool begins = i == 0 || kNewCell.find(text[i - 1]) != std::string_view::npos;
+        if (begins && kFormulas.find(text[i]) != std::string_view::npos) plain += '\'';
+        plain += text[i];
+    }
     if (plain.find_first_of("\",\r\n") == std::string::npos) return plain;
     std::string field = "\"";
     for (const char c : plain) field += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -162,8 +162,9 @@ bool LightProbe::measure(const Target& target, const ProbeEffort& effort, Render
         if (!addBatches(target, open, batches, control, sums)) return false;
         std::erase_if(open, [&](std::uint32_t i) {
             measured[i] = sums[i].mean();
-            return measured[i].error <= effort.relativeError * measured[i].luminance ||
-                   measured[i].paths >= effort.paths || batches >= kMaxBatches;
+            const bool known =
+                effort.relativeError > 0 && measured[i].error <= effort.relativeError * measured[i].luminance;
+            return known || measured[i].paths >= effort.paths || batches >= kMaxBatches;
         });
         control.tilesDone = all - open.size();
     }

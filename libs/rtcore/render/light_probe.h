@@ -29,7 +29,7 @@ struct ProbedLight {
 
 /// When a measurement ends.
 struct ProbeEffort {
-    double relativeError = 0.01;    ///< the standard error over the mean is at most that
+    double relativeError = 0.01;    ///< the standard error over the mean is at most that; 0: whatever it is
     std::uint32_t paths = 1U << 18; ///< or each part got so many; rounded up to 2^9, 2^10 and so on to 2^24
 };
 

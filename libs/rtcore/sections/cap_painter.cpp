@@ -40,7 +40,9 @@ void CapPainter::paint(const Scene& scene, const Camera& camera, LdrImage& image
     const std::lock_guard lock(mutex_);
     const SectionCaps& caps = capsOf(scene);
     if (cover_) before_ = image;
-    paintCaps(caps, scene.sections.caps, colours_.of(scene, caps), camera, image);
+    const bool own = scene.sections.caps.colours == CapColours::Own;
+    paintCaps(caps, scene.sections.caps, own ? colours_.of(scene, caps) : std::vector<Colour>(), camera,
+              image);
     if (cover_) cover_->restore(scene, camera, before_, image);
 }
 

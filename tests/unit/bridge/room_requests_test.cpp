@@ -139,6 +139,9 @@ TEST_F(RequestsOfARoom, AreNotesWithANameAndFewOfThoseThatOnlyLook) {
     }
     EXPECT_LE(all, 12) << "pages that come again and again";
     EXPECT_GE(all, 9);
+    clock.pass(60);
+    limits.locked = {"edits"};
+    EXPECT_EQ(taken(kAnna, 9, true), 3) << "who drives, and may edit no more than others";
 }
 
 TEST_F(RequestsOfARoom, AreNoNotesOfVisitorsWhereTheSceneHasVeryMany) {

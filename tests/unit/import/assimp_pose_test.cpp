@@ -1,4 +1,5 @@
 /// Skins, morph targets, animations and hidden parts of formats that Assimp reads, by the real program.
+#include "rtcore/io/import/assimp/collada_morphs.h"
 #include "rtcore/io/import/assimp/fbx_notes.h"
 #include "rtcore/platform/error.h"
 #include "unit/import/import_support.h"
@@ -144,6 +145,23 @@ TEST(Morphs, OfColladaMoveWithTheAnimationOfTheirWeights) {
         const ImportedModel whole = moved(target, "first");
         EXPECT_TRUE(has(whole, {1, 2, 0.5F})) << target << listOf(whole);
     }
+}
+
+TEST(Morphs, OfManyScenesAndWeightsTakeNoMoreThanTheFile) {
+    std::string text = test::morphDae("0.5 0", "NORMALIZED", test::growingDae("W(1)", "0.25 1"));
+    const std::string weights = ">0.5 0<";
+    std::string many = ">0.5 0", scenes;
+    for (int i = 0; i < 20'000; ++i) many += " 0";
+    for (int i = 0; i < 5'000; ++i)
+        scenes += "<visual_scene id=\"V" + std::to_string(i) + "\"></visual_scene>";
+    text.replace(text.find(weights), weights.size(), many + "<");
+    text.insert(text.find("<visual_scene id="), scenes);
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "m.dae", text);
+    const auto edited = rtcore::colladaWithoutMorphs(folder / "m.dae");
+    ASSERT_TRUE(edited);
+    EXPECT_LT(edited->size(), text.size() + 1000);
+    EXPECT_NE(edited->find("rtsuite-weight-0-1\" name"), std::string::npos);
 }
 
 TEST(Morphs, ChannelsOfColladaThatNameNoTransformMoveNothing) {

@@ -139,11 +139,11 @@ TEST_F(NoteCommands, LeadToAPointThatNoViewWasKeptOf) {
 TEST_F(NoteCommands, AreExportedAsTablesHaveThem) {
     EXPECT_EQ(exported(), "number,author,written,point,text\r\n");
     answer("note add 0 0.5 -2 \"a \\\"b\\\",\nc\" @Ada");
-    answer("note add 0.1 0 0 =1+2");
+    answer("note add 0.1 0 0 \"=1+2\n=3; -x - 4\"");
     clearTimes();
     EXPECT_EQ(exported(), "number,author,written,point,text\r\n"
                           "1,'@Ada,,0 0.5 -2,\"a \"\"b\"\",\nc\"\r\n"
-                          "2,,,0.1 0 0,'=1+2\r\n");
+                          "2,,,0.1 0 0,\"'=1+2\n'=3; -x - 4\"\r\n");
 }
 
 TEST_F(NoteCommands, AreAThousandAtMost) {

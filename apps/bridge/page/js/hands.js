@@ -11,8 +11,8 @@ import { keepAwake } from "./wake_lock.js";
 const AWAKE_MS = 60000, SPEED_STEP = 1.15;
 
 /** Whether an element takes its own typing back. */
-const holdsText = (element) => element instanceof HTMLInputElement
-    && !/^(range|checkbox|color|file)$/.test(element.type);
+const holdsText = (element) => element instanceof HTMLTextAreaElement
+    || (element instanceof HTMLInputElement && !/^(range|checkbox|color|file)$/.test(element.type));
 
 /** `app` has `around`, `held`, `orbit`, `picture` and gets `input`. */
 export function connectHands(app, canvas) {

@@ -54,6 +54,7 @@ export class Measures {
 
     /** Two taps follow. */
     start() {
+        this.app.notes.stop();
         this.measuring = true;
         this.first = null;
         this.place.classList.add("measuring");

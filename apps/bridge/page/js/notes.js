@@ -38,6 +38,7 @@ export class Notes {
 
     /** The place is tapped next; `done` is called once the note is kept. */
     start(text, author, done) {
+        this.app.measures.stop();
         this.pending = { text, author, done };
         this.place.classList.add("measuring");
         this.app.notices.show("note", t("noteTap"), { lasting: true,
@@ -61,6 +62,7 @@ export class Notes {
 
     /** Tells a note; the state has the beginnings of long texts only, where there are very many. */
     async tell(index) {
+        this.stop();
         const note = this.all[index];
         const { note: whole } = this.app.state.notes.shortened ? await this.app.ask("note get", index + 1) : {};
         const head = noteHead(note);

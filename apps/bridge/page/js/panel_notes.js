@@ -26,7 +26,7 @@ export function notesPanel(app) {
         const text = plainNote(words.value), author = plainNote(name.value);
         const missing = text ? !author && !app.mayEdit() && name : words;
         if (missing) return missing.focus();
-        setPreference("name", author);
+        if (author) setPreference("name", author);
         app.panels.toggle(false);
         app.notes.start(text, author, () => (words.value = ""));
     }
@@ -36,9 +36,9 @@ export function notesPanel(app) {
         fill(place) {
             last = "";
             list = make("ul", { className: "list", id: "noted" });
-            words = make("textarea", { maxLength: MAX_TEXT, rows: 3, placeholder: t("noteText"),
+            words = make("textarea", { name: "note", maxLength: MAX_TEXT, rows: 3, placeholder: t("noteText"),
                 "aria-label": t("noteText") });
-            name = make("input", { type: "text", maxLength: MAX_NAME, placeholder: t("yourName"),
+            name = make("input", { type: "text", name: "author", maxLength: MAX_NAME, placeholder: t("yourName"),
                 "aria-label": t("yourName"), value: preference("name", "") });
             form = make("div", { id: "note" }, words, name, make("div", { className: "actions" },
                 button(t("notePlace"), write)));

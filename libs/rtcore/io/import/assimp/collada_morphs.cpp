@@ -1,7 +1,6 @@
 #include "rtcore/io/import/assimp/collada_morphs.h"
 
 #include "rtcore/io/import/assimp/xml_text.h"
-#include "rtcore/io/import/assimp/xml_tree.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/settings/number_text.h"
 
@@ -48,15 +47,6 @@ struct WeightTarget {
 /// The node whose place is the weight of a target, both by number.
 std::string weightNode(std::size_t morph, std::size_t target) {
     return std::string(kWeightNode) + std::to_string(morph) + "-" + std::to_string(target);
-}
-
-/// An element's attribute, as it stands in the text; empty where there is none.
-Text valueOf(const xml::Element& element, Text name) {
-    Text attributes =
-        element.head.substr(std::min(element.head.find_first_of(" \t\r\n"), element.head.size()));
-    while (const auto attribute = xml::takeAttribute(attributes))
-        if (attribute->name == name) return attribute->value;
-    return {};
 }
 
 /// Without an index the first one; behind the last slash, where the controller is named, too.
@@ -172,33 +162,39 @@ class MorphEditor {
 
     /// Assimp would move the nodes of the meshes by these channels.
     void moveChannels() {
+        std::map<Text, std::size_t> morphOfList; // the first one
+        for (std::size_t m = 0; m < morphs_.size(); ++m) morphOfList.try_emplace(morphs_[m].weightList, m);
+        std::set<std::pair<std::size_t, std::size_t>> moved; // morphs and targets
         Text rest = text_;
-        bool any = false;
         while (const auto channel = takeElement(rest, "channel")) {
-            const Text target = valueOf(*channel, "target");
+            const Text target = xml::valueOf(*channel, "target");
             const WeightTarget weight = weightTargetOf(target);
-            for (std::size_t m = 0; m < morphs_.size(); ++m) {
-                if (morphs_[m].weightList != weight.list) continue;
-                any = true;
-                const bool known = weight.index < morphs_[m].weights.size();
-                const std::string node = known ? weightNode(m, weight.index) : std::string(kWeightNode);
-                edits_.push_back({target, node + "/t.X"}); // of the last one there is no node
-                break;
-            }
+            const auto found = morphOfList.find(weight.list);
+            if (weight.list.empty() || found == morphOfList.end()) continue;
+            const bool known = weight.index < morphs_[found->second].weights.size();
+            if (known) moved.emplace(found->second, weight.index);
+            const std::string node =
+                known ? weightNode(found->second, weight.index) : std::string(kWeightNode);
+            edits_.push_back({target, node + "/t.X"}); // of the last one there is no node
         }
-        if (any) addWeightNodes();
+        std::string nodes;
+        for (const auto& [m, t] : moved)
+            nodes += "<node id=\"" + weightNode(m, t) + "\" name=\"" + weightNode(m, t) +
+                     "\"><translate sid=\"t\">" + shortestText(morphs_[m].weights[t]) +
+                     " 0 0</translate></node>";
+        addToScene(nodes);
     }
 
-    void addWeightNodes() {
-        std::string nodes;
-        for (std::size_t m = 0; m < morphs_.size(); ++m)
-            for (std::size_t t = 0; t < morphs_[m].weights.size(); ++t)
-                nodes += "<node id=\"" + weightNode(m, t) + "\" name=\"" + weightNode(m, t) +
-                         "\"><translate sid=\"t\">" + shortestText(morphs_[m].weights[t]) +
-                         " 0 0</translate></node>";
-        constexpr Text kEnd = "</visual_scene>";
-        for (std::size_t at = text_.find(kEnd); at != Text::npos; at = text_.find(kEnd, at + 1))
-            edits_.push_back({text_.substr(at, 0), nodes});
+    /// At the end of the scene that is shown.
+    void addToScene(const std::string& nodes) {
+        Text rest = text_;
+        const auto shown = takeElement(rest, "instance_visual_scene");
+        if (nodes.empty() || !shown) return;
+        const std::string id = idOf(attributeOf(shown->head, "url"));
+        rest = text_;
+        while (const auto scene = takeElement(rest, "visual_scene"))
+            if (attributeOf(scene->head, "id") == id)
+                return edits_.push_back({scene->body.substr(scene->body.size()), nodes});
     }
 
     void setWeights(const ColladaWeights& weights) {

@@ -46,20 +46,17 @@ std::optional<std::string> withoutLeadingBlanks(View text) {
 /// Nothing where each channel names a node and a transform of it. (Assimp looks for names of nodes in what
 /// has no slash, counts from their end, and may end there, or move them.)
 std::optional<std::string> withoutChannelsOfNoNode(View text) {
-    constexpr View kNone = "none/none", kTarget = "target=";
+    constexpr View kNone = "none/none";
     std::string edited;
     View rest = text;
     std::size_t from = 0;
     while (const auto channel = xml::takeElement(rest, "channel")) {
-        const std::size_t target = channel->head.find(kTarget);
-        if (target == View::npos) continue;
-        const std::size_t begin = target + kTarget.size() + 1,
-                          end = channel->head.find(channel->head.substr(begin - 1, 1), begin);
-        if (end == View::npos || channel->head.substr(begin, end - begin).find('/') != View::npos) continue;
-        const auto head = static_cast<std::size_t>(channel->head.data() - text.data());
-        edited += text.substr(from, head + begin - from);
+        const View target = xml::valueOf(*channel, "target");
+        if (target.data() == nullptr || target.find('/') != View::npos) continue;
+        const auto begin = static_cast<std::size_t>(target.data() - text.data());
+        edited += text.substr(from, begin - from);
         edited += kNone;
-        from = head + end;
+        from = begin + target.size();
     }
     if (from == 0) return std::nullopt;
     edited += text.substr(from);

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/assimp/xml_text.h"
 
+#include "rtcore/io/import/assimp/xml_tree.h"
 #include "rtcore/platform/files.h"
 
 #include <algorithm>
@@ -39,6 +40,14 @@ std::string attributeOf(View head, const std::string& name) {
         const View value = head.substr(at + begin.size());
         return std::string(value.substr(0, value.find(quote)));
     }
+    return {};
+}
+
+View valueOf(const Element& element, View name) {
+    View attributes =
+        element.head.substr(std::min(element.head.find_first_of(" \t\r\n"), element.head.size()));
+    while (const auto attribute = takeAttribute(attributes))
+        if (attribute->name == name) return attribute->value;
     return {};
 }
 

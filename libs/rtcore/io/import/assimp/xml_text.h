@@ -21,6 +21,9 @@ std::optional<Element> takeElement(std::string_view& text, const std::string& na
 /// "" where there is none.
 std::string attributeOf(std::string_view head, const std::string& name);
 
+/// An element's attribute, as it stands in the text; empty where there is none.
+std::string_view valueOf(const Element& element, std::string_view name);
+
 /// "#id" without its mark.
 std::string idOf(const std::string& url);
 
