@@ -53,6 +53,9 @@ TEST(NotesPanelTest, ShowsTextsOfStrangersAsText) {
     EXPECT_EQ(panel.whole().textFormat(), Qt::PlainText);
     const QString tip = panel.list().item(0)->toolTip();
     EXPECT_EQ(tip, plainTip(wholeNote(state.notes[0]))) << "which is no markup";
+    state.notes.push_back(state.notes[1]);
+    panel.show(state);
+    EXPECT_EQ(panel.list().currentRow(), 0) << "the selected one, though others write";
 }
 
 TEST(NotesPanelTest, AsksForWhatIsChosen) {

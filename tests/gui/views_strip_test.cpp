@@ -7,6 +7,7 @@
 #include "gui/window_support.h"
 
 #include <QDir>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QSignalSpy>
@@ -113,6 +114,51 @@ TEST_F(ViewsStripTest, AViewIsReplacedByTheCurrentOne) {
     EXPECT_EQ(store.read(store.list().front()).picture, before.picture);
     click(0);
     EXPECT_TRUE(isAt({1, 2, 5}));
+}
+
+template <typename List>
+void keepsATypedName(List& shown) {
+    QList<BookmarkRow> rows{{QStringLiteral("a"), {}}, {QStringLiteral("b"), {}}};
+    shown.show(rows);
+    shown.list().editItem(shown.list().item(1));
+    auto* const typed = shown.list().template findChild<QLineEdit*>();
+    ASSERT_NE(typed, nullptr);
+    typed->setText(QStringLiteral("half a na"));
+    rows[1].picture = QImage(16, 10, QImage::Format_RGB32);
+    shown.show(rows);
+    ASSERT_EQ(shown.list().template findChild<QLineEdit*>(), typed) << "an image came";
+    EXPECT_EQ(typed->text(), QStringLiteral("half a na"));
+}
+
+TEST(ViewListTest, ANameThatIsBeingTypedIsKeptWhereOnlyImagesChange) {
+    ViewsStrip strip;
+    keepsATypedName(strip);
+    BookmarksPanel panel;
+    keepsATypedName(panel);
+}
+
+TEST(ViewListTest, OneViewMovesAtATimeAndStaysTheCurrentOne) {
+    ViewsStrip strip;
+    const BookmarkRow a{QStringLiteral("a"), {}}, b{QStringLiteral("b"), {}}, c{QStringLiteral("c"), {}};
+    QList<std::pair<int, int>> moves;
+    QObject::connect(&strip, &ViewsStrip::moveWanted, &strip, [&](int row, int by) {
+        moves.append({row, by});
+    });
+    strip.show({a, b, c});
+    strip.list().setCurrentRow(2);
+    QAction* left = nullptr;
+    for (QAction* each : strip.menu().actions())
+        if (each->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Left)) left = each;
+    ASSERT_NE(left, nullptr);
+    left->trigger();
+    left->trigger();
+    EXPECT_EQ(moves, (QList<std::pair<int, int>>{{2, -1}})) << "until it is there";
+    strip.show({a, c, b});
+    EXPECT_EQ(strip.list().currentRow(), 1);
+    left->trigger();
+    strip.show({a, c, b}); // refused
+    EXPECT_EQ(strip.list().currentRow(), 1);
+    EXPECT_EQ(moves.size(), 2);
 }
 
 TEST_F(ViewsStripTest, ViewsAreMovedRenamedAndDeleted) {

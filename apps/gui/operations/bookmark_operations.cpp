@@ -213,9 +213,13 @@ void BookmarkOperations::rename(int row, const QString& name) {
     if (row >= 0 && row < all.size() && !name.trimmed().isEmpty()) {
         const Entry& entry = all[row];
         if (entry.kept) tellTrouble(store_.rename(*entry.kept, name));
-        if (entry.ofScene && !entry.kept) pictures_.rename(entry.name, name);
         if (entry.ofScene)
-            context_.editor.edit(command::bookmarkRename(entry.name.toStdString(), name.toStdString()));
+            context_.editor.edit(command::bookmarkRename(entry.name.toStdString(), name.toStdString()),
+                                 [this, before = entry.name, name, own = !entry.kept](const Answer& answer) {
+                                     if (answer.done && own) pictures_.rename(before, name);
+                                     if (!answer.done) tellTrouble(answer.text);
+                                     refill();
+                                 });
     }
     refill();
 }
@@ -245,7 +249,10 @@ void BookmarkOperations::move(int row, int by) {
     if (row < 0 || to < 0 || std::max(row, to) >= all.size()) return refill();
     const Entry &moved = all[row], &other = all[to];
     if (moved.ofScene && other.ofScene)
-        return context_.editor.edit(command::bookmarkMove(moved.name.toStdString(), to + 1));
+        return context_.editor.edit(command::bookmarkMove(moved.name.toStdString(), to + 1),
+                                    [this](const Answer& answer) {
+                                        if (!answer.done) refill();
+                                    });
     if (!moved.ofScene && !other.ofScene) return moveKept(*moved.kept, *other.kept);
     context_.view.tell(tr("Bookmarks of the scene come first."));
     refill();

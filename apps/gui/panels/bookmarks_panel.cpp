@@ -60,15 +60,11 @@ BookmarksPanel::BookmarksPanel(QWidget* parent)
 void BookmarksPanel::show(const QList<BookmarkRow>& rows) {
     const int current = list_->currentRow();
     const QSignalBlocker quiet(list_);
-    list_->clear();
-    names_.clear();
+    prepareList(*list_, names_, rows);
     for (int i = 0; i < rows.size(); ++i) {
-        auto* item = new QListWidgetItem(viewIcon(rows[i].picture, kThumbnail, devicePixelRatioF()),
-                                         rows[i].name, list_);
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(
-            plainTip(i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name, QString::number(i + 1)) : rows[i].name));
-        names_.append(rows[i].name);
+        const QString tip = i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name, QString::number(i + 1)) : rows[i].name;
+        showView(*list_, i, rows[i].name, viewIcon(rows[i].picture, kThumbnail, devicePixelRatioF()),
+                 plainTip(tip));
     }
     list_->setCurrentRow(std::min(std::max(current, 0), list_->count() - 1));
     enable();

@@ -102,7 +102,7 @@ void NotesPanel::show(const SceneState& state) {
 
 void NotesPanel::showList() {
     const QSignalBlocker quiet(list_);
-    const int count = static_cast<int>(state_.notes.size()), before = list_->count();
+    const int count = static_cast<int>(state_.notes.size());
     const int row = list_->currentRow();
     list_->clear();
     for (int i = 0; i < count; ++i) {
@@ -112,7 +112,8 @@ void NotesPanel::showList() {
     }
     const int left = state_.noteCount - count;
     if (left > 0) (new QListWidgetItem(tr("%n more", nullptr, left), list_))->setFlags(Qt::NoItemFlags);
-    list_->setCurrentRow(count > before ? count - 1 : std::min(row, count - 1));
+    // Others add notes, too.
+    list_->setCurrentRow(row < 0 ? count - 1 : std::min(row, count - 1));
 }
 
 void NotesPanel::showWhole() {

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace gui {
 
@@ -88,20 +89,18 @@ QSize ViewsStrip::sizeHint() const {
 }
 
 void ViewsStrip::show(const QList<BookmarkRow>& rows) {
-    const int current = list_->currentRow();
     const QSignalBlocker quiet(list_);
-    list_->clear();
-    names_.clear();
+    const int before = list_->currentRow();
+    prepareList(*list_, names_, rows);
+    const qsizetype moved = names_.indexOf(std::exchange(moving_, QString()));
+    const int current = moved >= 0 ? static_cast<int>(moved) : before;
     const QColor empty = palette().color(QPalette::Midlight);
     for (int i = 0; i < rows.size(); ++i) {
         const BookmarkRow& row = rows[i];
-        auto* item = new QListWidgetItem(viewIcon(row.picture, kStripImage, devicePixelRatioF(), empty),
-                                         row.name, list_);
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
         QString tip = i < 9 ? tr("%1\nAlt+%2").arg(row.name, QString::number(i + 1)) : row.name;
         if (row.picture.isNull()) tip += QLatin1Char('\n') + tr("Its image comes when you go there.");
-        item->setToolTip(plainTip(tip));
-        names_.append(row.name);
+        showView(*list_, i, row.name, viewIcon(row.picture, kStripImage, devicePixelRatioF(), empty),
+                 plainTip(tip));
     }
     list_->setCurrentRow(std::min(std::max(current, 0), list_->count() - 1));
     enable();
@@ -133,17 +132,15 @@ void ViewsStrip::beginRename() {
 
 void ViewsStrip::replace() { emit replaceWanted(list_->currentRow()); }
 
-// The moved one stays the current one.
-void ViewsStrip::moveLeft() {
-    const int row = list_->currentRow();
-    list_->setCurrentRow(row - 1);
-    emit moveWanted(row, -1);
-}
+void ViewsStrip::moveLeft() { moveBy(-1); }
+void ViewsStrip::moveRight() { moveBy(1); }
 
-void ViewsStrip::moveRight() {
+// The moved one stays the current one; until it is there no other one moves.
+void ViewsStrip::moveBy(int by) {
     const int row = list_->currentRow();
-    list_->setCurrentRow(row + 1);
-    emit moveWanted(row, 1);
+    if (!moving_.isEmpty() || row < 0) return;
+    moving_ = names_[row];
+    emit moveWanted(row, by);
 }
 
 void ViewsStrip::remove() {

@@ -48,6 +48,7 @@ class ViewsStrip : public QWidget {
     void replace();
     void moveLeft();
     void moveRight();
+    void moveBy(int by);
     void remove();
     void onEdited(QListWidgetItem* item);
     void enable();
@@ -58,6 +59,7 @@ class ViewsStrip : public QWidget {
     QAction *go_ = nullptr, *rename_ = nullptr, *replace_ = nullptr, *left_ = nullptr, *right_ = nullptr,
             *delete_ = nullptr;
     QStringList names_;
+    QString moving_; ///< the view that has been asked to move; empty: none
     bool server_ = false;
 };
 
