@@ -46,6 +46,8 @@ CornerPlanOperations::CornerPlanOperations(const GuiContext& context, QObject* p
         showPlan();
         follow();
     });
+    // A camera may pass a storey without a frame that is shown.
+    connect(&context_.session, &Session::statusChanged, this, &CornerPlanOperations::follow);
     connect(&context_.editor, &SceneEditor::sceneChanged, this, &CornerPlanOperations::forget);
     connect(&context_.editor, &SceneEditor::stateChanged, this, [this] {
         if (!plan_->isHidden()) changed_.start();

@@ -63,8 +63,7 @@ void BookmarksPanel::show(const QList<BookmarkRow>& rows) {
     prepareList(*list_, names_, rows);
     for (int i = 0; i < rows.size(); ++i) {
         const QString tip = i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name, QString::number(i + 1)) : rows[i].name;
-        showView(*list_, i, rows[i].name, viewIcon(rows[i].picture, kThumbnail, devicePixelRatioF()),
-                 plainTip(tip));
+        showView(*list_, i, rows[i].name, viewIcon(rows[i].picture, kThumbnail, devicePixelRatioF()), tip);
     }
     list_->setCurrentRow(std::min(std::max(current, 0), list_->count() - 1));
     enable();

@@ -1,5 +1,7 @@
 #include "gui/panels/view_list.h"
 
+#include "gui/models/plain_text.h"
+
 #include <QAction>
 #include <QListWidget>
 #include <QPainter>
@@ -42,7 +44,7 @@ void showView(QListWidget& list, int row, const QString& name, const QIcon& icon
     if (list.isPersistentEditorOpen(item)) return; // as any other is that is open
     item->setText(name);
     item->setIcon(icon);
-    item->setToolTip(tip);
+    item->setToolTip(plainTip(tip));
 }
 
 QAction* addKey(QWidget& widget, const QKeySequence& key) {

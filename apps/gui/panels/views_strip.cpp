@@ -99,8 +99,7 @@ void ViewsStrip::show(const QList<BookmarkRow>& rows) {
         const BookmarkRow& row = rows[i];
         QString tip = i < 9 ? tr("%1\nAlt+%2").arg(row.name, QString::number(i + 1)) : row.name;
         if (row.picture.isNull()) tip += QLatin1Char('\n') + tr("Its image comes when you go there.");
-        showView(*list_, i, row.name, viewIcon(row.picture, kStripImage, devicePixelRatioF(), empty),
-                 plainTip(tip));
+        showView(*list_, i, row.name, viewIcon(row.picture, kStripImage, devicePixelRatioF(), empty), tip);
     }
     list_->setCurrentRow(std::min(std::max(current, 0), list_->count() - 1));
     enable();
