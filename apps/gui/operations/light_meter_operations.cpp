@@ -18,7 +18,7 @@ namespace gui {
 namespace {
 
 constexpr auto kRest = std::chrono::milliseconds(200);
-constexpr auto kBetweenGlances = std::chrono::milliseconds(150); // each takes the server some 30 ms
+constexpr auto kBetweenGlances = std::chrono::milliseconds(400); // each takes the server some 120 ms
 constexpr int kAside = 16;                                       // pixels from the pointer
 
 } // namespace
