@@ -121,8 +121,8 @@ void FrameRun::tell(const FrameTask& frame, const FrameReport& report) {
                                     report.height, report.renderSeconds, rays, speed));
         if (report.samples > 0) progress_.print(savingText(report));
     }
-    const bool logged = options_.list && options_.progress == app::ProgressStyle::Plain;
-    const bool kept = options_.list || !frame.outputs.empty();
+    const bool logged = options_.hasFrames() && options_.progress == app::ProgressStyle::Plain;
+    const bool kept = options_.hasFrames() || !frame.outputs.empty();
     if ((options_.verbose && kept) || logged) {
         progress_.print(fmt::format("wrote {} in {:.3f} s", places(frame), report.writeSeconds));
     }

@@ -100,7 +100,7 @@ void tellOpenGlass(const std::vector<rtcore::OpenGlass>& open, app::Progress& pr
 } // namespace
 
 std::uint64_t knownRays(const RendererOptions& options) {
-    if (options.makeLight || options.plan || options.list || options.camera || options.settingsFile ||
+    if (options.makeLight || options.plan || options.hasFrames() || options.camera || options.settingsFile ||
         options.scene.extension() == ".scn")
         return 0;
     const rtcore::RenderSettings s = app::mergeSettings({.commandLine = options.settings});

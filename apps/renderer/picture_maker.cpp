@@ -249,9 +249,9 @@ void PictureMaker::useOneUnit(const rtcore::RenderSettings& settings) {
 
 PictureMaker::Shot PictureMaker::prepare(const FrameTask& task) {
     Shot shot = prepare(task.camera);
-    if (options_.list && shot.settings.falseColours.on) shareScale(task, shot);
+    if (options_.hasFrames() && shot.settings.falseColours.on) shareScale(task, shot);
     rtcore::PathSettings& path = shot.settings.path;
-    if (options_.list && path.seedPerFrame) path.seed = seedOfFrame(path.seed, task.number);
+    if (options_.hasFrames() && path.seedPerFrame) path.seed = seedOfFrame(path.seed, task.number);
     if (!shot.recorded) return shot;
     rtcore::ExposureSettings& exposure = shot.settings.exposure;
     if (exposure.recorded == rtcore::RecordedExposure::Automatic) exposure.mode = measured();
@@ -358,7 +358,7 @@ void PictureMaker::checkDigest(rtcore::Net net) const {
 }
 
 void PictureMaker::chooseNetByItself(rtcore::RenderSettings& settings) {
-    if (options_.list) {
+    if (options_.hasFrames()) {
         throw app::UsageError("denoise.net=automatic chooses by what this machine has; the images of a list "
                               "need one net: small, base or large");
     }

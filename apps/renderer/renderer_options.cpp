@@ -182,16 +182,49 @@ void checkPlan(const RendererOptions& options, const app::Arguments& arguments) 
         throw app::UsageError("--plan-storey and --plan-floor exclude each other");
 }
 
+std::optional<FlightOrder> readFlight(const app::Arguments& arguments) {
+    const auto name = arguments.text("flight");
+    const auto seconds = arguments.number("turntable");
+    if (name && seconds) throw app::UsageError("--flight and --turntable exclude each other");
+    if (arguments.has("turns") && !seconds) throw app::UsageError("--turns needs --turntable");
+    if (name) return FlightOrder{.name = *name, .turntable = {}};
+    if (!seconds) return std::nullopt;
+    const double turns = arguments.number("turns").value_or(1);
+    if (turns == 0) throw app::UsageError("option '--turns': a turntable turns; give a number other than 0");
+    return FlightOrder{.name = {}, .turntable = Turntable{*seconds, turns}};
+}
+
+void checkFlight(const RendererOptions& options, const app::Arguments& arguments) {
+    if (!options.flight) {
+        if (options.makeList) throw app::UsageError("--make-list needs --flight or --turntable");
+        return;
+    }
+    if (options.list) throw app::UsageError("--list has its own cameras; leave out --flight and --turntable");
+    if (options.camera && !options.flight->turntable)
+        throw app::UsageError("--flight and --camera exclude each other: a flight has its cameras");
+    if (options.plan)
+        throw app::UsageError("--plan makes a drawing alone; leave out --flight and --turntable");
+    if (!options.makeList) return;
+    for (const char* ofImages :
+         {"output", "light", "make-light", "video", "verify", "report", "frames", "chunk"}) {
+        if (arguments.has(ofImages))
+            throw app::UsageError("--make-list writes cameras and renders nothing; leave out --" +
+                                  std::string(ofImages));
+    }
+}
+
 void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
     }
-    for (const char* ofList : {"frames", "chunk", "verify", "follow", "video"}) {
-        if (!options.list && arguments.has(ofList)) {
-            throw app::UsageError("--" + std::string(ofList) + " needs --list");
-        }
+    checkFlight(options, arguments);
+    for (const char* ofFrames : {"frames", "chunk", "verify", "video"}) {
+        if (!options.hasFrames() && arguments.has(ofFrames))
+            throw app::UsageError("--" + std::string(ofFrames) + " needs --list, --flight or --turntable");
     }
-    if (arguments.has("fps") && !options.video) throw app::UsageError("--fps needs --video");
+    if (options.follow && !options.list) throw app::UsageError("--follow needs --list");
+    if (arguments.has("fps") && !options.video && !options.flight)
+        throw app::UsageError("--fps needs --video, --flight or --turntable");
     if (arguments.has("follow-timeout") && !options.follow) {
         throw app::UsageError("--follow-timeout needs --follow");
     }
@@ -201,8 +234,8 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.verify && (options.video || options.follow || options.force)) {
         throw app::UsageError("--verify renders nothing; leave out --video, --follow and --force");
     }
-    if (options.preview && options.list) {
-        throw app::UsageError("--preview and --list exclude each other: a preview shows one image");
+    if (options.preview && options.hasFrames()) {
+        throw app::UsageError("--preview shows one image; leave out --list, --flight and --turntable");
     }
     for (const char* ofPreview : {"run-id", "linger", "stand-by"}) {
         if (!options.preview && arguments.has(ofPreview)) {
@@ -221,9 +254,9 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.report && options.report->extension() != ".json") {
         throw app::UsageError("--report writes JSON; give a name that ends in .json");
     }
-    if (options.debugScene && (options.list || options.preview)) {
-        throw app::UsageError(
-            "--debug-scene draws one view and renders nothing; leave out --list and --preview");
+    if (options.debugScene && (options.hasFrames() || options.preview)) {
+        throw app::UsageError("--debug-scene draws one view and renders nothing; leave out --list, --flight, "
+                              "--turntable and --preview");
     }
     if (options.debugScene && options.debugScene->extension() != ".obj") {
         throw app::UsageError("--debug-scene writes Wavefront OBJ; give a name that ends in .obj");
@@ -247,6 +280,8 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.camera = readPath(arguments, "camera");
     options.model = readPath(arguments, "model");
     options.list = readPath(arguments, "list");
+    options.flight = readFlight(arguments);
+    options.makeList = readPath(arguments, "make-list");
     options.settingsFile = readPath(arguments, "set");
     if (const auto range = arguments.text("frames")) options.frames = parseFrameRange(*range);
     if (const auto chunk = arguments.text("chunk")) options.chunk = parseChunk(*chunk);
@@ -285,6 +320,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     if (options.report) checkPlace(*options.report);
     if (options.makeLight) checkPlace(*options.makeLight);
     if (options.plan) checkPlace(options.plan->file);
+    if (options.makeList) checkPlace(*options.makeList);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;
 }

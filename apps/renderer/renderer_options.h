@@ -23,11 +23,25 @@
 
 namespace renderer {
 
+/// What goes around on a turntable is the camera.
+struct Turntable {
+    double seconds = 0; ///< of the whole
+    double turns = 1;   ///< counterclockwise as seen from above; not 0
+};
+
+/// What the cameras of a run come from in place of a list: a flight of the scene, or a turntable.
+struct FlightOrder {
+    std::string name; ///< of the flight
+    std::optional<Turntable> turntable;
+};
+
 struct RendererOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs; ///< patterns as given; empty = what the scene names
     std::string standardOutputFormat = "png";   ///< of the output "-": png or ppm
     std::optional<std::filesystem::path> camera, model, list, settingsFile;
+    std::optional<FlightOrder> flight;             ///< excludes a list
+    std::optional<std::filesystem::path> makeList; ///< the list of a flight to write; nothing is rendered
     FrameRange frames;
     Chunk chunk;
     bool force = false;
@@ -58,8 +72,10 @@ struct RendererOptions {
     std::optional<app::PlanOrder> plan;              ///< a drawing to make; nothing is rendered
     app::ProgressStyle progress = app::ProgressStyle::None;
 
+    /// It renders the frames of a list or a flight.
+    bool hasFrames() const { return list || flight; }
     /// Frames of a list may go into a folder that is not there yet.
-    MissingFolder missingFolder() const { return list ? MissingFolder::Make : MissingFolder::Refuse; }
+    MissingFolder missingFolder() const { return hasFrames() ? MissingFolder::Make : MissingFolder::Refuse; }
 };
 
 /// Throws app::UsageError for values and combinations that make no sense.

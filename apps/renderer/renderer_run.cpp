@@ -1,5 +1,6 @@
 #include "renderer/renderer_run.h"
 
+#include "renderer/flight_list.h"
 #include "renderer/frame_list.h"
 #include "renderer/frame_run.h"
 #include "renderer/list_run.h"
@@ -69,7 +70,7 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
         }
     }
 
-    if (options.light && !options.list && !std::filesystem::exists(*options.light))
+    if (options.light && !options.hasFrames() && !std::filesystem::exists(*options.light))
         throw rtcore::FileError(rtcore::FailureKind::NoInput, options.light->string(), "no such file");
 
     const auto ffmpeg = findFilmMaker(options);
@@ -78,6 +79,12 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     if (options.standBy) return standBy(options, settingsFile, *preview, progress);
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
+    if (options.makeList) {
+        makeList(options, loaded, progress);
+        return app::ExitCode::Done;
+    }
+    std::optional<FlightList> flight;
+    if (options.flight) cameras = flight.emplace(options, loaded).cameras();
     const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
     if (options.aovs) checkAovs(patterns);
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
@@ -99,7 +106,7 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
         return app::ExitCode::Done;
     }
     if (options.report) inputs.refuse(*options.report);
-    if (options.list) return runList(options, cameras, patterns, inputs, ffmpeg, maker, progress);
+    if (options.hasFrames()) return runList(options, cameras, patterns, inputs, ffmpeg, maker, progress);
     if (preview) maker.showOn(&*preview);
     const FrameTask frame = singleFrame(camera, patterns);
     refuseInputs(inputs, frame);

@@ -12,6 +12,8 @@
 #include "common/progress/progress.h"
 #include "common/settings/setting_option.h"
 
+#include "rtcore/scene/flight.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -83,14 +85,44 @@ OptionGroup sequenceOptions() {
                   "becomes the number of the frame, from 0001",
           .more = "The scene is loaded once",
           .files = {"lst", "txt"}},
+         {.name = "flight",
+          .value = ValueKind::Text,
+          .argument = "NAME",
+          .help = "render the frames of a flight that the .scn keeps, as those of a list",
+          .more =
+              "A [[flight]] ([formats.md](formats.md)) goes through key frames; the window and the commands "
+              "`flight ...` make them. As many frames per second as `--fps` says"},
+         {.name = "turntable",
+          .value = ValueKind::Number,
+          .argument = "S",
+          .help =
+              "go once around the model in S seconds, from the scene's view or that of --camera on, as by "
+              "a flight",
+          .more = "Around the upright axis through the middle of what the model is of, without ground and "
+                  "surroundings; the film can be shown over and over",
+          .minimum = 0.01,
+          .maximum = rtcore::kMaxFlightSeconds},
+         {.name = "turns",
+          .value = ValueKind::Number,
+          .argument = "N",
+          .help = "with --turntable: so many times around; below 0 it goes clockwise, as seen from above [1]",
+          .minimum = -rtcore::kMaxTurns,
+          .maximum = rtcore::kMaxTurns},
+         {.name = "make-list",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help =
+              "render nothing; write the cameras of the flight or the turntable as a list of .cam files, in "
+              "a folder beside it",
+          .files = {"lst"}},
          {.name = "frames",
           .value = ValueKind::Text,
           .argument = "A-B",
-          .help = "render only these frames of the list; also A, A- and -B"},
+          .help = "render only these frames of the list or flight; also A, A- and -B"},
          {.name = "chunk",
           .value = ValueKind::Text,
           .argument = "I/N",
-          .help = "render the I-th of N equal parts of the list, or of --frames",
+          .help = "render the I-th of N equal parts of the list or flight, or of --frames",
           .more = "All parts together hold each frame once, each part in a row"},
          {.name = "force",
           .help = "render frames again whose files are there already and whole; they are skipped otherwise"},
@@ -109,12 +141,12 @@ OptionGroup sequenceOptions() {
          {.name = "video",
           .value = ValueKind::Text,
           .argument = "FILE",
-          .help = "make a film of the list by ffmpeg: " + filmExtensions() +
+          .help = "make a film of the list or flight by ffmpeg: " + filmExtensions() +
                   "; with -o the frames are kept as well, and those that are there are used"},
          {.name = "fps",
           .value = ValueKind::Number,
           .argument = "X",
-          .help = "frames per second of the film [as the .cam files were recorded, else 25]",
+          .help = "frames per second of the film or flight [as the .cam files were recorded, else 25]",
           .more = "The rate was recorded if the first and the last name their `time`. With `--follow` it is "
                   "always 25",
           .minimum = 0.1,

@@ -19,7 +19,8 @@ std::shared_ptr<const rtcore::IndirectState>
 SharedLight::of(const LitScene& lit, const std::function<std::vector<LightView>()>& views) {
     Switches switches{lit.scene.lights, lit.scene.activeEnvironment};
     if (!switches_) {
-        const bool makes = !options_.light || (options_.list && !std::filesystem::exists(*options_.light));
+        const bool makes =
+            !options_.light || (options_.hasFrames() && !std::filesystem::exists(*options_.light));
         light_ = makes ? learn(lit, views()) : read(lit);
         switches_ = std::move(switches);
         return light_;

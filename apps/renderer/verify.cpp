@@ -1,5 +1,6 @@
 #include "renderer/verify.h"
 
+#include "renderer/flight_list.h"
 #include "renderer/frame_check.h"
 #include "renderer/frame_list.h"
 #include "renderer/output_patterns.h"
@@ -30,7 +31,9 @@ std::vector<std::filesystem::path> patternsOf(const RendererOptions& options) {
 } // namespace
 
 app::ExitCode verifyFrames(const RendererOptions& options, app::Progress& progress) {
-    const auto cameras = rtcore::readCameraList(*options.list);
+    const auto cameras =
+        options.flight ? std::vector<std::filesystem::path>(static_cast<std::size_t>(framesOfFlight(options)))
+                       : rtcore::readCameraList(*options.list);
     const auto frames =
         framesOfChunk(framesOfList(cameras, options.frames, patternsOf(options)), options.chunk);
     std::set<int> unfinished;

@@ -62,11 +62,11 @@ std::string dateWord(const json& value) {
     return rtcore::calendarDateText(*day);
 }
 
-std::string bookmarkWord(const json& value, std::span<const std::string> bookmarks) {
+std::string numberedName(const json& value, std::span<const std::string> names, const char* refusal) {
     const double number = value.is_number() ? value.get<double>() : 0;
-    if (!(number >= 1 && number <= static_cast<double>(bookmarks.size()) && number == std::floor(number)))
-        throw Refused("there is no such bookmark");
-    return bookmarks[static_cast<std::size_t>(number) - 1];
+    if (!(number >= 1 && number <= static_cast<double>(names.size()) && number == std::floor(number)))
+        throw Refused(refusal);
+    return names[static_cast<std::size_t>(number) - 1];
 }
 
 std::string settingWord(const json& value) {
@@ -127,7 +127,9 @@ std::string wordOf(const CommandArgument& argument, const json& value, const Req
     case ArgumentType::MaterialValue:
         return materialValueWord(argument, value);
     case ArgumentType::Bookmark:
-        return bookmarkWord(value, context.bookmarks);
+        return numberedName(value, context.bookmarks, "there is no such bookmark");
+    case ArgumentType::Flight:
+        return numberedName(value, context.flights, "there is no such flight");
     case ArgumentType::Note:
         return noteWord(value);
     case ArgumentType::Author:

@@ -39,6 +39,7 @@ struct RequestContext {
     std::span<const std::string> bookmarks; ///< of the scene
     std::size_t lights = 0;                 ///< that it has
     bool sky = false;                       ///< that it has one
+    std::span<const std::string> flights{}; ///< of the scene
 };
 
 /// Whether pages may ask for it.

@@ -226,6 +226,7 @@ json sceneJson(const app::StateReport& state) {
                {"sky", skyJson(state)},
                {"sections", sectionsJson(state)},
                {"bookmarks", state.bookmarks},
+               {"flights", state.flights},
                {"measures", measuresJson(state)},
                {"notes", notesJson(state)},
                {"undo", stepJson(state.undo)},
@@ -244,6 +245,7 @@ bool SceneFacts::read(std::string_view report) {
         changes_ = difference(now, all_);
         all_ = std::move(now);
         bookmarks_ = state.bookmarks;
+        flights_ = state.flights;
         notes_ = static_cast<std::size_t>(state.noteCount);
         lights_ = state.lights.size();
         hasSky_ = state.sky.has_value();

@@ -90,6 +90,7 @@ std::vector<CommandSpec> planCommands();
 std::vector<CommandSpec> dimensionCommands();
 std::vector<CommandSpec> keptMeasureCommands();
 std::vector<CommandSpec> noteCommands();
+std::vector<CommandSpec> flightCommands();
 std::vector<CommandSpec> measureCommands();
 std::vector<CommandSpec> keyCommands();
 

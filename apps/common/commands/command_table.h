@@ -181,6 +181,28 @@ enum class CommandId {
     NoteRemove,
     NoteGo,
     NoteExport,
+    FlightList,
+    FlightGet,
+    FlightThrough,
+    FlightTurntable,
+    FlightFrom,
+    FlightCopy,
+    FlightRename,
+    FlightRemove,
+    FlightSeconds,
+    FlightTrim,
+    FlightTiming,
+    FlightClosed,
+    FlightTarget,
+    FlightKeyAdd,
+    FlightKeySet,
+    FlightKeyMove,
+    FlightKeyTime,
+    FlightKeyExposure,
+    FlightKeyRemove,
+    FlightGo,
+    FlightPlay,
+    FlightExport,
     MeasureLight,
     MeasureLightAt,
     MeasureLightGrid,
@@ -210,6 +232,7 @@ enum class ArgumentType {
     MaterialKey,   ///< a key of a [[material]]
     MaterialValue, ///< of the key before it: a number, true or false
     Bookmark,      ///< the name of a bookmark
+    Flight,        ///< the name of a flight
     Note,          ///< the text of a note
     Author,        ///< the name of its author
     Key,           ///< the name of a key

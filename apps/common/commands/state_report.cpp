@@ -135,7 +135,10 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("edits", state.edits);
     writer.add("modified", state.modified);
     writer.add("indoors", state.indoors);
-    if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
+    if (extent.names) {
+        writer.add("bookmarks", printableOf(state.bookmarks));
+        writer.add("flights", printableOf(state.flights));
+    }
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
     writer.add("origin", state.origin);
@@ -267,6 +270,7 @@ StateReport parseStateReport(std::string_view text) {
     state.modified = root.require("modified", root.boolean("modified"));
     state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
+    state.flights = root.texts("flights").value_or(std::vector<std::string>());
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
     readLights(root, state);

@@ -176,6 +176,10 @@
         <translation>příliš mnoho otevřených souborů</translation>
     </message>
     <message>
+        <source>WITHIN is above 0</source>
+        <translation>WITHIN je větší než 0</translation>
+    </message>
+    <message>
         <source>[[environment]]</source>
         <translation>položek [[environment]]</translation>
     </message>
@@ -322,6 +326,18 @@
     <message>
         <source>a finite number at least {0}</source>
         <translation>konečné číslo, nejméně {0}</translation>
+    </message>
+    <message>
+        <source>a flight by times ends at its last key; leave closed out</source>
+        <translation>let podle časů končí posledním klíčovým snímkem; closed vynechte</translation>
+    </message>
+    <message>
+        <source>a flight has at most {0} key frames</source>
+        <translation>let má nejvýše {0} klíčových snímků</translation>
+    </message>
+    <message>
+        <source>a flight takes between 0 and {0} seconds</source>
+        <translation>let trvá od 0 do {0} sekund</translation>
     </message>
     <message>
         <source>a frame has 1 to {0} pixels a side, not {1} x {2}</source>
@@ -576,6 +592,26 @@
         <translation>sklon</translation>
     </message>
     <message>
+        <source>a turntable has one key frame and an even speed</source>
+        <translation>otočný stůl má jeden klíčový snímek a stálou rychlost</translation>
+    </message>
+    <message>
+        <source>a turntable has one key frame; make a flight by times of it, or another flight</source>
+        <translation>otočný stůl má jeden klíčový snímek; udělejte z něj let podle časů, nebo jiný let</translation>
+    </message>
+    <message>
+        <source>a turntable needs the target that it turns about</source>
+        <translation>otočný stůl potřebuje cíl, kolem kterého se otáčí</translation>
+    </message>
+    <message>
+        <source>a turntable turns at most {0} times, either way</source>
+        <translation>otočný stůl se otočí nejvýše {0}krát, na kteroukoli stranu</translation>
+    </message>
+    <message>
+        <source>a turntable turns; give a number other than 0</source>
+        <translation>otočný stůl se otáčí; zadejte jiné číslo než 0</translation>
+    </message>
+    <message>
         <source>a unit is auto, mm, cm, m, in, ft or a number of metres, not {0}</source>
         <translation>jednotka je auto, mm, cm, m, in, ft nebo počet metrů, ne {0}</translation>
     </message>
@@ -742,6 +778,14 @@
     <message>
         <source>another drives now</source>
         <translation>teď řídí někdo jiný</translation>
+    </message>
+    <message>
+        <source>another flight is called {0}</source>
+        <translation>{0} se jmenuje jiný let</translation>
+    </message>
+    <message>
+        <source>another flight is called {0}, too</source>
+        <translation>{0} se jmenuje i jiný let</translation>
     </message>
     <message>
         <source>another scene is being loaded</source>
@@ -1048,6 +1092,10 @@
         <translation>file je prázdné; uveďte soubor IES nebo EULUMDAT</translation>
     </message>
     <message>
+        <source>flight target takes three coordinates behind the name, or none</source>
+        <translation>flight target má za jménem tři souřadnice, nebo žádnou</translation>
+    </message>
+    <message>
         <source>flying</source>
         <translation>let</translation>
     </message>
@@ -1242,6 +1290,14 @@
     <message>
         <source>it has no animation, so it stands as its nodes say</source>
         <translation>nemá animaci, takže stojí tak, jak určují jeho uzly</translation>
+    </message>
+    <message>
+        <source>it has no flight {0}, but {1}</source>
+        <translation>nemá let {0}, ale {1}</translation>
+    </message>
+    <message>
+        <source>it has no flight {0}, nor any other; a .scn has them, and --turntable needs none</source>
+        <translation>nemá let {0} ani žádný jiný; má je .scn, a --turntable žádný nepotřebuje</translation>
     </message>
     <message>
         <source>it has no nodes</source>
@@ -1876,6 +1932,10 @@
         <translation>name je prázdné; záložka se pozná podle jména</translation>
     </message>
     <message>
+        <source>name is empty; a flight is known by its name</source>
+        <translation>name je prázdné; let se pozná podle jména</translation>
+    </message>
+    <message>
         <source>name is empty; give {0}'s name or a pattern, "*"</source>
         <translation>name je prázdné; zadejte jméno ({0}) nebo vzor, "*"</translation>
     </message>
@@ -2158,6 +2218,10 @@
     <message>
         <source>paths in brackets</source>
         <translation>cesty v hranatých závorkách</translation>
+    </message>
+    <message>
+        <source>perspective and orthographic views cannot be in one flight</source>
+        <translation>pohledy s perspektivou a bez ní nemohou být v jednom letu</translation>
     </message>
     <message>
         <source>playing ended: {0}</source>
@@ -2608,6 +2672,26 @@
         <translation>říká to soubor</translation>
     </message>
     <message>
+        <source>the flight ends after {0} seconds; give two times before that, the earlier one first</source>
+        <translation>let končí po {0} sekundách; zadejte dva časy před tím, dřívější první</translation>
+    </message>
+    <message>
+        <source>the flight has an even speed; 'flight timing NAME times' gives it times</source>
+        <translation>let má stálou rychlost; časy mu dá &apos;flight timing NAME times&apos;</translation>
+    </message>
+    <message>
+        <source>the flight has no key frame</source>
+        <translation>let nemá žádný klíčový snímek</translation>
+    </message>
+    <message>
+        <source>the flight has {0} key frames, and no number {1}</source>
+        <translation>let má {0} klíčových snímků, a číslo {1} mezi nimi není</translation>
+    </message>
+    <message>
+        <source>the flight is too long for an answer; 'export scene' writes it</source>
+        <translation>let je na odpověď příliš dlouhý; zapíše ho &apos;export scene&apos;</translation>
+    </message>
+    <message>
         <source>the folder cannot be made: {0}</source>
         <translation>složku nelze vytvořit: {0}</translation>
     </message>
@@ -2804,6 +2888,10 @@
         <translation>model je na chození příliš malý: má na výšku {0} m; jak je velký, říká 'units'</translation>
     </message>
     <message>
+        <source>the name of a flight is UTF-8 of at most {0} bytes, without control characters</source>
+        <translation>jméno letu je UTF-8 o nejvýše {0} bajtech, bez řídicích znaků</translation>
+    </message>
+    <message>
         <source>the name of a light is a text in UTF-8</source>
         <translation>jméno světla je text v UTF-8</translation>
     </message>
@@ -2924,6 +3012,14 @@
         <translation>scéna nemá záložku {0}</translation>
     </message>
     <message>
+        <source>the scene has no bookmarks; 'bookmark add' keeps the view as one</source>
+        <translation>scéna nemá záložky; pohled jako záložku uchová &apos;bookmark add&apos;</translation>
+    </message>
+    <message>
+        <source>the scene has no flight {0}; 'flight list' lists them</source>
+        <translation>scéna nemá let {0}; vypíše je &apos;flight list&apos;</translation>
+    </message>
+    <message>
         <source>the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along</source>
         <translation>scéna odkazuje na soubory mimo svou složku: {0}; 'pack FOLDER outside' je přibalí</translation>
     </message>
@@ -2984,6 +3080,10 @@
         <translation>tabulka oddílů je neúplná</translation>
     </message>
     <message>
+        <source>the target has a coordinate beyond 1e12; give one near the model</source>
+        <translation>cíl má souřadnici za 1e12; zadejte bod poblíž modelu</translation>
+    </message>
+    <message>
         <source>the text of a note has at most {0} bytes here</source>
         <translation>text poznámky tu má nejvýše {0} bajtů</translation>
     </message>
@@ -3008,6 +3108,14 @@
         <translation>sklon svítidla</translation>
     </message>
     <message>
+        <source>the time of the first key frame is 0</source>
+        <translation>čas prvního klíčového snímku je 0</translation>
+    </message>
+    <message>
+        <source>the times of key frames rise, up to {0} seconds at most; that of number {1} does not</source>
+        <translation>časy klíčových snímků rostou, nejvýše do {0} sekund; čas čísla {1} ne</translation>
+    </message>
+    <message>
         <source>the two corners of a box differ in each coordinate</source>
         <translation>dva rohy kvádru se musí lišit v každé souřadnici</translation>
     </message>
@@ -3028,6 +3136,10 @@
         <translation>příkon</translation>
     </message>
     <message>
+        <source>the way needs more than {0} key frames; allow it to be farther off</source>
+        <translation>cesta potřebuje více než {0} klíčových snímků; dovolte větší odchylku</translation>
+    </message>
+    <message>
         <source>the weights of {0} have the SHA-256 {1} here, not {2}; use the version of this suite that knows those</source>
         <translation>váhy sítě {0} tu mají SHA-256 {1}, ne {2}; použijte verzi této sady, která je zná</translation>
     </message>
@@ -3038,6 +3150,10 @@
     <message>
         <source>there are more chunks than frames; this one is empty</source>
         <translation>dílů je víc než snímků; tento je prázdný</translation>
+    </message>
+    <message>
+        <source>there are more than {0} flights; leave some out</source>
+        <translation>letů je více než {0}; některé vynechte</translation>
     </message>
     <message>
         <source>there are more than {0} measures; leave some out</source>
@@ -3066,6 +3182,10 @@
     <message>
         <source>there are too many records or cells</source>
         <translation>záznamů nebo buněk je příliš mnoho</translation>
+    </message>
+    <message>
+        <source>there are {0} flights already; remove one first</source>
+        <translation>letů už je {0}; nejprve některý odstraňte</translation>
     </message>
     <message>
         <source>there are {0} lights, the most that pages may have</source>
@@ -3166,10 +3286,6 @@
     <message>
         <source>there is no storey {0}; {1} were found, of which 1 is the lowest</source>
         <translation>podlaží {0} neexistuje; nalezeno jich bylo {1}, nejnižší má číslo 1</translation>
-    </message>
-    <message>
-        <source>there is no such bookmark</source>
-        <translation>taková záložka tu není</translation>
     </message>
     <message>
         <source>there is no such file; check the path</source>

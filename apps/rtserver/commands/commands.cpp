@@ -22,10 +22,11 @@ using Functions = std::array<Result (*)(const Call&), app::kCommands>;
 const Functions& functions() {
     static const Functions all = [] {
         Functions table{};
-        for (const auto group : {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(),
-                                 modelFunctions(), sectionFunctions(), planFunctions(), dimensionFunctions(),
-                                 keptMeasureFunctions(), noteFunctions(), measureFunctions(),
-                                 cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
+        for (const auto group :
+             {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(), modelFunctions(),
+              sectionFunctions(), planFunctions(), dimensionFunctions(), keptMeasureFunctions(),
+              noteFunctions(), flightFunctions(), flightKeyFunctions(), measureFunctions(), cameraFunctions(),
+              fileFunctions(), saveFunctions(), keyFunctions()}) {
             for (const CommandFunction& each : group) table[static_cast<std::size_t>(each.id)] = each.run;
         }
         return table;

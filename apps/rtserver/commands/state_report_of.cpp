@@ -96,6 +96,7 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
     report.indoors = document.world().loaded.indoors;
     for (const rtcore::SceneBookmark& bookmark : document.bookmarks())
         report.bookmarks.push_back(bookmark.name);
+    for (const rtcore::Flight& flight : document.flights()) report.flights.push_back(flight.name);
     report.edits = static_cast<int>(history.position());
     return report;
 }

@@ -56,6 +56,7 @@ void Document::show(std::unique_ptr<World> world) {
     const std::optional<rtcore::SceneFile>& file = world_->loaded.sceneFile;
     measures_ = std::make_shared<const rtcore::KeptMeasures>(file ? file->measures : rtcore::KeptMeasures());
     notes_ = std::make_shared<const rtcore::SceneNotes>(file ? file->notes : rtcore::SceneNotes());
+    flights_ = std::make_shared<const rtcore::Flights>(file ? file->flights : rtcore::Flights());
     history_.clear();
     savedState_ = history_.state();
     if (follower_ != nullptr) follower_->sceneOpened();
@@ -191,6 +192,11 @@ void Document::setNotes(rtcore::SceneNotes notes) {
     notes_ = std::make_shared<const rtcore::SceneNotes>(std::move(notes));
 }
 
+void Document::setFlights(rtcore::Flights flights) {
+    if (flights == *flights_) return;
+    flights_ = std::make_shared<const rtcore::Flights>(std::move(flights));
+}
+
 // --- Settings ---
 
 void Document::setSettings(const rtcore::RenderSettings& settings) {
@@ -262,6 +268,7 @@ void Document::makeOf(const EditStep& step, const Snapshot& from, const Snapshot
     if (changesBookmarks(step)) bookmarks_ = to.bookmarks;
     if (changesMeasures(step)) measures_ = to.measures;
     if (changesNotes(step)) notes_ = to.notes;
+    if (changesFlights(step)) flights_ = to.flights;
     if (changesCamera(step) || changesModelUnits(step)) setCamera(to.camera);
 }
 

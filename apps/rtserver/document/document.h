@@ -100,6 +100,8 @@ class Document {
     void setMeasures(rtcore::KeptMeasures measures);
     const rtcore::SceneNotes& notes() const { return *notes_; }
     void setNotes(rtcore::SceneNotes notes);
+    const rtcore::Flights& flights() const { return *flights_; }
+    void setFlights(rtcore::Flights flights);
     const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }
     void setBookmarks(rtcore::SceneBookmarks bookmarks);
 
@@ -122,7 +124,7 @@ class Document {
 
     /// The state that edits change, as it is now.
     Snapshot snapshot() const {
-        return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_, notes_};
+        return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_, notes_, flights_};
     }
     /// The changes since snapshot() was `before` become one step that can be taken back. `label` and
     /// `goesOn`: as in EditHistory.
@@ -162,6 +164,7 @@ class Document {
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks_;
     std::shared_ptr<const rtcore::KeptMeasures> measures_;
     std::shared_ptr<const rtcore::SceneNotes> notes_;
+    std::shared_ptr<const rtcore::Flights> flights_;
     EditHistory history_;
     std::uint64_t savedState_ = 0;
 };

@@ -41,17 +41,27 @@ std::size_t bytesOf(const rtcore::SceneNotes& notes) {
     return bytes;
 }
 
+std::size_t bytesOf(const rtcore::Flights& flights) {
+    std::size_t bytes = 0;
+    for (const rtcore::Flight& each : flights)
+        bytes += sizeof(each) + each.name.size() + each.keys.size() * sizeof(rtcore::FlightKey);
+    return bytes;
+}
+
 std::size_t bytesOf(const EditStep& step) {
     const std::size_t measures =
         changesMeasures(step) ? bytesOf(*step.before.measures) + bytesOf(*step.after.measures) : 0;
     const std::size_t notes =
         changesNotes(step) ? bytesOf(*step.before.notes) + bytesOf(*step.after.notes) : 0;
-    return sizeof(step) + measures + notes + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
+    const std::size_t flights =
+        changesFlights(step) ? bytesOf(*step.before.flights) + bytesOf(*step.after.flights) : 0;
+    return sizeof(step) + measures + notes + flights +
+           (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
 }
 
 bool changesAnything(const EditStep& step) {
     return changesScene(step) || changesSettings(step) || changesCamera(step) || changesModelUnits(step) ||
-           changesBookmarks(step) || changesMeasures(step) || changesNotes(step);
+           changesBookmarks(step) || changesMeasures(step) || changesNotes(step) || changesFlights(step);
 }
 
 } // namespace
@@ -72,9 +82,11 @@ bool changesMeasures(const EditStep& step) { return step.before.measures != step
 
 bool changesNotes(const EditStep& step) { return step.before.notes != step.after.notes; }
 
+bool changesFlights(const EditStep& step) { return step.before.flights != step.after.flights; }
+
 bool placesOnlyTheCamera(const EditStep& step) {
     return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesModelUnits(step) &&
-           !changesBookmarks(step) && !changesMeasures(step) && !changesNotes(step);
+           !changesBookmarks(step) && !changesMeasures(step) && !changesNotes(step) && !changesFlights(step);
 }
 
 void EditHistory::add(EditStep step, bool goesOn) {

@@ -24,6 +24,7 @@ struct Snapshot {
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
     std::shared_ptr<const rtcore::KeptMeasures> measures;
     std::shared_ptr<const rtcore::SceneNotes> notes;
+    std::shared_ptr<const rtcore::Flights> flights;
 };
 
 /// Who made an edit.
@@ -52,6 +53,7 @@ bool changesModelUnits(const EditStep& step);
 bool changesBookmarks(const EditStep& step);
 bool changesMeasures(const EditStep& step);
 bool changesNotes(const EditStep& step);
+bool changesFlights(const EditStep& step);
 /// It changed nothing but the camera.
 bool placesOnlyTheCamera(const EditStep& step);
 

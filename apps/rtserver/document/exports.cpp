@@ -97,6 +97,7 @@ rtcore::SceneFile describe(const Document& document) {
     file.bookmarks = document.bookmarks();
     file.measures = document.measures();
     file.notes = document.notes();
+    file.flights = document.flights();
     return file;
 }
 

@@ -14,6 +14,7 @@ std::uint64_t StateRevision::of(const Workspace& state, bool idle) {
             .bookmarks = shown.bookmarks,
             .measures = shown.measures,
             .notes = shown.notes,
+            .flights = shown.flights,
             .source = state.document.world().source,
             .settings = shown.settings,
             .bindings = {bindings.begin(), bindings.end()},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -16,26 +17,42 @@ constexpr std::chrono::duration<double> kCameraInterval{1.0 / 30};
 
 } // namespace
 
-Playback::Playback(const std::filesystem::path& list, const rtcore::LocalOrigin& zero)
-    : files_(rtcore::readCameraList(list)), zero_(zero) {
-    if (files_.empty())
+Playback::Playback(const std::filesystem::path& list, const rtcore::LocalOrigin& zero) {
+    const std::vector<std::filesystem::path> files = rtcore::readCameraList(list);
+    if (files.empty())
         throw rtcore::FileError(rtcore::FailureKind::BadData, list.string(), "the list names no camera");
-    for (const std::filesystem::path& file : files_) {
+    for (const std::filesystem::path& file : files) {
         std::error_code unknown;
         if (!std::filesystem::exists(file, unknown))
             throw rtcore::FileError(rtcore::FailureKind::NoInput, list.string(),
                                     rtcore::say("it names {0}, which is not there", file.string()));
     }
+    shots_ = files.size();
+    read_ = [files, zero](std::size_t i) { return Shot{rtcore::readCameraFile(files[i], zero), files[i]}; };
+    readNext();
+}
+
+Playback::Playback(const rtcore::FlightCourse& course, double from) {
+    constexpr double kPerSecond = 60;
+    const double left = std::max(0.0, course.seconds() - from);
+    shots_ = static_cast<std::size_t>(left * kPerSecond) + 1;
+    read_ = [course, from](std::size_t i) {
+        const double time = static_cast<double>(i) / kPerSecond;
+        const rtcore::FlightView view = course.at(from + time);
+        rtcore::CameraFile file;
+        file.camera = view.camera;
+        file.exposure = view.exposure;
+        file.time = time;
+        return Shot{file, {}};
+    };
     readNext();
 }
 
 void Playback::readNext() {
     next_.reset();
-    if (following_ == files_.size()) return;
+    if (following_ == shots_) return;
     const bool first = following_ == 0;
-    const std::filesystem::path& path = files_[following_];
-    next_ = Shot{rtcore::readCameraFile(path, zero_), path};
-    ++following_;
+    next_ = read_(following_++);
     const std::optional<double> time = next_->camera.time;
     if (first) firstTime_ = time;
     const std::chrono::duration<double> usual = first ? due_ : due_ + kCameraInterval;

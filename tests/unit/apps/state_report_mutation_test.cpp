@@ -40,6 +40,7 @@ app::StateReport fullState() {
                            .undo = "set bloom.radius",
                            .redo = "load camera",
                            .bookmarks = {"door"},
+                           .flights = {"around"},
                            .modified = true,
                            .edits = 3};
     state.lights[0].description->id = 1;

@@ -68,6 +68,27 @@ TEST(Mutation, NotesAreReadOrRefused) {
     }));
 }
 
+TEST(Mutation, FlightsAreReadOrRefused) {
+    const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\n";
+    const std::vector<std::string> examples{
+        head +
+            "[[flight]]\nname = \"a \xC5\xBD\"\nseconds = 12.5\nclosed = true\ntarget = [0, 1e11, -8.5]\n"
+            "[[flight.key]]\neye = [0, 1.7, -8]\nforward = [0, 0, -1]\nexposure = 0.5\n"
+            "[[flight.key]]\neye = [1, 1.7, -8]\nlookAt = [1, 0, 0]\nup = [0, 1, 0]\nfov = 70\naspect = 2\n"
+            "[[flight]]\nname = \"b\"\nturns = 1\ntarget = [0, 1, 0]\n"
+            "[[flight.key]]\neye = [1, 1.7, -8]\nforward = [0, 0, -1]\northographicWidth = 4\n",
+        head + "[[flight]]\nname = \"c\"\ntiming = \"times\"\n"
+               "[[flight.key]]\neye = [0, 1.7, -8]\nforward = [0, 0, -1]\n"
+               "[[flight.key]]\ntime = 1.5\neye = [0, 1.7, -8]\nforward = [0, 1, -1]\nexposure = 2\n"
+               "[[flight.key]]\ntime = 3\neye = [9, 1.7, -8]\nforward = [0, 1, -1]\n"};
+    expectSome(survivorsOf(examples, 58, [](const std::string& text) {
+        const rtcore::SceneFile scene = rtcore::parseSceneFile(text, "/s/x.scn");
+        const rtcore::SceneFile again =
+            rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "/s/x.scn"), "/s/x.scn");
+        EXPECT_EQ(again.flights, scene.flights) << text;
+    }));
+}
+
 TEST(Mutation, SectionsAndMeasuresAreReadOrRefused) {
     const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\n";
     const std::vector<std::string> examples{

@@ -10,6 +10,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 
 namespace {
@@ -53,6 +54,30 @@ rtcore::SceneNote randomNote(Random& random, const std::optional<rtcore::Camera>
     if (random.flag()) note.author = "Ada \"A\" \xC5\xBD";
     if (random.flag()) note.written = "2026-11-30T18:40:00Z";
     return note;
+}
+
+rtcore::Flight randomFlight(Random& random, const std::string& name,
+                            const std::function<rtcore::Camera()>& camera) {
+    rtcore::Flight flight{.name = name, .seconds = 0.1 + double{random.fraction()}};
+    if (random.flag()) flight.target = rtcore::Vec3d{double{random.fraction()} / 3, 1e11 / 7, -1.0 / 3};
+    flight.closed = random.flag();
+    if (random.flag()) {
+        flight.timing = rtcore::FlightTiming::Times;
+        flight.seconds = 10; // that of flights that say none
+        flight.closed = false;
+    } else if (flight.target && random.flag()) {
+        flight.turns = 0.1 + double{random.fraction()};
+    }
+    const rtcore::CameraKind kind = camera().kind;
+    for (std::size_t n = flight.turns != 0 ? 0 : random.below(4); true; --n) {
+        rtcore::FlightKey key{.camera = camera()};
+        while (key.camera.kind != kind) key.camera = camera();
+        if (random.flag()) key.exposure = 0.1F + random.fraction();
+        if (flight.timing == rtcore::FlightTiming::Times && !flight.keys.empty())
+            key.time = flight.keys.back().time + 0.1 + double{random.fraction()};
+        flight.keys.push_back(key);
+        if (n == 0) return flight;
+    }
 }
 
 /// With quotes, backslashes, control characters and letters of two to four bytes; never empty.
@@ -211,6 +236,9 @@ SceneFile randomScene(Random& random) {
     for (std::size_t n = random.below(4); n > 0; --n)
         s.notes.push_back(
             randomNote(random, random.flag() ? std::optional(randomSceneCamera(random)) : std::nullopt));
+    for (std::size_t n = random.below(4); n > 0; --n)
+        s.flights.push_back(randomFlight(random, std::to_string(n) + "\"\xC5\xBD\\",
+                                         [&] { return randomSceneCamera(random); }));
     if (random.flag()) s.measures.unit = rtcore::LengthUnit::Inch;
     s.measures.decimals = static_cast<int>(random.below(7));
     for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
@@ -250,6 +278,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.bookmarks, b.bookmarks);
     EXPECT_EQ(a.measures, b.measures);
     EXPECT_EQ(a.notes, b.notes);
+    EXPECT_EQ(a.flights, b.flights);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.pose, b.pose);
     EXPECT_EQ(a.deflection, b.deflection);
@@ -341,7 +370,7 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     const test::TemporaryFolder folder;
     SceneFile good;
     good.model = "a.obj";
-    std::vector<SceneFile> bad(17, good);
+    std::vector<SceneFile> bad(18, good);
     bad[0].model = "";
     bad[1].up = {0, 1, 1};
     bad[2].fog.density = -1;
@@ -356,6 +385,7 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     bad[14].measures.all.resize(1);
     bad[15].measures.decimals = 7;
     bad[16].notes.resize(1); // without a text
+    bad[17].flights = {{.name = "a"}};
     for (std::size_t i = 10; i < 14; ++i) bad[i].sky.emplace();
     bad[10].sky->turbidity = 1;
     bad[11].sky->date->day = 31; // of June

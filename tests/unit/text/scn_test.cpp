@@ -194,6 +194,74 @@ TEST(Scn, ReadsNotes) {
     EXPECT_FALSE(notes[1].view);
 }
 
+TEST(Scn, ReadsFlights) {
+    const rtcore::Flights flights =
+        parseSceneFile("version = 2\nmodel = \"a\"\nup = \"+z\"\n"
+                       "[[flight]]\nname = \"round\"\nseconds = 20\nclosed = true\ntarget = [0.1, 0, 3]\n"
+                       "[[flight.key]]\neye = [1, 2, 3]\nlookAt = [1, 5, 3]\nfov = 70\n"
+                       "[[flight.key]]\neye = [4, 2, 3]\nforward = [0, 1, 0]\nexposure = 0.25\n"
+                       "[[flight]]\nname = \"in\"\ntiming = \"times\"\n"
+                       "[[flight.key]]\neye = [1, 2, 3]\nforward = [0, 1, 0]\n"
+                       "[[flight.key]]\ntime = 2.5\neye = [1, 3, 3]\nforward = [0, 1, 0]\n"
+                       "[[flight]]\nname = \"table\"\nturns = -1\ntarget = [0, 0, 0]\n"
+                       "[[flight.key]]\neye = [1, 3, 3]\nforward = [0, 1, 0]\n",
+                       "x.scn")
+            .flights;
+    ASSERT_EQ(flights.size(), 3U);
+    EXPECT_EQ(flights[0].name, "round");
+    EXPECT_EQ(flights[0].timing, rtcore::FlightTiming::Even);
+    EXPECT_EQ(flights[0].seconds, 20);
+    EXPECT_TRUE(flights[0].closed);
+    EXPECT_EQ(flights[0].target, (rtcore::Vec3d{0.1, 0, 3}));
+    ASSERT_EQ(flights[0].keys.size(), 2U);
+    EXPECT_EQ(flights[0].keys[0].camera.forward, (rtcore::Vec3{0, 3, 0}));
+    EXPECT_EQ(flights[0].keys[0].camera.up, (rtcore::Vec3{0, 0, 1}));
+    EXPECT_FALSE(flights[0].keys[0].exposure);
+    EXPECT_EQ(flights[0].keys[1].exposure, 0.25F);
+    EXPECT_EQ(flights[1].timing, rtcore::FlightTiming::Times);
+    EXPECT_EQ(flights[1].keys[1].time, 2.5);
+    EXPECT_EQ(flights[2].turns, -1);
+}
+
+TEST(Scn, RefusesFlightsWithTheirLine) {
+    const auto refusal = [](const std::string& text) {
+        return test::badData([&] { parseSceneFile("version = 2\nmodel = \"a\"\n" + text, "x.scn"); });
+    };
+    const std::string key = "[[flight.key]]\neye = [1, 3, 3]\nforward = [0, 1, 0]\n";
+    const auto refused = [&](const std::string& keys, const std::string& frames, const char* part) {
+        const std::string why = refusal("[[flight]]\n" + keys + frames);
+        EXPECT_NE(why.find(part), std::string::npos) << why;
+    };
+    refused("", key, "name");
+    refused("name = \"\"\n", key, "x.scn:4:8: name is empty");
+    refused("name = \"a\\u0007\"\n", key, "x.scn:4:8: the name of a flight is UTF-8");
+    refused("name = \"" + std::string(201, 'x') + "\"\n", key, "at most 200 bytes");
+    refused("name = \"a\"\n", "", "the flight has no key frame");
+    refused("name = \"a\"\nseconds = 0\n", key, "x.scn:5:11: a flight takes between 0 and 86400");
+    refused("name = \"a\"\nseconds = 86401\n", key, "seconds is 86401");
+    refused("name = \"a\"\ntiming = \"odd\"\n", key, "timing");
+    refused("name = \"a\"\nclosed = true\ntiming = \"times\"\n", key, "x.scn:5:10: a flight by times ends");
+    refused("name = \"a\"\ntiming = \"times\"\n", key + key, "that of number 2 does not");
+    refused("name = \"a\"\ntiming = \"times\"\n", key.substr(0, 15) + "time = 1\n" + key.substr(15),
+            "the time of the first key frame is 0");
+    refused("name = \"a\"\n", key + key.substr(0, 15) + "orthographicWidth = 3\n" + key.substr(15),
+            "cannot be in one flight");
+    refused("name = \"a\"\nturns = 1\n", key, "x.scn:5:9: a turntable needs the target");
+    refused("name = \"a\"\nturns = 1\ntarget = [0, 0, 0]\n", key + key, "one key frame");
+    refused("name = \"a\"\nturns = 1001\ntarget = [0, 0, 0]\n", key, "turns is 1001");
+    refused("name = \"a\"\ntarget = [2e12, 0, 0]\n", key, "x.scn:5:");
+    refused("name = \"a\"\nspeed = 3\n", key, "unknown key 'speed'");
+    refused("name = \"a\"\n", key + "speed = 3\n", "unknown key 'speed'");
+    refused("name = \"a\"\n", key + "exposure = 0\n", "exposure");
+    refused("name = \"a\"\n", key + "[[flight]]\nname = \"a\"\n" + key, "another flight is called 'a', too");
+    std::string many, frames = "[[flight]]\nname = \"a\"\n";
+    for (int i = 0; i < 101; ++i) many += "[[flight]]\nname = \"" + std::to_string(i) + "\"\n" + key;
+    EXPECT_NE(refusal(many).find("more than 100 flights"), std::string::npos);
+    for (int i = 0; i < 1001; ++i) frames += key;
+    EXPECT_NE(refusal(frames).find("at most 1000 key frames"), std::string::npos);
+    EXPECT_NE(sceneProblem("[[flight]]\nname = \"a\"\n" + key).find("version = 2"), std::string::npos);
+}
+
 TEST(Scn, RefusesNotesWithTheirLine) {
     const auto refusal = [](const std::string& text) {
         return test::badData([&] { parseSceneFile("version = 2\nmodel = \"a\"\n" + text, "x.scn"); });

@@ -112,6 +112,7 @@ class SceneReader {
         scene_.bookmarks = readBookmarks(root_, scene_.up);
         scene_.measures = readMeasures(root_);
         scene_.notes = readNotes(root_, scene_.up);
+        scene_.flights = readFlights(root_, scene_.up);
     }
 
     void readScenePose() {
@@ -205,6 +206,7 @@ class SceneWriter {
         for (const SceneBookmark& bookmark : scene_.bookmarks) writeBookmark(writer_, bookmark);
         for (const KeptMeasure& measure : scene_.measures.all) writeMeasure(writer_, measure);
         for (const SceneNote& note : scene_.notes) writeNote(writer_, note);
+        for (const Flight& flight : scene_.flights) writeFlight(writer_, flight);
         writeFog();
         writeWalk();
         writeSettingsSection(writer_, "live", scene_.live);

@@ -6,6 +6,7 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/environment_source.h"
+#include "rtcore/scene/flight.h"
 #include "rtcore/scene/kept_measure.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/material_override.h"
@@ -99,6 +100,7 @@ struct SceneFile : SceneLook {
     SceneBookmarks bookmarks;
     KeptMeasures measures;
     SceneNotes notes;
+    Flights flights;
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 
@@ -117,6 +119,9 @@ std::span<const std::string_view> materialKeys();
 MaterialOverride parseMaterialKey(const std::string& key, std::span<const std::string> words);
 /// The text of a [[material]].
 std::string formatMaterial(const MaterialOverride& material);
+
+/// The text of a [[flight]], in the coordinates in which that of the scene's zero is `zero`.
+std::string formatFlight(const Flight& flight, const LocalOrigin& zero);
 
 /// Replaces the file. Paths below its folder are written relative to it, others absolute.
 /// Throws FileError CannotWrite, also when a value is one that readSceneFile would refuse.

@@ -33,9 +33,11 @@ KeptMeasures readMeasures(StrictTable& root);
 SceneNotes readNotes(StrictTable& root, Vec3 up);
 /// All [[bookmark]] of the root; `up` as in readCamera().
 SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
+/// All [[flight]] of the root; the same.
+Flights readFlights(StrictTable& root, Vec3 up);
 
-/// The writers check nothing. A light's position is written in the coordinates in which that of the scene's
-/// zero is `zero`.
+/// The writers check nothing. Positions of a light and of a flight are written in the coordinates in which
+/// that of the scene's zero is `zero`.
 void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder,
                 const LocalOrigin& zero = {});
 void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder);
@@ -49,5 +51,6 @@ void writeMeasure(TomlWriter& writer, const KeptMeasure& measure);
 void writeNote(TomlWriter& writer, const SceneNote& note);
 void writeSky(TomlWriter& writer, const Sky& sky);
 void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);
+void writeFlight(TomlWriter& writer, const Flight& flight, const LocalOrigin& zero = {});
 
 } // namespace rtcore

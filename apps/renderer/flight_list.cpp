@@ -1,0 +1,95 @@
+#include "renderer/flight_list.h"
+
+#include "renderer/film_rate.h"
+
+#include "common/flights/flight_recording.h"
+
+#include "rtcore/io/recording/camera_list.h"
+#include "rtcore/io/text/cam.h"
+#include "rtcore/io/text/scn.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/settings/plain_text.h"
+#include "rtcore/survey/subject.h"
+
+#include <optional>
+#include <string>
+
+namespace renderer {
+
+namespace {
+
+double rateOf(const RendererOptions& options) { return options.framesPerSecond.value_or(kUsualFrameRate); }
+
+std::string namesOf(const rtcore::Flights& flights) {
+    std::string names;
+    for (const rtcore::Flight& flight : flights)
+        names += (names.empty() ? "" : ", ") + rtcore::inQuotes(flight.name);
+    return names;
+}
+
+const rtcore::Flight& flightNamed(const std::string& name, const rtcore::SceneFile* scene,
+                                  const std::filesystem::path& file) {
+    const rtcore::Flights none;
+    const rtcore::Flights& flights = scene != nullptr ? scene->flights : none;
+    const auto found = rtcore::findFlight(flights, name);
+    if (found != flights.end()) return *found;
+    throw rtcore::FileError(
+        rtcore::FailureKind::NoInput, file.string(),
+        flights.empty()
+            ? rtcore::say("it has no flight {0}, nor any other; a .scn has them, and "
+                          "--turntable needs none",
+                          rtcore::inQuotes(name))
+            : rtcore::say("it has no flight {0}, but {1}", rtcore::inQuotes(name), namesOf(flights)));
+}
+
+rtcore::Flight turntableOf(const Turntable& turntable, const rtcore::Camera& camera, rtcore::Vec3 middle) {
+    return {.name = "turntable",
+            .seconds = turntable.seconds,
+            .target = rtcore::Vec3d{double{middle.x}, double{middle.y}, double{middle.z}},
+            .turns = turntable.turns,
+            .keys = {{.camera = camera}}};
+}
+
+/// By the camera that is asked for, around the middle of what the model is of.
+rtcore::Flight turntableOf(const RendererOptions& options, const rtcore::LoadedScene& loaded) {
+    rtcore::Camera camera = loaded.camera;
+    if (options.camera) camera = rtcore::readCameraFile(*options.camera, loaded.scene.origin).camera;
+    camera.nameOffset = 0;
+    const rtcore::Box3 bounds = subjectOf(loaded.scene.model.mesh, axesOf(loaded.scene)).bounds;
+    return turntableOf(*options.flight->turntable, camera, bounds.empty() ? rtcore::Vec3{} : bounds.centre());
+}
+
+rtcore::FlightCourse courseOf(const RendererOptions& options, const rtcore::LoadedScene& loaded) {
+    if (options.flight->turntable) return rtcore::FlightCourse(turntableOf(options, loaded), loaded.scene.up);
+    const rtcore::SceneFile* const file = loaded.sceneFile ? &*loaded.sceneFile : nullptr;
+    return rtcore::FlightCourse(flightNamed(options.flight->name, file, options.scene), loaded.scene.up);
+}
+
+} // namespace
+
+int framesOfFlight(const RendererOptions& options) {
+    if (options.flight->turntable)
+        return rtcore::FlightCourse(turntableOf(*options.flight->turntable, {}, {}), {0, 1, 0})
+            .frames(rateOf(options));
+    std::optional<rtcore::SceneFile> scene;
+    if (options.scene.extension() == ".scn") scene = rtcore::readSceneFile(options.scene);
+    const rtcore::Flight& flight =
+        flightNamed(options.flight->name, scene ? &*scene : nullptr, options.scene);
+    return rtcore::FlightCourse(flight, scene->up).frames(rateOf(options));
+}
+
+FlightList::FlightList(const RendererOptions& options, const rtcore::LoadedScene& loaded)
+    : folder_("rtsuite-flight-") {
+    const std::filesystem::path list = folder_.path() / "flight.lst";
+    app::recordFlight(list, courseOf(options, loaded), rateOf(options), loaded.scene.origin);
+    cameras_ = rtcore::readCameraList(list);
+}
+
+void makeList(const RendererOptions& options, const rtcore::LoadedScene& loaded, app::Progress& progress) {
+    const rtcore::FlightCourse course = courseOf(options, loaded);
+    app::recordFlight(*options.makeList, course, rateOf(options), loaded.scene.origin);
+    progress.print("wrote " + options.makeList->string() + " with " +
+                   std::to_string(course.frames(rateOf(options))) + " cameras");
+}
+
+} // namespace renderer
