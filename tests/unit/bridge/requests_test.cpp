@@ -18,10 +18,14 @@ using bridge::Refused;
 using nlohmann::json;
 
 const std::vector<std::string> kBookmarks{"altar", "a \"name\" \\ with; words"};
+const std::vector<std::string> kFlights{"around", "to the altar"};
 
-std::string lineOf(const json& request, const Limits& limits = {}) {
-    return bridge::planRequest(request, {limits, kBookmarks}).line;
+bridge::PlannedCommand plannedIn(const json& request, const Limits& limits = {}) {
+    return bridge::planRequest(
+        request, {.limits = limits, .bookmarks = kBookmarks, .lights = 0, .sky = false, .flights = kFlights});
 }
+
+std::string lineOf(const json& request, const Limits& limits = {}) { return plannedIn(request, limits).line; }
 
 std::string refusalOf(const json& request, const Limits& limits = {}) {
     try {
@@ -51,9 +55,9 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
-              (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
-                     "measure list", "measure point", "measure seen", "measure volume", "note get",
-                     "note list", "parts", "plan outline", "sections", "seen", "storeys"}));
+              (Names{"flight list", "material get", "materials", "measure angle", "measure distance",
+                     "measure face", "measure list", "measure point", "measure seen", "measure volume",
+                     "note get", "note list", "parts", "plan outline", "sections", "seen", "storeys"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Move), (Names{"bookmark go",
                                                          "camera angle",
                                                          "camera approach",
@@ -68,6 +72,8 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "camera set",
                                                          "camera view",
                                                          "camera zoom",
+                                                         "flight go",
+                                                         "flight play",
                                                          "fly",
                                                          "focus",
                                                          "note go",
@@ -191,6 +197,11 @@ TEST(Requests, NameBookmarksByNumber) {
     EXPECT_EQ(words[2], kBookmarks[1]);
     for (const json& wrong : {json(3), json(0), json(1.5), json("altar"), json(1e300)})
         EXPECT_REFUSED(request("bookmark go", {wrong})) << wrong;
+    EXPECT_EQ(lineOf(request("flight play", {2})), "flight play \"to the altar\"");
+    EXPECT_EQ(lineOf(request("flight go", {1, 2.5})), "flight go around 2.5");
+    EXPECT_REFUSED(request("flight play", {3}));
+    EXPECT_REFUSED(request("flight play", {"around"}));
+    EXPECT_REFUSED(request("flight export", {1, "/tmp/x.lst"}));
 }
 
 TEST(Requests, TakeEachWordOfTheTables) {
@@ -324,9 +335,7 @@ TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
         EXPECT_EQ(refusalOf(each, edits) == "edits are locked here", command.browser == app::BrowserUse::Edit)
             << each << ": " << refusalOf(each, edits);
         ASSERT_TRUE(refusalOf(each).starts_with("taken as ")) << each << ": " << refusalOf(each);
-        EXPECT_EQ(bridge::planRequest(each, {Limits(), kBookmarks}).anyone,
-                  command.browser == app::BrowserUse::Look)
-            << command.name;
+        EXPECT_EQ(plannedIn(each).anyone, command.browser == app::BrowserUse::Look) << command.name;
     }
 }
 
@@ -349,9 +358,7 @@ TEST(Requests, OfAllPagesMayAddNotesWhereThatIsAllowed) {
     Limits visitors;
     visitors.visitorNotes = true;
     visitors.locked = {"edits"};
-    const auto planned = [&](const json& each, const Limits& limits) {
-        return bridge::planRequest(each, {limits, kBookmarks});
-    };
+    const auto planned = [&](const json& each, const Limits& limits) { return plannedIn(each, limits); };
     EXPECT_FALSE(planned(request("note add", {0, 0, 0, "a", "Ada"}), {}).anyone);
     for (const json& each :
          {request("note add", {0, 0, 0, "a", "Ada"}), request("note at", {0, 0, "a", "Ada"})}) {
@@ -414,7 +421,7 @@ TEST(Requests, NeverBecomeOtherCommands) {
             each["args"].push_back(values[random() % values.size()]);
         if (random() % 3 == 0) each["also"] = values[random() % values.size()];
         try {
-            const bridge::PlannedCommand planned = bridge::planRequest(each, {Limits(), kBookmarks});
+            const bridge::PlannedCommand planned = plannedIn(each);
             ++taken;
             std::vector<std::string> words = app::splitWords(planned.line);
             if (words.front() == "also") words.erase(words.begin());
