@@ -73,7 +73,8 @@ std::vector<CommandSpec> keptMeasureCommands() {
          .more =
              "A line for each measure that has such points: its number, then theirs, from 1: `2 1` is the "
              "first end of the second measure. Glass hides, too; volumes, whose point is inside of what "
-             "they tell, are left out, and so are points behind the camera"}};
+             "they tell, are left out, and so are points behind the camera. As many measures as an answer "
+             "has room for"}};
     for (CommandSpec& row : keepingCommands()) all.push_back(std::move(row));
     const std::vector<CommandSpec> rest{
         {.id = CommandId::MeasureName,
