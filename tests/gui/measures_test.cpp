@@ -4,6 +4,7 @@
 #include "gui/models/measure_texts.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/panels/measures_panel.h"
+#include "gui/view/hidden_measures.h"
 #include "gui/view/measure_marks.h"
 
 #include <QComboBox>
@@ -66,6 +67,13 @@ TEST(MeasureMarksTest, ReadWhatThePointerCatches) {
     EXPECT_EQ(caught->point, (Vec3d{1, 2, -3.5}));
     EXPECT_FALSE(readCaught(QString(), origin));
     EXPECT_FALSE(readCaught(QStringLiteral("corner 1 2 x"), origin));
+}
+
+TEST(HiddenMeasuresTest, AreReadLineByLine) {
+    EXPECT_TRUE(readHidden(QString()).empty());
+    EXPECT_EQ(readHidden(QStringLiteral("2 1\n4 1 3")), (HiddenPoints{{1, 0}, {3, 0}, {3, 2}}));
+    EXPECT_TRUE(readHidden(QStringLiteral("x 1\n0 2\n-1 1")).empty());
+    EXPECT_EQ(readHidden(QStringLiteral("2 1 0 3")), (HiddenPoints{{1, 0}}));
 }
 
 TEST(MeasuresPanelTest, ShowsTheListAndEmitsNothing) {
@@ -224,6 +232,57 @@ TEST_F(MeasuresOfAServer, AreLedTo) {
         const auto at = marks().place({0.5, 0, 0});
         return at && (*at - window->view().pictureArea().center()).manhattanLength() < 2;
     }));
+}
+
+/// Of lines that are not dimmed.
+int amberPixels(const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == QColor(255, 200, 60);
+    return count;
+}
+
+// The floor's top is at y = -0.5, its bottom at -20.5.
+TEST_F(MeasuresOfAServer, AreDimmedWhereSomethingHidesThem) {
+    const auto tell = [&](const char* line) {
+        ASSERT_TRUE(ask(window->session(), QString::fromLatin1(line)).done) << line;
+    };
+    action(ActionId::Measure)->trigger();
+    const char *const above = "camera look-at 0 1 9 7 -50 -50", *const below =
+                                                                    "camera look-at 7 -52 -40 7 -50 -50";
+    ASSERT_NO_FATAL_FAILURE(tell(above));
+    ASSERT_NO_FATAL_FAILURE(tell("measure keep distance 2 -50 -50 12 -50 -50"));
+    ASSERT_NO_FATAL_FAILURE(tell("measure keep chain 0 0.5 8 0.5 0.5 8 2 -50 -50"));
+    ASSERT_NO_FATAL_FAILURE(tell("measure keep distance 0 0.5 8 0.5 0.5 8"));
+    ASSERT_TRUE(keeps(3));
+    EXPECT_TRUE(comes([&] { return marks().isDimmed(0) && marks().isDimmed(1); }));
+    EXPECT_FALSE(marks().isDimmed(1, 0));
+    EXPECT_TRUE(marks().isDimmed(1, 1)) << "one end";
+    EXPECT_FALSE(marks().isDimmed(2));
+    ASSERT_NO_FATAL_FAILURE(tell("measure remove 3"));
+    ASSERT_NO_FATAL_FAILURE(tell("measure remove 2"));
+    ASSERT_TRUE(keeps(1));
+    EXPECT_TRUE(comes([&] { return amberPixels(grabbed()) == 0; }));
+    ASSERT_NO_FATAL_FAILURE(tell(below));
+    EXPECT_TRUE(comes([&] { return !marks().isDimmed(0); }));
+    EXPECT_TRUE(comes([&] { return amberPixels(grabbed()) > 20; }));
+    ASSERT_NO_FATAL_FAILURE(tell(above));
+    EXPECT_TRUE(comes([&] { return marks().isDimmed(0); }));
+    ASSERT_NO_FATAL_FAILURE(tell("section add 0 -60 0 0 1 0"));
+    EXPECT_TRUE(comes([&] { return !marks().isDimmed(0); })) << "nothing is there to hide it";
+}
+
+TEST_F(MeasuresOfAServer, AreNotAskedAboutWhileTheyAreNotShown) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera look-at 0 1 9 7 -50 -50")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("measure keep distance 2 -50 -50 12 -50 -50")).done);
+    ASSERT_TRUE(keeps(1));
+    ASSERT_TRUE(comes([&] { return marks().isDimmed(0); }));
+    action(ActionId::Measure)->trigger();
+    EXPECT_TRUE(marks().isDimmed(0));
+    action(ActionId::ShowMeasures)->trigger();
+    EXPECT_FALSE(marks().isDimmed(0));
+    action(ActionId::ShowMeasures)->trigger();
+    EXPECT_TRUE(comes([&] { return marks().isDimmed(0); }));
 }
 
 } // namespace

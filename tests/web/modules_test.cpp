@@ -55,6 +55,10 @@ TEST_F(PageModules, LinesAreClippedBeforeTheEye) { passes("measures_test.js"); }
 TEST_F(PageModules, MeasuresHaveLabels) { passes("measures_test.js"); }
 TEST_F(PageModules, NotesAreTextWithoutControlCharacters) { passes("notes_test.js"); }
 TEST_F(PageModules, NotesHaveAHead) { passes("notes_test.js"); }
+TEST_F(PageModules, PlansAreRead) { passes("plan_test.js"); }
+TEST_F(PageModules, StoreysOfPlansAreThoseOfTheSuite) { passes("plan_test.js"); }
+TEST_F(PageModules, ATapOnAPlanLeadsThere) { passes("plan_test.js"); }
+TEST_F(PageModules, PlansShowWhereOneLooks) { passes("plan_test.js"); }
 TEST_F(PageModules, ADoubleClickTurnsThere) { passes("directions_test.js"); }
 TEST_F(PageModules, TheScreenIsKeptOnOnce) { passes("wake_lock_test.js"); }
 TEST_F(PageModules, SectionsHaveASideAndATrack) { passes("sections_test.js"); }

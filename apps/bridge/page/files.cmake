@@ -1,6 +1,6 @@
 # The files of the page that are built into RTBridge: those of this folder, and those that are made of it. The first one is
 # what `/` shows.
-set(BRIDGE_PAGE_FILES index.html page.css icon.svg js/texts_cs.js)
+set(BRIDGE_PAGE_FILES index.html page.css icon.svg js/texts_cs.js js/plan.js plan.css)
 set(BRIDGE_PAGE_MADE_FILES js/main.js js/stream_worker.js js/tables_cs.js)
 set(BRIDGE_PAGE_MADE_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/page_made)
 

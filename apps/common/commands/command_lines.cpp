@@ -165,6 +165,9 @@ std::string mask(bool ofMaterial, int number) {
 std::string sectionHere(double right, double down) { return line(CommandId::SectionHere, right, down); }
 std::string sectionThrough(const std::string& axis) { return line(CommandId::SectionThrough, axis); }
 std::string sectionAt(int number, const Position& point) { return line(CommandId::SectionAt, number, point); }
+std::string sectionPlane(int number, const Position& point, const Position& normal) {
+    return line(CommandId::SectionPlane, number, point, normal);
+}
 std::string sectionTurn(int number) { return line(CommandId::SectionTurn, number); }
 std::string sectionRemove(int number) { return line(CommandId::SectionRemove, number); }
 std::string sectionClear() { return line(CommandId::SectionClear); }
@@ -242,6 +245,7 @@ std::string measureProgress() { return line(CommandId::MeasureProgress); }
 std::string measureStop() { return line(CommandId::MeasureStop); }
 
 std::string measurePoint(double right, double down) { return line(CommandId::MeasurePoint, right, down); }
+std::string measureHidden() { return line(CommandId::MeasureHidden); }
 std::string measureKeepDistance(const Position& from, const Position& to) {
     return line(CommandId::MeasureKeepDistance, from, to);
 }

@@ -113,6 +113,7 @@ std::string sectionCut(const std::vector<std::string>& parts);
 std::string sectionHere(double right, double down);  ///< 0..1
 std::string sectionThrough(const std::string& axis); ///< "-z"
 std::string sectionAt(int number, const Position& point);
+std::string sectionPlane(int number, const Position& point, const Position& normal);
 std::string sectionTurn(int number);
 std::string sectionRemove(int number);
 std::string sectionClear();
@@ -170,6 +171,7 @@ std::string measureStop();
 
 // Measures that are kept, counted from 1.
 std::string measurePoint(double right, double down); ///< 0..1
+std::string measureHidden();
 std::string measureKeepDistance(const Position& from, const Position& to);
 std::string measureKeepChain(const std::vector<Position>& points); ///< 3 to 64
 std::string measureKeepAngle(const Position& from, const Position& at, const Position& to);

@@ -64,7 +64,17 @@ std::vector<CommandSpec> keptMeasureCommands() {
          .more =
              "A line each: `1 distance 2.350 m 0 0 0, 2.35 0 0 door`, points in the coordinates of the "
              "model's file; the name may be missing. As many as an answer has room for. Where the unit is "
-             "a guess, a last line says so"}};
+             "a guess, a last line says so"},
+        {.id = CommandId::MeasureHidden,
+         .name = "measure hidden",
+         .effect = Tells,
+         .browser = BrowserUse::Look,
+         .help = "print the points of kept measures that something hides from the camera",
+         .more =
+             "A line for each measure that has such points: its number, then theirs, from 1: `2 1` is the "
+             "first end of the second measure. Glass hides, too; volumes, whose point is inside of what "
+             "they tell, are left out, and so are points behind the camera. As many measures as an answer "
+             "has room for"}};
     for (CommandSpec& row : keepingCommands()) all.push_back(std::move(row));
     const std::vector<CommandSpec> rest{
         {.id = CommandId::MeasureName,

@@ -64,6 +64,11 @@ Vec3d SceneImage::ray(const QPointF& through) const {
     return parallel_ ? forward_ : normalize(forward_ + across(through - area_.center()));
 }
 
+/// Of the ray.
+Vec3d SceneImage::startOf(const QPointF& through) const {
+    return parallel_ ? eye_ + across(through - area_.center()) : eye_;
+}
+
 Vec3d SceneImage::towardsEye(const Vec3d& point) const {
     return parallel_ ? forward_ * -1.0 : normalize(eye_ - point);
 }
@@ -74,11 +79,19 @@ Vec3d SceneImage::movedInPlane(const Vec3d& point, const QPointF& from, const QP
     return point + across(to - from) * scaleAt(depth(point));
 }
 
+std::optional<Vec3d> SceneImage::onPlane(const Vec3d& point, const Vec3d& normal,
+                                         const QPointF& through) const {
+    const Vec3d direction = ray(through), start = startOf(through);
+    const double towards = dot(normal, direction);
+    if (towards == 0) return std::nullopt;
+    const double distance = dot(normal, point - start) / towards;
+    return distance > 0 ? std::optional(start + direction * distance) : std::nullopt;
+}
+
 // Where the axis through the point is nearest to the ray.
 std::optional<double> SceneImage::alongAxis(const Vec3d& point, const Vec3d& axis, const QPointF& at) const {
     constexpr double kMinSine = 0.02;
-    const Vec3d start = parallel_ ? eye_ + across(at - area_.center()) : eye_;
-    const Vec3d direction = ray(at), off = point - start;
+    const Vec3d direction = ray(at), off = point - startOf(at);
     const double cosine = dot(axis, direction), squareSine = 1 - cosine * cosine;
     if (squareSine < kMinSine * kMinSine) return std::nullopt;
     return (cosine * dot(direction, off) - dot(axis, off)) / squareSine;

@@ -49,6 +49,10 @@ class SceneImage {
 
     /// The point, moved in the plane parallel to the image as a hand goes there from `from` to `to`.
     rtcore::Vec3d movedInPlane(const rtcore::Vec3d& point, const QPointF& from, const QPointF& to) const;
+    /// Where the ray through a point of the area meets the plane through `point`, across `normal`; nothing:
+    /// behind the eye, or nowhere.
+    std::optional<rtcore::Vec3d> onPlane(const rtcore::Vec3d& point, const rtcore::Vec3d& normal,
+                                         const QPointF& through) const;
     /// How far the hand leads it along an axis of unit length; 0 where that points at the eye.
     double distanceAlong(const rtcore::Vec3d& point, const rtcore::Vec3d& axis, const QPointF& from,
                          const QPointF& to) const;
@@ -60,6 +64,7 @@ class SceneImage {
     rtcore::Vec3d across(const QPointF& off) const;
     std::optional<double> alongAxis(const rtcore::Vec3d& point, const rtcore::Vec3d& axis,
                                     const QPointF& at) const;
+    rtcore::Vec3d startOf(const QPointF& through) const;
     std::optional<QLineF> inArea(QLineF line) const;
 
     rtcore::Vec3d eye_, forward_, right_, up_;

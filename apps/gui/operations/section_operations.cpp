@@ -51,6 +51,11 @@ void SectionOperations::connectHandles() {
             [this](int number, const rtcore::FilePoint& point, bool goesOn) {
                 follow(SectionsPanel::stepAt(number), command::sectionAt(number, point), goesOn);
             });
+    connect(handles_, &SectionHandles::turned, this,
+            [this](int number, const rtcore::FilePoint& point, const rtcore::Vec3d& normal, bool goesOn) {
+                follow(QStringLiteral("section plane %1").arg(number),
+                       command::sectionPlane(number, point, {normal.x, normal.y, normal.z}), goesOn);
+            });
 }
 
 void SectionOperations::showHandles() {

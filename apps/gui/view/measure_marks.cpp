@@ -2,6 +2,7 @@
 
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/hidden_measures.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/shown_image.h"
 
@@ -23,12 +24,28 @@ using rtcore::MeasureKind;
 using rtcore::Vec3d;
 
 constexpr int kMinMeasureDrag = 4; ///< pixels: what moves less is a click
-const QColor kMeasureColour(255, 200, 60), kPendingColour(120, 210, 250), kDark(0, 0, 0, 170);
+const QColor kMeasureColour(255, 200, 60), kPendingColour(120, 210, 250), kDark(0, 0, 0, 170),
+    kPaleText(255, 255, 255, 170);
 
 void drawOnAny(QPainter& painter, const QLineF& line, const QColor& colour) {
     painter.setPen(QPen(kDark, 4, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(line);
     painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line);
+}
+
+QColor paler(QColor colour, float by = 0.5F) {
+    colour.setAlphaF(by * colour.alphaF());
+    return colour;
+}
+
+void drawDashed(QPainter& painter, const QLineF& line) {
+    QPen pen(paler(kDark), 4, Qt::SolidLine, Qt::FlatCap);
+    painter.setPen(pen);
+    painter.drawLine(line);
+    pen = QPen(paler(kMeasureColour, 0.8F), 2, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({3, 3}); // widths of the line
+    painter.setPen(pen);
     painter.drawLine(line);
 }
 
@@ -67,24 +84,32 @@ std::optional<CaughtPoint> readCaught(const QString& answer, const rtcore::Local
 }
 
 MeasureMarks::MeasureMarks(FrameView& view, Session& session, QObject* parent)
-    : QObject(parent), view_(view), session_(session) {
+    : QObject(parent), view_(view), session_(session), hidden_(new HiddenMeasures(session, this)) {
     view_.installEventFilter(this); // asked before the camera's
     view_.addMarks([this](QPainter& painter) { draw(painter); });
     connect(&session_, &Session::frameChanged, this, &MeasureMarks::onFrame);
+    connect(hidden_, &HiddenMeasures::changed, &view_, qOverload<>(&QWidget::update));
 }
 
 void MeasureMarks::setShown(bool shown) {
     shown_ = shown;
+    askWhatIsHidden();
     view_.update();
 }
 
 void MeasureMarks::setState(const SceneState& state) {
     state_ = state;
+    askWhatIsHidden();
     view_.update();
+}
+
+void MeasureMarks::askWhatIsHidden() {
+    hidden_->setWanted((shown_ || kind_) && !state_.measures.all.empty());
 }
 
 void MeasureMarks::setMeasuring(std::optional<MeasureKind> kind) {
     kind_ = kind;
+    askWhatIsHidden();
     view_.takeClicks(kind_.has_value());
     caught_.reset();
     if (kind_)
@@ -114,6 +139,16 @@ std::optional<QPointF> MeasureMarks::place(const Vec3d& point) const {
 
 bool MeasureMarks::isLeft(Vec3d point) const {
     return leftOf(state_.sections, point, point, cutSlack(state_)).has_value();
+}
+
+bool MeasureMarks::isDimmed(std::size_t measure, std::size_t leg) const {
+    return hidden_->isHidden(measure, leg) || hidden_->isHidden(measure, leg + 1);
+}
+
+bool MeasureMarks::isDimmed(std::size_t measure) const {
+    for (std::size_t i = 0; i < state_.measures.all.at(measure).points.size(); ++i)
+        if (hidden_->isHidden(measure, i)) return true;
+    return false;
 }
 
 std::vector<QPointF> MeasureMarks::labelPlaces() const {
@@ -343,20 +378,34 @@ void MeasureMarks::draw(QPainter& painter) const {
     painter.restore();
 }
 
-void MeasureMarks::drawPart(QPainter& painter, const SceneImage& in, Vec3d from, Vec3d to) const {
-    const auto part = leftOf(state_.sections, from, to, cutSlack(state_));
-    if (!part) return;
-    if (const auto line = in.line(part->first, part->second)) drawOnAny(painter, *line, kMeasureColour);
+void MeasureMarks::drawLines(QPainter& painter, const SceneImage& in, std::size_t measure) const {
+    const std::vector<Vec3d>& points = state_.measures.all[measure].points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto part = leftOf(state_.sections, points[i - 1], points[i], cutSlack(state_));
+        const auto line = part ? in.line(part->first, part->second) : std::nullopt;
+        if (!line) continue;
+        if (isDimmed(measure, i - 1))
+            drawDashed(painter, *line);
+        else
+            drawOnAny(painter, *line, kMeasureColour);
+    }
+}
+
+// That of the whole comes first.
+void MeasureMarks::drawLabels(QPainter& painter, const SceneImage& in, std::size_t measure) const {
+    std::size_t leg = 0;
+    bool dimmed = isDimmed(measure);
+    for (const MeasureLabel& label : labelsOf(state_.measures.all[measure], state_)) {
+        if (isLeft(label.point)) drawLabel(painter, in, label, dimmed);
+        dimmed = isDimmed(measure, leg++);
+    }
 }
 
 // No line over a label.
 void MeasureMarks::drawMeasures(QPainter& painter, const SceneImage& in) const {
-    for (const rtcore::KeptMeasure& measure : state_.measures.all)
-        for (std::size_t i = 1; i < measure.points.size(); ++i)
-            drawPart(painter, in, measure.points[i - 1], measure.points[i]);
-    for (const rtcore::KeptMeasure& measure : state_.measures.all)
-        for (const MeasureLabel& label : labelsOf(measure, state_))
-            if (isLeft(label.point)) drawLabel(painter, in, label);
+    const std::size_t count = state_.measures.all.size();
+    for (std::size_t i = 0; i < count; ++i) drawLines(painter, in, i);
+    for (std::size_t i = 0; i < count; ++i) drawLabels(painter, in, i);
 }
 
 void MeasureMarks::drawPending(QPainter& painter, const SceneImage& in) const {
@@ -378,7 +427,8 @@ void MeasureMarks::drawPending(QPainter& painter, const SceneImage& in) const {
     drawLabel(painter, in, {labelPoint(leg), measureText(value, state_.measures.unit)});
 }
 
-void MeasureMarks::drawLabel(QPainter& painter, const SceneImage& in, const MeasureLabel& label) const {
+void MeasureMarks::drawLabel(QPainter& painter, const SceneImage& in, const MeasureLabel& label,
+                             bool dimmed) const {
     const auto at = in.at(label.point);
     if (!at || !view_.pictureArea().contains(*at)) return;
     constexpr double kPadding = 4, kRound = 4;
@@ -386,9 +436,9 @@ void MeasureMarks::drawLabel(QPainter& painter, const SceneImage& in, const Meas
     QRectF box(QPointF(), size + QSizeF(2 * kPadding, kPadding));
     box.moveCenter(*at + QPointF(0, label.below ? 1.2 * box.height() : 0));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(kDark);
+    painter.setBrush(dimmed ? paler(kDark) : kDark);
     painter.drawRoundedRect(box, kRound, kRound);
-    painter.setPen(Qt::white);
+    painter.setPen(dimmed ? kPaleText : QColor(Qt::white));
     painter.drawText(box, Qt::AlignCenter, label.text);
 }
 

@@ -1,7 +1,8 @@
 /// The measures of the scene in the image, and, while one measures, the mouse that sets their points: what
 /// the pointer catches is marked, a click sets a point there, Shift keeps to the axis of the scene along
 /// which it is farther from the last one. Enter, a double click and Esc end a chain, Esc ends measuring,
-/// Backspace and Delete take the last point back. Measures are seen through walls.
+/// Backspace and Delete take the last point back. Measures are seen through walls: where something hides an
+/// end, lines are dashed and labels pale.
 #pragma once
 
 #include "gui/models/measure_texts.h"
@@ -23,6 +24,7 @@ class QPainter;
 namespace gui {
 
 class FrameView;
+class HiddenMeasures;
 class Session;
 
 /// What a pointer catches: the word of `measure point`, and where, in scene units from the scene's zero.
@@ -49,6 +51,10 @@ class MeasureMarks : public QObject {
     const std::optional<CaughtPoint>& caught() const { return caught_; } ///< at the pointer
     /// Where labels are painted, widget pixels, measure by measure.
     std::vector<QPointF> labelPlaces() const;
+    /// Whether a line of a measure, from one of its points, from 0, to the next, has a hidden end.
+    bool isDimmed(std::size_t measure, std::size_t leg) const;
+    /// Whether the measure has any hidden point.
+    bool isDimmed(std::size_t measure) const;
     /// Where the image shows a point; nothing where it does not.
     std::optional<QPointF> place(const rtcore::Vec3d& point) const;
 
@@ -86,12 +92,16 @@ class MeasureMarks : public QObject {
     void draw(QPainter& painter) const;
     void drawMeasures(QPainter& painter, const SceneImage& in) const;
     void drawPending(QPainter& painter, const SceneImage& in) const;
-    void drawPart(QPainter& painter, const SceneImage& in, rtcore::Vec3d from, rtcore::Vec3d to) const;
-    void drawLabel(QPainter& painter, const SceneImage& in, const MeasureLabel& label) const;
+    void drawLines(QPainter& painter, const SceneImage& in, std::size_t measure) const;
+    void drawLabels(QPainter& painter, const SceneImage& in, std::size_t measure) const;
+    void drawLabel(QPainter& painter, const SceneImage& in, const MeasureLabel& label,
+                   bool dimmed = false) const;
+    void askWhatIsHidden();
     bool isLeft(rtcore::Vec3d point) const;
 
     FrameView& view_;
     Session& session_;
+    HiddenMeasures* hidden_;
     SceneState state_;
     bool shown_ = true;
     std::optional<rtcore::MeasureKind> kind_;

@@ -5,6 +5,9 @@
 #include "gui/view/input_capture.h"
 #include "gui/view/shown_image.h"
 
+#include "rtcore/scene/up_axis.h"
+
+#include <QKeyEvent>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
@@ -34,6 +37,13 @@ double fromSegment(const QPointF& at, const QLineF& line) {
     return QLineF(at, line.pointAt(part)).length();
 }
 
+/// Axes stay axes.
+Vec3d withoutNoise(const Vec3d& unit) {
+    constexpr double kDigits = 1e7;
+    return {std::round(unit.x * kDigits) / kDigits, std::round(unit.y * kDigits) / kDigits,
+            std::round(unit.z * kDigits) / kDigits};
+}
+
 /// A head at the end, of a line that is long enough for one.
 QPolygonF headOf(const QLineF& arrow) {
     constexpr double kLong = 14, kWide = 6;
@@ -61,8 +71,7 @@ void SectionHandles::setShown(bool shown) {
 void SectionHandles::setState(const SceneState& state) {
     state_ = state;
     if (drag_ && drag_->number > count()) endDrag();
-    if (drag_ && drag_->moves)
-        state_.sections.planes[static_cast<std::size_t>(drag_->number - 1)].point = drag_->point;
+    if (drag_ && drag_->moves) plane(drag_->number) = drag_->now;
     view_.update();
 }
 
@@ -76,6 +85,10 @@ void SectionHandles::setSelected(int number) {
 std::optional<SceneImage> SectionHandles::image() const {
     if (!shown_ || state_.bounds.empty()) return std::nullopt;
     return shownImage(view_, session_, state_);
+}
+
+rtcore::SectionPlane& SectionHandles::plane(int number) {
+    return state_.sections.planes[static_cast<std::size_t>(number - 1)];
 }
 
 SectionMark SectionHandles::mark(int number) const {
@@ -105,6 +118,40 @@ std::optional<QPointF> SectionHandles::tip(int number) const {
     const auto in = image();
     const auto at = in && number >= 1 && number <= count() ? handle(number, *in) : std::nullopt;
     return at ? std::optional(at->tip) : std::nullopt;
+}
+
+// While one turns its plane, that one alone.
+std::vector<SectionArc> SectionHandles::arcs(const SceneImage& in) const {
+    if (selected_ < 1 || selected_ > count() || isBox(state_.sections)) return {};
+    const auto held = handle(selected_, in);
+    if (!held) return {};
+    const ArrowInImage at{held->hold, mark(selected_).normal, {held->place, held->tip}};
+    if (drag_ && drag_->arc) {
+        auto arc = sectionArc(in, at, drag_->arc->circle.axis, drag_->arc->side);
+        if (!arc) return {};
+        arc->number = drag_->arc->number;
+        return {*arc};
+    }
+    const rtcore::Vec3 up = rtcore::axisNamed(state_.up.toStdString()).value_or(rtcore::Vec3{0, 1, 0});
+    return sectionArcs(in, at, turnAxesOf(at.normal, exactOf(up)));
+}
+
+std::optional<QPointF> SectionHandles::knob(int axis) const {
+    if (const auto in = image())
+        for (const SectionArc& arc : arcs(*in))
+            if (arc.number == axis) return arc.knob;
+    return std::nullopt;
+}
+
+std::optional<SectionArc> SectionHandles::arcAt(const QPointF& at) const {
+    const auto in = image();
+    if (!in) return std::nullopt;
+    std::optional<SectionArc> nearest;
+    for (const SectionArc& arc : arcs(*in)) {
+        const double off = QLineF(at, arc.knob).length();
+        if (off < kGrab && (!nearest || off < QLineF(at, nearest->knob).length())) nearest = arc;
+    }
+    return nearest;
 }
 
 /// The nearest one; 0: none.
@@ -146,6 +193,11 @@ bool SectionHandles::eventFilter(QObject*, QEvent* event) {
     case QEvent::Leave:
         if (!drag_) hover({-1, -1});
         return false;
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress:
+        if (!key(static_cast<const QKeyEvent&>(*event))) return false;
+        event->accept();
+        return true;
     default:
         return false;
     }
@@ -154,15 +206,16 @@ bool SectionHandles::eventFilter(QObject*, QEvent* event) {
 bool SectionHandles::press(const QMouseEvent& event) {
     if (drag_) return true;
     if (event.button() != Qt::LeftButton) return false;
-    const int number = handleAt(event.position());
+    const auto arc = arcAt(event.position());
+    const int number = arc ? selected_ : handleAt(event.position());
     if (number == 0) return false;
-    const rtcore::Vec3 point = state_.sections.planes[static_cast<std::size_t>(number - 1)].point;
     drag_ = Drag{.number = number,
                  .mark = mark(number),
                  .handle = *handle(number, *image()),
-                 .start = state_.origin.inFile(point),
-                 .point = point,
-                 .from = event.position()};
+                 .start = plane(number),
+                 .now = plane(number),
+                 .from = event.position(),
+                 .arc = arc};
     selected_ = number;
     view_.setFocus(Qt::MouseFocusReason);
     view_.update();
@@ -182,16 +235,61 @@ double SectionHandles::led(const SceneImage& in, const QPointF& to) const {
 void SectionHandles::drag(const QMouseEvent& event) {
     const auto in = image();
     const bool goesOn = drag_->moves;
-    if (!in || (!goesOn && QLineF(drag_->from, event.position()).length() < kFirstMove)) return;
+    if (!in || drag_->over) return;
+    if (!goesOn && QLineF(drag_->from, event.position()).length() < kFirstMove) return;
     drag_->moves = true;
-    drag_->along = std::clamp(led(*in, event.position()), drag_->mark.back, drag_->mark.on);
-    rtcore::FilePoint point = drag_->start;
+    if (drag_->arc)
+        turn(*in, event.position(), (event.modifiers() & Qt::ShiftModifier) != 0, goesOn);
+    else
+        move(*in, event.position(), goesOn);
+}
+
+void SectionHandles::move(const SceneImage& in, const QPointF& to, bool goesOn) {
+    drag_->along = std::clamp(led(in, to), drag_->mark.back, drag_->mark.on);
+    rtcore::FilePoint point = state_.origin.inFile(drag_->start.point);
     for (int axis = 0; axis < 3; ++axis)
         point.at(static_cast<std::size_t>(axis)) += drag_->mark.normal[axis] * drag_->along;
-    drag_->point = state_.origin.local(point);
-    state_.sections.planes[static_cast<std::size_t>(drag_->number - 1)].point = drag_->point;
+    drag_->now.point = state_.origin.local(point);
+    plane(drag_->number) = drag_->now;
     view_.update();
     emit moved(drag_->number, point, goesOn);
+}
+
+// About the arrow's foot, so that the plane goes through that from then on.
+void SectionHandles::turn(const SceneImage& in, const QPointF& to, bool inSteps, bool goesOn) {
+    const TurnCircle& circle = drag_->arc->circle;
+    drag_->angle = turnLed(in, circle, drag_->from, to, drag_->angle);
+    const Vec3d& start = drag_->mark.normal;
+    const double angle = inSteps ? inTurnSteps(start, circle.axis, drag_->angle) : drag_->angle;
+    const Vec3d normal = withoutNoise(gui::turned(start, circle.axis, angle));
+    rtcore::FilePoint point = state_.origin.at;
+    for (int axis = 0; axis < 3; ++axis) point.at(static_cast<std::size_t>(axis)) += circle.middle[axis];
+    drag_->now = {state_.origin.local(point),
+                  {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)}};
+    plane(drag_->number) = drag_->now;
+    view_.update();
+    emit turned(drag_->number, point, normal, goesOn);
+}
+
+bool SectionHandles::key(const QKeyEvent& event) {
+    if (!drag_ || event.key() != Qt::Key_Escape) return false;
+    if (event.type() == QEvent::KeyPress) takeBack();
+    return true;
+}
+
+// What the server was told already belongs to the same step.
+void SectionHandles::takeBack() {
+    drag_->over = true;
+    if (!drag_->moves) return;
+    drag_->moves = false;
+    drag_->along = 0;
+    plane(drag_->number) = drag_->start;
+    view_.update();
+    const rtcore::FilePoint point = state_.origin.inFile(drag_->start.point);
+    if (drag_->arc)
+        emit turned(drag_->number, point, exactOf(drag_->start.normal), true);
+    else
+        emit moved(drag_->number, point, true);
 }
 
 void SectionHandles::endDrag() {
@@ -200,10 +298,12 @@ void SectionHandles::endDrag() {
 }
 
 void SectionHandles::hover(const QPointF& at) {
-    const int before = hovered_;
-    hovered_ = handleAt(at);
-    if (hovered_ == before) return;
-    if (hovered_ == 0)
+    const int before = hovered_, arcBefore = hoveredArc_;
+    const auto arc = arcAt(at);
+    hoveredArc_ = arc ? arc->number : -1;
+    hovered_ = arc ? 0 : handleAt(at);
+    if (hovered_ == before && hoveredArc_ == arcBefore) return;
+    if (hovered_ == 0 && !arc)
         view_.unsetCursor();
     else
         view_.setCursor(Qt::PointingHandCursor);
@@ -227,6 +327,8 @@ void SectionHandles::draw(QPainter& painter) const {
     for (int number = 1; number <= count(); ++number) drawOutline(painter, *in, number);
     for (int number = 1; number <= count(); ++number)
         if (const auto at = handle(number, *in)) drawHandle(painter, *at, colourOf(number));
+    for (const SectionArc& arc : arcs(*in))
+        drawArc(painter, arc, arc.number == hoveredArc_ ? kHoveredSection : kSelectedSection, kSectionShade);
     painter.restore();
 }
 

@@ -1,19 +1,25 @@
-/// The handles of sections in the image, and the mouse that moves planes by them: an arrow along each plane's
-/// normal, to the side that is taken away, from a point of the plane, whose line around the model's box is
-/// painted, too. A plane goes along its normal as the arrow goes with the hand, as far as the box reaches;
-/// where the arrow points at the eye, or away from it, upwards leads away. Handles are seen through walls.
+/// The handles of sections in the image, and the mouse that moves and turns planes by them: an arrow along
+/// each plane's normal, to the side that is taken away, from a point of the plane, whose line around the
+/// model's box is painted, too. A plane goes along its normal as the arrow goes with the hand, as far as the
+/// box reaches; where the arrow points at the eye, or away from it, upwards leads away. Beside the arrow of
+/// the selected plane, which is no side of a box, are two arcs: a hand that drags their knobs turns the plane
+/// about the arrow's foot, with Shift in steps of 15 degrees. Esc takes a drag back. Handles are seen through
+/// walls.
 #pragma once
 
 #include "gui/models/scene_image.h"
 #include "gui/models/scene_state.h"
 #include "gui/models/section_marks.h"
+#include "gui/view/section_arcs.h"
 
 #include <QColor>
 #include <QObject>
 #include <QPointF>
 
 #include <optional>
+#include <vector>
 
+class QKeyEvent;
 class QMouseEvent;
 class QPainter;
 
@@ -37,12 +43,16 @@ class SectionHandles : public QObject {
     /// painted. An arrow that points at the eye ends where it begins.
     std::optional<QPointF> place(int number) const;
     std::optional<QPointF> tip(int number) const;
+    /// Where the knob is that turns the selected section about one of its TurnAxes, 0 or 1.
+    std::optional<QPointF> knob(int axis) const;
     int hovered() const { return hovered_; } ///< 0: none
 
   signals:
     void picked(int number);
     /// The section is to go through that point of the model's file. `goesOn`: after the first one of a drag.
     void moved(int number, const rtcore::FilePoint& point, bool goesOn);
+    /// The same, and is to have that normal.
+    void turned(int number, const rtcore::FilePoint& point, const rtcore::Vec3d& normal, bool goesOn);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -57,20 +67,29 @@ class SectionHandles : public QObject {
         int number;
         SectionMark mark;
         Handle handle;
-        rtcore::FilePoint start;
-        rtcore::Vec3 point; ///< scene units
+        rtcore::SectionPlane start, now; ///< scene units
         QPointF from;
-        double along = 0; ///< the normal, since the start
+        std::optional<SectionArc> arc = {}; ///< that turns it
+        double along = 0;                   ///< the normal, since the start
+        double angle = 0;                   ///< of the hand, since the start; radians
         bool moves = false;
+        bool over = false; ///< taken back, while the button is still down
     };
 
     std::optional<SceneImage> image() const;
     int count() const { return static_cast<int>(state_.sections.planes.size()); }
     SectionMark mark(int number) const;
     std::optional<Handle> handle(int number, const SceneImage& in) const;
+    std::vector<SectionArc> arcs(const SceneImage& in) const;
+    std::optional<SectionArc> arcAt(const QPointF& at) const;
     int handleAt(const QPointF& at) const;
+    rtcore::SectionPlane& plane(int number);
     bool press(const QMouseEvent& event);
+    bool key(const QKeyEvent& event);
     void drag(const QMouseEvent& event);
+    void move(const SceneImage& in, const QPointF& to, bool goesOn);
+    void turn(const SceneImage& in, const QPointF& to, bool inSteps, bool goesOn);
+    void takeBack();
     double led(const SceneImage& in, const QPointF& to) const;
     void endDrag();
     void hover(const QPointF& at);
@@ -83,6 +102,7 @@ class SectionHandles : public QObject {
     Session& session_;
     SceneState state_;
     int selected_ = 0, hovered_ = 0;
+    int hoveredArc_ = -1; ///< of the selected one; -1: none
     bool shown_ = false;
     std::optional<Drag> drag_;
 };

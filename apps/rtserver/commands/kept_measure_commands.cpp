@@ -1,5 +1,6 @@
 // Commands for the measures that are kept with the scene.
 #include "rtserver/commands/command_call.h"
+#include "rtserver/commands/hidden_points.h"
 #include "rtserver/commands/measure_table.h"
 #include "rtserver/commands/measured_points.h"
 #include "rtserver/commands/model_objects.h"
@@ -12,6 +13,8 @@
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/sections/cut_plane.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -131,6 +134,26 @@ Result listMeasures(const Call& call) {
     return {.answer = text};
 }
 
+/// A line of numbers for each measure that has hidden points.
+Result hiddenMeasures(const Call& call) {
+    const std::vector<KeptMeasure>& all = call.document().measures().all;
+    std::vector<Vec3d> points;
+    for (const KeptMeasure& each : all) points.insert(points.end(), each.points.begin(), each.points.end());
+    const std::vector<bool> hidden = hiddenFromCamera(call.document(), points);
+    std::string text;
+    for (std::size_t i = 0, first = 0; i < all.size(); first += all[i++].points.size()) {
+        if (all[i].kind == MeasureKind::Volume) continue;
+        std::string line;
+        for (std::size_t k = 0; k < all[i].points.size(); ++k)
+            if (hidden[first + k]) line += fmt::format(" {}", k + 1);
+        if (line.empty()) continue;
+        line = fmt::format("{}{}{}", text.empty() ? "" : "\n", i + 1, line);
+        if (text.size() + line.size() > ipc::kMaxAnswerText) break;
+        text += line;
+    }
+    return {.answer = text};
+}
+
 /// All measures, and that which the first argument numbers.
 std::pair<KeptMeasures, std::size_t> chosenMeasure(const Call& call) {
     KeptMeasures all = call.document().measures();
@@ -182,6 +205,7 @@ Result exportMeasures(const Call& call) {
 
 constexpr std::array kKeptMeasureFunctions{
     CommandFunction{app::CommandId::MeasureList, listMeasures},
+    CommandFunction{app::CommandId::MeasureHidden, hiddenMeasures},
     CommandFunction{app::CommandId::MeasureKeepDistance, keepDistance},
     CommandFunction{app::CommandId::MeasureKeepChain, keepChain},
     CommandFunction{app::CommandId::MeasureKeepAngle, keepAngle},

@@ -6,6 +6,7 @@
 #include "rtcore/plans/file_metres.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/render/camera_rays.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <vector>
 

@@ -128,6 +128,14 @@ Result sectionAt(const Call& call) {
     return {};
 }
 
+Result sectionPlane(const Call& call) {
+    auto [all, i] = chosen(call);
+    all.planes[i] = {positionAt(call, 1), vectorAt(call, 4)};
+    refuseUseless(all.planes[i]);
+    cutOpen(call.document(), std::move(all));
+    return {};
+}
+
 Result sectionTurn(const Call& call) {
     auto [all, i] = chosen(call);
     all.planes[i].normal = Vec3{} - all.planes[i].normal; // no -0
@@ -202,6 +210,7 @@ constexpr std::array kSectionFunctions{
     CommandFunction{app::CommandId::SectionBox, sectionBox},
     CommandFunction{app::CommandId::SectionMove, sectionMove},
     CommandFunction{app::CommandId::SectionAt, sectionAt},
+    CommandFunction{app::CommandId::SectionPlane, sectionPlane},
     CommandFunction{app::CommandId::SectionTurn, sectionTurn},
     CommandFunction{app::CommandId::SectionRemove, sectionRemove},
     CommandFunction{app::CommandId::SectionClear, sectionClear},

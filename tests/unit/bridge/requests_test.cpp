@@ -56,8 +56,9 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
               (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
               (Names{"flight list", "material get", "materials", "measure angle", "measure distance",
-                     "measure face", "measure list", "measure point", "measure seen", "measure volume",
-                     "note get", "note list", "parts", "plan outline", "sections", "seen", "storeys"}));
+                     "measure face", "measure hidden", "measure list", "measure point", "measure seen",
+                     "measure volume", "note get", "note list", "parts", "plan outline", "sections", "seen",
+                     "storeys"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Move), (Names{"bookmark go",
                                                          "camera angle",
                                                          "camera approach",
@@ -137,6 +138,7 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "section leave",
                                                          "section light",
                                                          "section move",
+                                                         "section plane",
                                                          "section remove",
                                                          "section through",
                                                          "section turn",

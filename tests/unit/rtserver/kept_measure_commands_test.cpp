@@ -68,6 +68,36 @@ TEST_F(KeptMeasureCommands, AreSavedAndSurviveOtherEdits) {
     EXPECT_EQ(saved.decimals, 1);
 }
 
+// The box stands between z = -3 and -2, 1 high; the eye is before it.
+TEST_F(KeptMeasureCommands, TellWhichPointsAreHidden) {
+    answer("camera look-at 0 0.5 3 0 0.5 0");
+    EXPECT_EQ(answer("measure hidden"), "");
+    answer("measure keep distance 0 0.5 -2 2 0 -2");
+    answer("measure keep distance -0.4 0.2 -4 2 0 -4");
+    answer("measure keep chain 0 0.5 -3 0 1 -2 0 0 -4");
+    answer("measure keep volume box");
+    answer("measure keep distance 0 1 9 0 1 8");
+    EXPECT_EQ(answer("measure hidden"), "2 1\n3 1 3") << "the face before does not hide its own points";
+    answer("camera orthographic 0 0.5 3 0 0 -1 4");
+    EXPECT_EQ(answer("measure hidden"), "2 1\n3 1 3");
+    answer("camera orthographic 0 9 -2.5 0 -1 0 4");
+    EXPECT_EQ(answer("measure hidden"), "1 1\n3 1") << "along the sides of the box";
+    answer("camera look-at 0 0.5 -9 0 0.5 0");
+    EXPECT_EQ(answer("measure hidden"), "1 1\n3 2\n5 1 2") << "from behind";
+}
+
+TEST_F(KeptMeasureCommands, ArePointsThatHiddenPartsAndSectionsLeaveFree) {
+    answer("camera look-at 0 0.5 3 0 0.5 0");
+    answer("measure keep distance 0 0.5 -4 0.1 0.5 -4");
+    EXPECT_EQ(answer("measure hidden"), "1 1 2");
+    answer("part hide box");
+    EXPECT_EQ(answer("measure hidden"), "");
+    answer("part show box");
+    EXPECT_EQ(answer("measure hidden"), "1 1 2");
+    answer("section add 0 0 -3.5 0 0 1");
+    EXPECT_EQ(answer("measure hidden"), "");
+}
+
 TEST_F(KeptMeasureCommands, TellTheFaceAndItsArea) {
     answer("camera orthographic 0 0.5 3 0 0 -1 4");
     answer("resolution 400 300");

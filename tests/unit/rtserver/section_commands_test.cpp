@@ -91,6 +91,22 @@ TEST_F(SectionCommands, GoThroughTheMiddleAndThroughAPoint) {
     EXPECT_FLOAT_EQ(sections().planes[1].point.x, 0) << "one step";
 }
 
+TEST_F(SectionCommands, TurnAPlaneInOneStep) {
+    answer("section through y");
+    answer("section through x");
+    answer("section plane 1 0 0.25 -1 0 1 1");
+    answer("also section plane 1 0 0.25 -1 0 1 2");
+    EXPECT_EQ(sections().planes[0], (rtcore::SectionPlane{{0, 0.25F, -1}, {0, 1, 2}}));
+    EXPECT_EQ(sections().planes[1].normal, (Vec3{1, 0, 0})) << "the other stays";
+    EXPECT_EQ(document.history().last()->label, "section plane 1");
+    answer("undo");
+    EXPECT_EQ(sections().planes[0].normal, (Vec3{0, 1, 0})) << "one step";
+    EXPECT_EQ(refusal("section plane 1 0 0 0 0 0 0").code, 2);
+    EXPECT_EQ(refusal("section plane 1 0 1e20 0 0 1 0").code, 2);
+    EXPECT_EQ(refusal("section plane 1 0 0 0 0 1").code, 2);
+    EXPECT_EQ(sections().planes[0].normal, (Vec3{0, 1, 0})) << "what is refused changes nothing";
+}
+
 TEST_F(SectionCommands, ThatCannotBeAreRefused) {
     EXPECT_EQ(refusal("section add 0 0 0 0 0 0").code, 2);
     EXPECT_EQ(refusal("section add 0 0 0 0 1").code, 2);
