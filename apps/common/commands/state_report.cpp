@@ -9,6 +9,7 @@
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/plain_text.h"
+#include "rtcore/settings/utf8.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -91,11 +92,7 @@ std::size_t firstMeasures(const rtcore::KeptMeasures& measures) {
 
 /// As long as a name may be, with what is no text spelt out.
 std::string shownName(const std::string& name) {
-    std::string text = rtcore::printable(name);
-    if (text.size() <= rtcore::kMaxMeasureName) return text;
-    std::size_t end = rtcore::kMaxMeasureName;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end; // within a character
-    return text.substr(0, end);
+    return std::string(rtcore::utf8Beginning(rtcore::printable(name), rtcore::kMaxMeasureName));
 }
 
 void writeMeasures(rtcore::TomlWriter& writer, const rtcore::KeptMeasures& measures, std::size_t max) {
