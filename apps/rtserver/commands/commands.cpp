@@ -120,12 +120,4 @@ Result runCommand(app::CommandId id, std::span<const std::string> arguments, Wor
     return run({state, host, arguments}, app::commandOf(id), {});
 }
 
-app::CommandEffect effectOf(std::string_view text) {
-    try {
-        return app::findCommand(app::splitWords(text)).command->effect;
-    } catch (const app::UsageError&) {
-        return app::CommandEffect::Tells;
-    }
-}
-
 } // namespace rtserver

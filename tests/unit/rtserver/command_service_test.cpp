@@ -63,6 +63,24 @@ TEST_F(CommandServiceTest, RefusesWithTheExitCode) {
         << "since its client wants no answer";
 }
 
+TEST_F(CommandServiceTest, WhatIsInNoImageIsKeptDuringAFrame) {
+    for (const char* const line :
+         {"note add 0 0 0 dark Ada", "by 7 note text 1 darker",
+          "measure keep distance 0 0 0 1 0 0", "also measure name 1 a", "note remove 1", "measure remove all",
+          "bookmark rename door gate"}) {
+        const std::uint64_t before = document.history().state();
+        EXPECT_FALSE(during(line).change) << line;
+        EXPECT_EQ(told.take().size(), 1U) << line;
+        EXPECT_NE(document.history().state(), before) << line;
+    }
+    EXPECT_FALSE(changes().any());
+    EXPECT_TRUE(during("note go 1").change);
+    EXPECT_FALSE(during("note add 0 0 0 behind").change) << "that is to come first";
+    EXPECT_TRUE(told.take().empty());
+    serve({});
+    EXPECT_EQ(told.take().size(), 2U);
+}
+
 // Neither does the frame end for it, nor does it wait for the frame.
 TEST_F(CommandServiceTest, WhatIsFoundOutApartIsToldDuringAFrame) {
     EXPECT_FALSE(during("plan outline").change);
