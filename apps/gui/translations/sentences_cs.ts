@@ -2128,6 +2128,10 @@
         <translation>ortografické kamery tohoto souboru Collada se mění v perspektivní</translation>
     </message>
     <message>
+        <source>others are being found out; ask again when they are there</source>
+        <translation>jiné se právě zjišťují; zeptejte se znovu, až budou hotové</translation>
+    </message>
+    <message>
         <source>pages give no {0}</source>
         <translation>stránky neposílají {0}</translation>
     </message>

@@ -205,7 +205,8 @@ void CommandService::tell(const ipc::Command& command) {
 
 void CommandService::startApart(const ipc::Command& command, Result result) {
     const bool tells = app::effectOf(command.text) == app::CommandEffect::Tells;
-    (tells ? tellingWork_ : longWork_).start(command, std::move(result.work), std::move(result.stop));
+    (tells ? tellingWork_ : longWork_)
+        .start(command, std::move(result.work), std::move(result.stop), result.shared);
 }
 
 // What is told needs no state any more.

@@ -51,6 +51,7 @@ struct Result {
     std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
     Work work = {};          ///< for Beside and Apart; what it returns gives the answer
     StopFlag stop = {};      ///< for Apart: gives the work up
+    std::string shared = {}; ///< for Apart: see SideWork::start()
 };
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other

@@ -81,6 +81,16 @@ TEST_F(CommandServiceTest, WhatIsInNoImageIsKeptDuringAFrame) {
     EXPECT_EQ(told.take().size(), 2U);
 }
 
+TEST_F(CommandServiceTest, OutlinesForManyTakeOneThread) {
+    for (int i = 0; i < 100; ++i) during("plan outline");
+    for (int i = 0; i < 2000 && told.lines.size() < 100; ++i) {
+        service.finishSideWork();
+        std::this_thread::sleep_for(1ms);
+    }
+    ASSERT_EQ(told.lines.size(), 100U);
+    for (const std::string& line : told.lines) EXPECT_EQ(line.rfind("plan outline: storey 0", 0), 0U) << line;
+}
+
 // Neither does the frame end for it, nor does it wait for the frame.
 TEST_F(CommandServiceTest, WhatIsFoundOutApartIsToldDuringAFrame) {
     EXPECT_FALSE(during("plan outline").change);
