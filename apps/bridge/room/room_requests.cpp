@@ -52,20 +52,27 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     if (asker.open >= kMaxRequests || (planned.anyone && !asker.asked.take(now)))
         throw Refused("too many requests at once");
     if (server_.link && !server_.isThere()) throw Refused("there is no server");
-    if (planned.note && (!drives || limits_.isLocked("edits"))) checkNote(asker, planned, now);
-    const std::string line = lineOf(by, planned);
+    const bool visits = isVisitorsNote(planned, drives);
+    const std::string line = visits ? app::command::visitor(planned.line) : lineOf(by, planned);
+    if (visits) takeNote(asker, planned, now);
     heavy_.sent(planned, server_, edits_, now);
-    if (isStep(planned)) edits_.sent();
+    if (isStep(planned) && !visits) edits_.sent();
     if (!planned.anyone) {
         ++moving_;
         links_.moves();
     }
     ++asker.open;
-    links_.ask(line, [this, by, id, planned](const ipc::Reply& reply) { answered(by, id, planned, reply); });
+    links_.ask(line, [this, by, id, planned, visits](const ipc::Reply& reply) {
+        answered(by, id, planned, visits, reply);
+    });
 }
 
 /// Of a page that does not drive, or may do no more than others.
-void RoomRequests::checkNote(Asker& asker, const PlannedCommand& planned, double now) {
+bool RoomRequests::isVisitorsNote(const PlannedCommand& planned, bool drives) const {
+    return planned.note && (!drives || limits_.isLocked("edits"));
+}
+
+void RoomRequests::takeNote(Asker& asker, const PlannedCommand& planned, double now) {
     if (!planned.named) throw Refused("a note needs a name");
     if (server_.facts.notes() >= kMaxVisitorNotes)
         throw Refused(rtcore::say("there are {0} notes, the most that visitors may have", kMaxVisitorNotes));
@@ -84,13 +91,13 @@ std::string RoomRequests::lineOf(SessionId by, const PlannedCommand& planned) co
     return planned.edits ? app::command::by(static_cast<int>(by), planned.line) : planned.line;
 }
 
-void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned,
+void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, bool visits,
                             const ipc::Reply& reply) {
     if (!planned.anyone) {
         links_.moves();
         --moving_;
     }
-    if (isStep(planned)) edits_.answered();
+    if (isStep(planned) && !visits) edits_.answered();
     heavy_.answered(planned, clock_.seconds());
     if (!planned.anyone || planned.edits) links_.refresh();
     const auto asker = askers_.find(by);

@@ -65,10 +65,12 @@ class RoomRequests {
         TokenBucket asked{50, 100}; ///< of those that viewers may send, a second
         TokenBucket notes{0.05, 3}; ///< that it added without driving, a second
     };
-    void checkNote(Asker& asker, const PlannedCommand& planned, double now);
+    bool isVisitorsNote(const PlannedCommand& planned, bool drives) const;
+    void takeNote(Asker& asker, const PlannedCommand& planned, double now);
     std::string lineOf(SessionId by, const PlannedCommand& planned) const;
     void send(SessionId to, std::uint32_t id, bool ok, nlohmann::json content);
-    void answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply);
+    void answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, bool visits,
+                  const ipc::Reply& reply);
 
     const Limits& limits_;
     const KnownServer& server_;

@@ -75,7 +75,7 @@ bool mayCount(const CommandSpec& command, std::size_t count) {
 /// Words before the edit, with its arguments, of a command that precedes one; 0: it precedes none.
 std::size_t wordsOfPrefix(CommandId id) {
     if (id == CommandId::By) return 2;
-    return id == CommandId::Also ? 1 : 0;
+    return id == CommandId::Also || id == CommandId::Visitor ? 1 : 0;
 }
 
 [[noreturn]] void refuseName(std::span<const std::string> words) {

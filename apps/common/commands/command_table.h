@@ -43,6 +43,7 @@ enum class CommandId {
     Redo,
     Also,
     By,
+    Visitor,
     CameraGet,
     CameraSet,
     CameraOrthographic,

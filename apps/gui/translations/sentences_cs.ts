@@ -3080,6 +3080,10 @@
         <translation>už je tu {0} měr; nejdřív jednu odeberte</translation>
     </message>
     <message>
+        <source>there are {0} notes, or were before an edit that can be taken back</source>
+        <translation>poznámek je {0}, nebo jich tolik bylo před úpravou, kterou lze vzít zpět</translation>
+    </message>
+    <message>
         <source>there are {0} notes already; remove one first</source>
         <translation>už je tu {0} poznámek; nejdřív jednu odeberte</translation>
     </message>
@@ -3414,6 +3418,10 @@
     <message>
         <source>version {0} is unknown; this program reads version 1 to {1}</source>
         <translation>verze {0} je neznámá; tento program čte verze 1 až {1}</translation>
+    </message>
+    <message>
+        <source>visitor is for 'note add' and 'note at'</source>
+        <translation>visitor je pro 'note add' a 'note at'</translation>
     </message>
     <message>
         <source>version {0} is unknown; this program reads version {1}</source>

@@ -49,7 +49,7 @@ std::set<std::string_view> commandsFor(app::BrowserUse use) {
 TEST(BrowserUse, IsPermittedToTheseAlone) {
     using Names = std::set<std::string_view>;
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
-              (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
+              (Names{"also", "bindings", "by", "camera turn", "messages", "state", "visitor"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
               (Names{"material get", "materials", "measure angle", "measure distance", "measure face",
                      "measure list", "measure point", "measure seen", "measure volume", "note get",

@@ -107,7 +107,7 @@ TEST_F(RequestsOfARoom, AreNotesOfTheDriverAloneUnlessOthersMay) {
     EXPECT_EQ(refusal(kAnna, command("note add", {0, 0, 0, "dark"})), "taken");
     limits.visitorNotes = true;
     EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken");
-    EXPECT_EQ(lines(), (Lines{"by 1 note add 0 0 0 dark", "by 2 note add 0 0 0 dark Ben"}));
+    EXPECT_EQ(lines(), (Lines{"by 1 note add 0 0 0 dark", "visitor note add 0 0 0 dark Ben"}));
     answer(1, "2");
     EXPECT_EQ(refreshes, 1) << "the state has another note";
     EXPECT_EQ(refusal(kBen, command("note remove", {1}), false),
@@ -149,8 +149,22 @@ TEST_F(RequestsOfARoom, AreNoNotesOfVisitorsWhereTheSceneHasVeryMany) {
     app::StateReport state = app::parseStateReport(test::stateReport());
     state.noteCount = bridge::kMaxVisitorNotes;
     server.facts.read(app::formatStateReport(state, 65000));
+    requests.stateRead();
     EXPECT_NE(refusal(kBen, noteBy("Ben"), false).find("the most that visitors may have"), std::string::npos);
     EXPECT_EQ(refusal(kAnna, noteBy("Anna")), "taken");
+}
+
+TEST_F(RequestsOfARoom, AreNotesOfVisitorsThatAreNoStep) {
+    limits.visitorNotes = true;
+    tellState({5, kAnna}, {6, kAnna});
+    json note = noteBy("Ben");
+    note["also"] = true;
+    ask(kBen, note, false);
+    EXPECT_EQ(lines(), Lines{"visitor note add 0 0 0 dark Ben"});
+    EXPECT_TRUE(requests.mayUndo(kAnna)) << "also while it is under way";
+    EXPECT_TRUE(requests.mayRedo(kAnna));
+    answer(0, "1");
+    EXPECT_EQ(refusal(kAnna, command("undo")), "taken");
 }
 
 TEST_F(RequestsOfARoom, AreFourWithoutAnAnswerAtMost) {

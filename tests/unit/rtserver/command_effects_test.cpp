@@ -416,7 +416,7 @@ TEST_F(Commands, SayWhatTheyDoToALongFrame) {
     EXPECT_EQ(effectOf("nonsense"), CommandEffect::Tells) << "what is wrong with it";
     for (const char* const line :
          {"note add 0 0 0 a", "note remove 1", "measure keep seen 0 0 1 1", "bookmark rename a b",
-          "by 7 also note text 1 b", "also measure name 1 a"})
+          "by 7 also note text 1 b", "also measure name 1 a", "visitor note at 0.5 0.5 a Ada"})
         EXPECT_EQ(effectOf(line), CommandEffect::Keeps) << line;
     EXPECT_EQ(effectOf("by 7 also light 1 off"), CommandEffect::Changes);
     EXPECT_EQ(effectOf("by"), CommandEffect::Tells);

@@ -65,7 +65,7 @@ TEST_F(CommandServiceTest, RefusesWithTheExitCode) {
 
 TEST_F(CommandServiceTest, WhatIsInNoImageIsKeptDuringAFrame) {
     for (const char* const line :
-         {"note add 0 0 0 dark Ada", "by 7 note text 1 darker",
+         {"note add 0 0 0 dark Ada", "by 7 note text 1 darker", "visitor note add 0 0 0 b Ben",
           "measure keep distance 0 0 0 1 0 0", "also measure name 1 a", "note remove 1", "measure remove all",
           "bookmark rename door gate"}) {
         const std::uint64_t before = document.history().state();
