@@ -2988,10 +2988,6 @@
         <translation>tabulka oddílů je neúplná</translation>
     </message>
     <message>
-        <source>the text of a note has at most {0} bytes here</source>
-        <translation>text poznámky tu má nejvýše {0} bajtů</translation>
-    </message>
-    <message>
         <source>the text of a note has at most {0} characters and {1} bytes</source>
         <translation>text poznámky má nejvýše {0} znaků a {1} bajtů</translation>
     </message>
@@ -3080,12 +3076,12 @@
         <translation>už je tu {0} měr; nejdřív jednu odeberte</translation>
     </message>
     <message>
-        <source>there are {0} notes, or were before an edit that can be taken back</source>
-        <translation>poznámek je {0}, nebo jich tolik bylo před úpravou, kterou lze vzít zpět</translation>
-    </message>
-    <message>
         <source>there are {0} notes already; remove one first</source>
         <translation>už je tu {0} poznámek; nejdřív jednu odeberte</translation>
+    </message>
+    <message>
+        <source>there are {0} notes, or were before an edit that can be taken back</source>
+        <translation>poznámek je {0}, nebo jich tolik bylo před úpravou, kterou lze vzít zpět</translation>
     </message>
     <message>
         <source>there are {0} notes, the most that visitors may have</source>
@@ -3420,12 +3416,12 @@
         <translation>verze {0} je neznámá; tento program čte verze 1 až {1}</translation>
     </message>
     <message>
-        <source>visitor is for 'note add' and 'note at'</source>
-        <translation>visitor je pro 'note add' a 'note at'</translation>
-    </message>
-    <message>
         <source>version {0} is unknown; this program reads version {1}</source>
         <translation>verze {0} je neznámá; tento program čte verzi {1}</translation>
+    </message>
+    <message>
+        <source>visitor is for 'note add' and 'note at'</source>
+        <translation>visitor je pro 'note add' a 'note at'</translation>
     </message>
     <message>
         <source>walking</source>
