@@ -2976,6 +2976,10 @@ Alt+%2</translation>
         <translation>Poznámky</translation>
     </message>
     <message>
+    <message>
+        <source>The text of the note is kept for the next one.</source>
+        <translation>Text poznámky je uschován pro příští.</translation>
+    </message>
         <source>Add a note</source>
         <translation>Přidat poznámku</translation>
     </message>
