@@ -133,6 +133,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("modified", state.modified);
     writer.add("indoors", state.indoors);
     if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
+    if (extent.names) writer.add("bookmarkViews", printableOf(state.bookmarkViews));
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
     writer.add("origin", state.origin);
@@ -264,6 +265,7 @@ StateReport parseStateReport(std::string_view text) {
     state.modified = root.require("modified", root.boolean("modified"));
     state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
+    state.bookmarkViews = root.texts("bookmarkViews").value_or(std::vector<std::string>());
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
     readLights(root, state);

@@ -1321,6 +1321,14 @@ Qt %1</translation>
         <source>move “%1”</source>
         <translation>přesunout „%1“</translation>
     </message>
+    <message>
+        <source>There is a bookmark “%1” already.</source>
+        <translation>Záložka „%1“ už existuje.</translation>
+    </message>
+    <message>
+        <source>rename “%1”</source>
+        <translation>přejmenovat „%1“</translation>
+    </message>
 </context>
 <context>
     <name>gui::BookmarkStore</name>
@@ -2968,6 +2976,10 @@ Alt+%2</translation>
         <source>This note was changed or removed meanwhile.</source>
         <translation>Tato poznámka byla mezitím změněna nebo odstraněna.</translation>
     </message>
+    <message>
+        <source>The text of the note is kept for the next one.</source>
+        <translation>Text poznámky je uschován pro příští.</translation>
+    </message>
 </context>
 <context>
     <name>gui::NotesPanel</name>
@@ -2976,10 +2988,6 @@ Alt+%2</translation>
         <translation>Poznámky</translation>
     </message>
     <message>
-    <message>
-        <source>The text of the note is kept for the next one.</source>
-        <translation>Text poznámky je uschován pro příští.</translation>
-    </message>
         <source>Add a note</source>
         <translation>Přidat poznámku</translation>
     </message>

@@ -19,6 +19,7 @@ app::StateReport sampleReport() {
                            .undoEdit = {4, 7},
                            .redoEdit = {6, 0},
                            .bookmarks = {"door", "by the \"altar\""},
+                           .bookmarkViews = {"00ff", "1234"},
                            .modified = true,
                            .edits = 3};
     state.camera.eye = {0.1F, 2, 1.0F / 3};
