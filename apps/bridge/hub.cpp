@@ -1,5 +1,6 @@
 #include "bridge/hub.h"
 
+#include "bridge/control/caps.h"
 #include "bridge/control/setting_value.h"
 #include "bridge/report/metrics.h"
 #include "bridge/report/status.h"
@@ -7,6 +8,8 @@
 
 #include "common/cli/help_text.h"
 #include "common/process/thread_seconds.h"
+
+#include "rtcore/scene/scene_note.h"
 
 #include <fmt/core.h>
 
@@ -107,7 +110,7 @@ std::string Hub::instanceList() const {
 }
 
 json Hub::welcome(const Room& room, const Entrance& entrance, Right right) const {
-    constexpr int kMessage = 4096, kRequests = 4;
+    constexpr int kRequests = 4;
     constexpr double kMs = 1000;
     json welcome{{"event", "welcome"},
                  {"v", kPageVersion},
@@ -120,7 +123,8 @@ json Hub::welcome(const Room& room, const Entrance& entrance, Right right) const
                  {"limits",
                   {{"maxPixels", options_.limits.maxPixels},
                    {"lights", kMaxLights},
-                   {"message", kMessage},
+                   {"message", kMaxPageMessage},
+                   {"note", rtcore::kMaxNoteText},
                    {"requests", kRequests},
                    {"heartbeat", InputState::kHeartbeat * kMs}}},
                  {"locked", options_.limits.locked},

@@ -174,5 +174,27 @@ TEST_F(LightMeterWindow, ShowsTheLightAtThePointerWhileItIsOn) {
     EXPECT_FALSE(label->isVisible());
 }
 
+TEST_F(LightMeterWindow, MeasuresOnWhateverIsWrittenBesideTheImage) {
+    test::writeLitScene(folder());
+    ASSERT_NO_FATAL_FAILURE(openAndRest("lit.scn"));
+    const auto* label = window->findChild<QLabel*>(QStringLiteral("lightMeter"));
+    action(ActionId::LightMeter)->trigger();
+    QWidget& view = window->view();
+    const QPoint middle = window->view().pictureArea().center().toPoint();
+    QMouseEvent event(QEvent::MouseMove, middle, view.mapToGlobal(middle), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&view, &event);
+    ASSERT_TRUE(test::comes([&] { return label->isVisible(); }));
+    bool hidden = false;
+    const auto watch = [&] { hidden = hidden || !label->isVisible(); };
+    QObject::connect(&window->session(), &Session::statusChanged, label, watch);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("note add 0 0 0 dark")).done);
+    ASSERT_TRUE(test::comes([&] { return window->editor().state().notes.size() == 1; }));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("measure keep distance 0 0 0 1 0 0")).done);
+    ASSERT_TRUE(test::comes([&] { return window->editor().state().measureCount == 1; }));
+    EXPECT_FALSE(hidden);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 1 toggle")).done);
+    EXPECT_TRUE(test::comes([&] { return hidden; })) << "the light is another";
+}
+
 } // namespace
 } // namespace gui

@@ -9,6 +9,7 @@
 #include "gui/panels/notes_panel.h"
 #include "gui/view/measure_marks.h"
 #include "gui/view/note_marks.h"
+#include "gui/view/notice_bar.h"
 #include "gui/view/plain_widgets.h"
 
 #include <QLineEdit>
@@ -17,6 +18,8 @@
 #include <QPushButton>
 
 #include <gtest/gtest.h>
+
+#include <csignal>
 
 namespace gui {
 namespace {
@@ -147,6 +150,56 @@ TEST_F(NotesOfAServer, AreWrittenAfterAClickAndTakenBack) {
         << "corners catch within 8 pixels of an image of a quarter of these";
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(keeps(0));
+}
+
+TEST_F(NotesOfAServer, AreWrittenOnWhenTheServerIsBack) {
+    action(ActionId::AddNote)->trigger();
+    click(belowTheMiddle());
+    ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+    dialog()->text().setPlainText(QStringLiteral("half a no"));
+    dialog()->author().setText(QStringLiteral("Ada"));
+    ::kill(static_cast<pid_t>(window->session().serverProcess()), SIGKILL);
+    ASSERT_TRUE(comes([&] { return !window->session().live(); }));
+    ASSERT_TRUE(comes([&] { return dialog() == nullptr; })) << "in the way of the button";
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    QPushButton* restart = window->notice().findChild<QPushButton*>();
+    ASSERT_NE(restart, nullptr);
+    restart->click();
+    ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+    EXPECT_EQ(dialog()->text().toPlainText(), QStringLiteral("half a no"));
+    EXPECT_EQ(dialog()->author().text(), QStringLiteral("Ada"));
+    write(QStringLiteral("half a note"), QStringLiteral("Ada"));
+    ASSERT_TRUE(keeps(1));
+    EXPECT_EQ(notes()[0].text, "half a note");
+    ASSERT_TRUE(comes([&] { return status().idle; })) << "there is an image to click into";
+    action(ActionId::AddNote)->trigger();
+    click(belowTheMiddle());
+    ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+    EXPECT_EQ(dialog()->text().toPlainText(), QString()) << "it was kept";
+    dialog()->reject();
+}
+
+TEST_F(NotesOfAServer, ThatAreRefusedAreThereForTheNext) {
+    ASSERT_NO_FATAL_FAILURE(add(QStringLiteral("dark")));
+    ASSERT_TRUE(keeps(1));
+    panel().select(0);
+    panel().editing().click();
+    ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("note remove 1")).done);
+    ASSERT_TRUE(keeps(0));
+    write(QStringLiteral("much darker"), QStringLiteral("Ada"));
+    ASSERT_TRUE(comes([&] { return dialog() == nullptr; }));
+    action(ActionId::AddNote)->trigger();
+    click(belowTheMiddle());
+    ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+    EXPECT_EQ(dialog()->text().toPlainText(), QStringLiteral("much darker"));
+    dialog()->reject();
+    ASSERT_TRUE(comes([&] { return dialog() == nullptr; }));
+    action(ActionId::AddNote)->trigger();
+    click(belowTheMiddle());
+    ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+    EXPECT_EQ(dialog()->text().toPlainText(), QString()) << "it was given up";
+    dialog()->reject();
 }
 
 TEST_F(NotesOfAServer, AreShownAtThePointerAndPickedByAClick) {

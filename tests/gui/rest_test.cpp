@@ -149,6 +149,34 @@ TEST_F(RestTest, WhatIsKeptOverAChangeOfSizeGoesWithTheFirstEditOrMovement) {
     EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "an edit of another client";
 }
 
+TEST_F(RestTest, StaysWhateverIsWrittenBesideIt) {
+    window->resize(900, 500);
+    ASSERT_NO_FATAL_FAILURE(openByPaths(1 << 20));
+    ASSERT_TRUE(comes([&] { return !window->view().showsLive() && samples() >= 8; }));
+    bool lost = false;
+    const auto watch = [&] { lost = lost || window->view().showsLive(); };
+    QObject::connect(&window->session(), &Session::statusChanged, &window->view(), watch);
+    QObject::connect(&window->session(), &Session::frameChanged, &window->view(), watch);
+    QObject::connect(&window->editor(), &SceneEditor::stateChanged, &window->view(), watch);
+    const auto write = [&](int edits) {
+        window->editor().edit("note add 0 0 0 dark");
+        ASSERT_TRUE(ask(window->session(), std::string("note text 1 bright")).done);
+        ASSERT_TRUE(ask(window->session(), std::string("measure keep distance 0 0 0 1 0 0")).done);
+        window->editor().edit("note remove 1");
+        ASSERT_TRUE(comes([&] { return window->editor().state().edits == edits; }));
+        watch();
+    };
+    const int before = samples(), edits = window->editor().state().edits;
+    ASSERT_NO_FATAL_FAILURE(write(edits + 4));
+    EXPECT_TRUE(comes([&] { return samples() > before; }));
+    EXPECT_FALSE(lost);
+    action(ActionId::LightsPanel)->trigger(); // it is kept over the change of size
+    ASSERT_NO_FATAL_FAILURE(write(edits + 8));
+    EXPECT_FALSE(lost);
+    ASSERT_TRUE(ask(window->session(), std::string("set reflections false")).done);
+    EXPECT_TRUE(comes([&] { return lost; }));
+}
+
 // Frames of the new size and frames of an edit look alike.
 TEST_F(RestTest, AnEditBeforeTheServerHasTheNewSizeIsSeen) {
     window->resize(900, 500);

@@ -116,6 +116,64 @@ TEST_F(ViewsStripTest, AViewIsReplacedByTheCurrentOne) {
     EXPECT_TRUE(isAt({1, 2, 5}));
 }
 
+TEST_F(ViewsStripTest, AViewThatWasReplacedAndRenamedComesBackOnce) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
+    ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", 1));
+    BookmarkStore store;
+    store.setScene(file("room.obj"));
+    const BookmarkFiles before = store.read(store.list().front());
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set -2 2 5 1 0 -1")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 2; }));
+    strip().list().setCurrentRow(0);
+    entry("Replace by the current view")->trigger();
+    ASSERT_TRUE(comes([&] { return store.read(store.list().front()).camera != before.camera; }));
+    strip().list().item(0)->setText(QStringLiteral("Altar"));
+    ASSERT_TRUE(shows({QStringLiteral("Altar")}));
+    EXPECT_TRUE(action(ActionId::Undo)->text().contains(QStringLiteral("rename")));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(shows({QStringLiteral("Place 1")}));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(shows({QStringLiteral("Place 1")})) << "no second one";
+    EXPECT_EQ(store.read(store.list().front()).camera, before.camera);
+    EXPECT_EQ(store.read(store.list().front()).picture, before.picture);
+    action(ActionId::Redo)->trigger();
+    action(ActionId::Redo)->trigger();
+    EXPECT_TRUE(shows({QStringLiteral("Altar")}));
+    EXPECT_NE(store.read(store.list().front()).camera, before.camera);
+}
+
+TEST_F(ViewsStripTest, AViewOfTheSceneHasItsImageAgainWhenItIsBack) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("marked.scn"));
+    ASSERT_TRUE(shows({QStringLiteral("Door"), QStringLiteral("Above")}));
+    click(0);
+    const auto seen = [&] {
+        ViewPictures pictures;
+        pictures.setScene(file("marked.scn"));
+        return pictures.picture(window->editor().state().bookmarkViews.value(0));
+    };
+    ASSERT_TRUE(comes([&] { return !seen().isNull(); }));
+    const QImage door = seen();
+    const QString view = window->editor().state().bookmarkViews.value(0);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set -2 2 5 1 0 -1")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    strip().list().setCurrentRow(0);
+    entry("Replace by the current view")->trigger();
+    ASSERT_TRUE(
+        comes([&] { return window->editor().state().bookmarkViews.value(0) != view && !seen().isNull(); }));
+    EXPECT_NE(seen(), door);
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(comes([&] { return window->editor().state().bookmarkViews.value(0) == view; }));
+    EXPECT_EQ(seen(), door);
+    ASSERT_TRUE(
+        ask(window->session(), QStringLiteral("bookmark add Door")).done); // by another client, perhaps
+    ASSERT_TRUE(comes([&] { return window->editor().state().bookmarkViews.value(0) != view; }));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 3 2 5 1 0 -1")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("bookmark add Door")).done);
+    EXPECT_TRUE(comes([&] { return strip().list().item(0)->toolTip().contains(QStringLiteral("comes")); }))
+        << "another view has no image yet";
+}
+
 template <typename List>
 void keepsATypedName(List& shown) {
     QList<BookmarkRow> rows{{QStringLiteral("a"), {}}, {QStringLiteral("b"), {}}};
@@ -192,7 +250,7 @@ TEST_F(ViewsStripTest, AViewOfTheSceneGetsItsImageWhenItIsVisited) {
     EXPECT_TRUE(strip().list().item(1)->toolTip().contains(QStringLiteral("comes")));
     ViewPictures pictures;
     pictures.setScene(file("marked.scn"));
-    const QImage seen = pictures.picture(QStringLiteral("Door"));
+    const QImage seen = pictures.picture(window->editor().state().bookmarkViews.value(0));
     EXPECT_FALSE(seen.isNull());
     EXPECT_LE(seen.width(), 320);
     // It keeps it under another name, and another position.
@@ -217,7 +275,8 @@ TEST_F(ViewsStripTest, AViewThatIsLeftAtOnceGetsNoImage) {
     QTest::qWait(200);
     ViewPictures pictures;
     pictures.setScene(file("marked.scn"));
-    EXPECT_TRUE(pictures.picture(QStringLiteral("Door")).isNull());
+    EXPECT_TRUE(pictures.picture(window->editor().state().bookmarkViews.value(0)).isNull());
+    EXPECT_FALSE(window->editor().state().bookmarkViews.value(0).isEmpty());
 }
 
 TEST(ViewPicturesTest, AreFewSmallAndPrivate) {
@@ -233,10 +292,10 @@ TEST(ViewPicturesTest, AreFewSmallAndPrivate) {
     EXPECT_FALSE(pictures.picture(QString::number(ViewPictures::kMaxFiles + 4)).isNull()) << "the newest";
     for (const QFileInfo& file : files.entryInfoList(QDir::Files))
         ASSERT_FALSE(file.permission(QFileDevice::ReadGroup) || file.permission(QFileDevice::ReadOther));
-    pictures.rename(QString::number(ViewPictures::kMaxFiles + 4), QStringLiteral("b"));
-    EXPECT_FALSE(pictures.picture(QStringLiteral("b")).isNull());
     pictures.setScene(QStringLiteral("/other.scn"));
-    EXPECT_TRUE(pictures.picture(QStringLiteral("b")).isNull());
+    EXPECT_TRUE(pictures.picture(QString::number(ViewPictures::kMaxFiles + 4)).isNull());
+    pictures.keep(QString(), image);
+    EXPECT_TRUE(pictures.picture(QString()).isNull()) << "of no view";
 }
 
 } // namespace views_strip_test

@@ -37,6 +37,20 @@ class PageNotes : public test::BridgedServer {
         "[...document.querySelectorAll('#notes button')].filter((one) => !one.hidden).length";
 };
 
+TEST_F(PageNotes, AreAsLongAsTheServerTakesThem) {
+    startBridge();
+    startBrowser();
+    const WebPage page(browser(), driverLink());
+    ASSERT_TRUE(showsFrame(page));
+    openList(page);
+    ASSERT_TRUE(page.becomes("document.querySelector('#note textarea')?.maxLength === 2000"));
+    type(page, "' + '\\u20AC'.repeat(2000) + '", "Ada");
+    ASSERT_TRUE(isWaiting(page));
+    tapAt(page, 0.5, 0.8);
+    ASSERT_TRUE(page.becomes(std::string(kShown) + " === 1"));
+    EXPECT_EQ(ask("note get 1").size(), 6000U);
+}
+
 TEST_F(PageNotes, AreShownListedWrittenAndRemoved) {
     startBridge();
     startBrowser();

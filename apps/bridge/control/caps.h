@@ -22,8 +22,9 @@ inline constexpr std::size_t kMaxLights = 64; ///< no page adds one beyond them
 
 /// Beyond so many notes of a scene those who only look add none.
 inline constexpr std::size_t kMaxVisitorNotes = 500;
-/// Bytes of the text of a note that a page sends: a message has 4096.
-inline constexpr std::size_t kMaxPageNote = 3000;
+/// Bytes of a message of a page: the longest note (rtcore::kMaxNoteBytes) has room in one, however it is
+/// escaped.
+inline constexpr std::size_t kMaxPageMessage = 8192;
 
 struct Limits {
     std::int64_t maxPixels = 1920 * 1080;

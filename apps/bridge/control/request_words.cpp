@@ -80,11 +80,10 @@ std::string settingWord(const json& value) {
 
 std::string noteWord(const json& value) {
     if (!value.is_string()) throw Refused("the text of a note is a text");
-    std::string text = rtcore::noteText(value.get_ref<const std::string&>());
-    if (text.empty()) throw Refused("the note has no text");
-    if (text.size() > kMaxPageNote)
-        throw Refused(rtcore::say("the text of a note has at most {0} bytes here", kMaxPageNote));
-    return text;
+    rtcore::SceneNote note{
+        .point = {}, .text = rtcore::noteText(value.get_ref<const std::string&>()), .view = {}};
+    if (const auto problem = problemOf(note)) throw Refused(problem->why);
+    return std::move(note.text);
 }
 
 std::string authorWord(const json& value) {

@@ -10,7 +10,7 @@
 namespace bridge {
 
 /// Numbers are written anew, other words are those of tables; the text and the author of a note are as
-/// rtcore::noteText() has them, of kMaxPageNote bytes and kMaxNoteAuthor characters at most. Throws Refused:
+/// rtcore::noteText() has them, and as long as rtcore::problemOf() lets them be. Throws Refused:
 /// of another type, too long, unknown, or of an argument that is other text or a path, which no page gives.
 std::string wordOf(const app::CommandArgument& argument, const nlohmann::json& value,
                    const RequestContext& context);

@@ -143,7 +143,7 @@ PlannedCommand planRequest(const json& request, const RequestContext& context) {
     planned.note = addsNote(command);
     planned.named = planned.note && words.size() == command.arguments.size() && !words.back().empty();
     planned.anyone = planned.anyone || (planned.note && context.limits.visitorNotes);
-    if (isAlso(request) && command.edits()) planned.line = "also " + planned.line;
+    if (isAlso(request) && command.edits() && !planned.note) planned.line = "also " + planned.line;
     return planned;
 }
 

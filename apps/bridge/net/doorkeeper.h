@@ -41,12 +41,18 @@ class TokenBucket {
   public:
     TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), level_(burst) {}
     bool take(double now, double amount = 1) {
-        if (last_ >= 0) level_ = std::min(burst_, level_ + rate_ * (now - last_));
-        last_ = now;
-        if (level_ < amount) return false;
+        if (!has(now, amount)) return false;
         level_ -= amount;
         return true;
     }
+    /// Whether take() would take it.
+    bool has(double now, double amount = 1) {
+        if (last_ >= 0) level_ = std::min(burst_, level_ + rate_ * (now - last_));
+        last_ = now;
+        return level_ >= amount;
+    }
+    /// It was taken for nothing.
+    void giveBack(double amount = 1) { level_ = std::min(burst_, level_ + amount); }
 
   private:
     double rate_, burst_, level_, last_ = -1;

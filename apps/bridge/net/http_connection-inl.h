@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bridge/clock.h"
+#include "bridge/control/caps.h"
 #include "bridge/net/http_state.h"
 #include "bridge/net/page_choice.h"
 #include "bridge/net/page_files.h"
@@ -31,7 +32,7 @@ using ErrorCode = boost::system::error_code;
 using namespace std::chrono_literals;
 
 constexpr auto kRequestTime = 10s, kSilence = 30s, kClosing = 5s, kEnding = 1s;
-constexpr std::size_t kMaxMessage = 4096, kMaxHeader = 8192, kMaxQueued = 4U << 20;
+constexpr std::size_t kMaxMessage = kMaxPageMessage, kMaxHeader = 8192, kMaxQueued = 4U << 20;
 constexpr double kMessageRate = 250, kMessageBurst = 500;
 constexpr const char* kSubprotocol = "rtbridge.1";
 

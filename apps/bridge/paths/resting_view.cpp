@@ -24,7 +24,7 @@ RestingView::RestingView(std::unique_ptr<PathRenderer> renderer, const Clock& cl
       run_(static_cast<std::uint64_t>(clock.nanoseconds() / 1000)) {}
 
 RestingView::Moment RestingView::momentOf(const ipc::Status& status) {
-    Moment moment{{}, status.width, status.height, status.stateRevision};
+    Moment moment{{}, status.width, status.height, status.imageRevision};
     float* const end = std::copy_n(
         status.up, 3, std::copy_n(status.forward, 3, std::copy_n(status.eye, 3, moment.view.begin())));
     *end = status.fieldOfView > 0 ? status.fieldOfView : status.parallelWidth;

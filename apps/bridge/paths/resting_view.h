@@ -50,7 +50,7 @@ class RestingView {
     struct Moment {
         std::array<float, 10> view{};
         std::uint32_t width = 0, height = 0;
-        std::uint64_t state = 0;
+        std::uint64_t image = 0; ///< ipc::Status::imageRevision
         friend bool operator==(const Moment&, const Moment&) = default;
     };
     static Moment momentOf(const ipc::Status& status);

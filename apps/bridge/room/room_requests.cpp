@@ -3,6 +3,7 @@
 #include "bridge/control/page_sentence.h"
 #include "bridge/control/scene_facts.h"
 
+#include "common/cli/command_line.h"
 #include "common/commands/command_lines.h"
 
 #include "rtcore/platform/sentence.h"
@@ -52,24 +53,48 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     if (asker.open >= kMaxRequests || (planned.anyone && !asker.asked.take(now)))
         throw Refused("too many requests at once");
     if (server_.link && !server_.isThere()) throw Refused("there is no server");
-    if (planned.note && (!drives || limits_.isLocked("edits"))) checkNote(asker, planned, now);
-    const std::string line = lineOf(by, planned);
+    const bool visits = isVisitorsNote(planned, drives);
+    const std::string line = visits ? app::command::visitor(planned.line) : lineOf(by, planned);
+    if (visits) takeNote(asker, planned, now);
     heavy_.sent(planned, server_, edits_, now);
-    if (isStep(planned)) edits_.sent();
+    if (isStep(planned) && !visits) edits_.sent();
     if (!planned.anyone) {
         ++moving_;
         links_.moves();
     }
     ++asker.open;
-    links_.ask(line, [this, by, id, planned](const ipc::Reply& reply) { answered(by, id, planned, reply); });
+    links_.ask(line, [this, by, id, planned, visits](const ipc::Reply& reply) {
+        if (planned.note) noteAnswered(by, visits, reply);
+        answered(by, id, planned, visits, reply);
+    });
 }
 
 /// Of a page that does not drive, or may do no more than others.
-void RoomRequests::checkNote(Asker& asker, const PlannedCommand& planned, double now) {
+bool RoomRequests::isVisitorsNote(const PlannedCommand& planned, bool drives) const {
+    return planned.note && (!drives || limits_.isLocked("edits"));
+}
+
+/// Nothing is taken where it is refused.
+void RoomRequests::takeNote(Asker& asker, const PlannedCommand& planned, double now) {
     if (!planned.named) throw Refused("a note needs a name");
-    if (server_.facts.notes() >= kMaxVisitorNotes)
+    if (noteCount_ + notesSent_ >= kMaxVisitorNotes)
         throw Refused(rtcore::say("there are {0} notes, the most that visitors may have", kMaxVisitorNotes));
-    if (!asker.notes.take(now) || !notes_.take(now)) throw Refused("too many notes; wait a minute");
+    if (!asker.notes.has(now) || !notes_.has(now)) throw Refused("too many notes; wait a minute");
+    asker.notes.take(now);
+    notes_.take(now);
+    ++notesSent_;
+}
+
+/// The answer to a note tells how many there are now, before the state does.
+void RoomRequests::noteAnswered(SessionId by, bool visits, const ipc::Reply& reply) {
+    const bool done = reply.status == ipc::ReplyStatus::Done;
+    const auto count = done ? app::parseInteger(reply.text) : std::nullopt;
+    if (count && *count >= 0) noteCount_ = static_cast<std::size_t>(*count);
+    if (!visits) return;
+    --notesSent_;
+    if (done) return;
+    notes_.giveBack();
+    if (const auto asker = askers_.find(by); asker != askers_.end()) asker->second.notes.giveBack();
 }
 
 /// The command as the server gets it: in the name of the session, and of its own edits only.
@@ -84,13 +109,13 @@ std::string RoomRequests::lineOf(SessionId by, const PlannedCommand& planned) co
     return planned.edits ? app::command::by(static_cast<int>(by), planned.line) : planned.line;
 }
 
-void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned,
+void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, bool visits,
                             const ipc::Reply& reply) {
     if (!planned.anyone) {
         links_.moves();
         --moving_;
     }
-    if (isStep(planned)) edits_.answered();
+    if (isStep(planned) && !visits) edits_.answered();
     heavy_.answered(planned, clock_.seconds());
     if (!planned.anyone || planned.edits) links_.refresh();
     const auto asker = askers_.find(by);
@@ -106,12 +131,14 @@ void RoomRequests::answered(SessionId by, std::uint32_t id, const PlannedCommand
 bool RoomRequests::stateRead() {
     const bool waited = edits_.busy();
     edits_.read(server_.facts.undo(), server_.facts.redo());
+    noteCount_ = server_.facts.notes();
     return waited != edits_.busy();
 }
 
 void RoomRequests::serverGone() {
     edits_.clear();
     heavy_.clear();
+    noteCount_ = 0;
 }
 
 void RoomRequests::tick() {

@@ -15,6 +15,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -65,10 +66,13 @@ class RoomRequests {
         TokenBucket asked{50, 100}; ///< of those that viewers may send, a second
         TokenBucket notes{0.05, 3}; ///< that it added without driving, a second
     };
-    void checkNote(Asker& asker, const PlannedCommand& planned, double now);
+    bool isVisitorsNote(const PlannedCommand& planned, bool drives) const;
+    void takeNote(Asker& asker, const PlannedCommand& planned, double now);
+    void noteAnswered(SessionId by, bool visits, const ipc::Reply& reply);
     std::string lineOf(SessionId by, const PlannedCommand& planned) const;
     void send(SessionId to, std::uint32_t id, bool ok, nlohmann::json content);
-    void answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply);
+    void answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, bool visits,
+                  const ipc::Reply& reply);
 
     const Limits& limits_;
     const KnownServer& server_;
@@ -76,6 +80,8 @@ class RoomRequests {
     const RequestLinks links_;
     std::map<SessionId, Asker> askers_;
     TokenBucket notes_{0.2, 10}; ///< that all add who do not drive, a second: a page may come again and again
+    std::size_t noteCount_ = 0;  ///< of the scene, as the server told last
+    std::size_t notesSent_ = 0;  ///< of visitors, without an answer
     OwnEdits edits_;
     HeavyEdits heavy_;
     int moving_ = 0; ///< requests without an answer that may move the camera

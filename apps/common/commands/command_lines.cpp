@@ -78,6 +78,7 @@ std::string redo() { return line(CommandId::Redo); }
 std::string undo(int edit) { return line(CommandId::Undo, edit); }
 std::string redo(int edit) { return line(CommandId::Redo, edit); }
 std::string by(int person, const std::string& edit) { return line(CommandId::By, person) + ' ' + edit; }
+std::string visitor(const std::string& note) { return line(CommandId::Visitor) + ' ' + note; }
 std::string also(const std::string& edit) { return line(CommandId::Also) + ' ' + edit; }
 
 std::string light(int id, bool on) { return line(CommandId::Light, id, on ? "on" : "off"); }

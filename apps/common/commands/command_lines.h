@@ -44,6 +44,8 @@ std::string undo(int edit); ///< that one or none
 std::string redo(int edit);
 /// A line of one that edits, on behalf of a person of this client's, from 1.
 std::string by(int person, const std::string& edit);
+/// A line of one that adds a note, of one who only looks: no step of undo.
+std::string visitor(const std::string& note);
 /// A line of one that edits, as part of the last edit.
 std::string also(const std::string& line);
 

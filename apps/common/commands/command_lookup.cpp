@@ -1,6 +1,7 @@
 #include "common/commands/command_lookup.h"
 
 #include "common/cli/command_line.h"
+#include "common/commands/quoting.h"
 
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/nearest_name.h"
@@ -71,6 +72,12 @@ bool mayCount(const CommandSpec& command, std::size_t count) {
     return count == all.size() || (count < all.size() && all[count].optional);
 }
 
+/// Words before the edit, with its arguments, of a command that precedes one; 0: it precedes none.
+std::size_t wordsOfPrefix(CommandId id) {
+    if (id == CommandId::By) return 2;
+    return id == CommandId::Also || id == CommandId::Visitor ? 1 : 0;
+}
+
 [[noreturn]] void refuseName(std::span<const std::string> words) {
     std::vector<std::string_view> names;
     std::string longer;
@@ -115,6 +122,21 @@ void checkArguments(const CommandSpec& command, std::span<const std::string> arg
                              ? say("{0} takes {1}, not {2}", command.name, rangeOf(argument), given)
                              : say("{0} takes {1} for {3}, not {2}", command.name, rangeOf(argument), given,
                                    argument.name));
+    }
+}
+
+CommandEffect effectOf(std::string_view line) {
+    try {
+        const std::vector<std::string> words = splitWords(line);
+        std::span<const std::string> rest(words);
+        const CommandSpec* command = findCommand(rest).command;
+        while (const std::size_t before = wordsOfPrefix(command->id)) {
+            rest = rest.subspan(std::min(before, rest.size()));
+            command = findCommand(rest).command;
+        }
+        return command->effect;
+    } catch (const UsageError&) {
+        return CommandEffect::Tells;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace app {
 
@@ -22,5 +23,9 @@ FoundCommand findCommand(std::span<const std::string> words);
 /// Number, type and range of what stands behind the name. Throws UsageError, which names the argument and
 /// what it takes. What only a server can know - keys, settings, files - it does not look at.
 void checkArguments(const CommandSpec& command, std::span<const std::string> arguments);
+
+/// The effect of a line as a client sends it: that of the edit behind `also`, `by PERSON` and `visitor`. A
+/// wrong line Tells what is wrong with it. Throws nothing but std::bad_alloc.
+CommandEffect effectOf(std::string_view line);
 
 } // namespace app

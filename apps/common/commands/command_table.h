@@ -43,6 +43,7 @@ enum class CommandId {
     Redo,
     Also,
     By,
+    Visitor,
     CameraGet,
     CameraSet,
     CameraOrthographic,
@@ -262,6 +263,7 @@ enum class CommandEffect {
     Tells,   ///< only says something
     Waits,   ///< needs what is shown, and leaves it as it is: a file of it, or its standing still
     Steers,  ///< changes how the server works, or records, but not what is shown
+    Keeps,   ///< changes what is kept with the scene and is in no image of it, such as notes
     Changes, ///< changes what is shown
 };
 

@@ -214,6 +214,14 @@ std::vector<CommandSpec> editCommands() {
          .help = "run an edit on behalf of one of those whom this client serves",
          .more = "For programs: `state` tells the client whose the last edit is, and another's is never "
                  "joined to it"},
+        {.id = CommandId::Visitor,
+         .name = "visitor",
+         .arguments = {text("COMMAND"), manyOf(text("ARGUMENT"))},
+         .effect = Keeps,
+         .browser = BrowserUse::Own,
+         .help = "add a note of one who only looks: it is no step of undo, and redo stays",
+         .more = "For programs: `visitor note add 0 1.2 -8 dark Ada`. `undo` and `redo` of other edits leave "
+                 "the note; `note remove` is a step"},
     };
 }
 

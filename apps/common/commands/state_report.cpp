@@ -9,6 +9,7 @@
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/plain_text.h"
+#include "rtcore/settings/utf8.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -91,11 +92,7 @@ std::size_t firstMeasures(const rtcore::KeptMeasures& measures) {
 
 /// As long as a name may be, with what is no text spelt out.
 std::string shownName(const std::string& name) {
-    std::string text = rtcore::printable(name);
-    if (text.size() <= rtcore::kMaxMeasureName) return text;
-    std::size_t end = rtcore::kMaxMeasureName;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end; // within a character
-    return text.substr(0, end);
+    return std::string(rtcore::utf8Beginning(rtcore::printable(name), rtcore::kMaxMeasureName));
 }
 
 void writeMeasures(rtcore::TomlWriter& writer, const rtcore::KeptMeasures& measures, std::size_t max) {
@@ -137,6 +134,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("indoors", state.indoors);
     if (extent.names) {
         writer.add("bookmarks", printableOf(state.bookmarks));
+        writer.add("bookmarkViews", printableOf(state.bookmarkViews));
         writer.add("flights", printableOf(state.flights));
     }
     writer.add("up", rtcore::axisName(state.up));
@@ -270,6 +268,7 @@ StateReport parseStateReport(std::string_view text) {
     state.modified = root.require("modified", root.boolean("modified"));
     state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
+    state.bookmarkViews = root.texts("bookmarkViews").value_or(std::vector<std::string>());
     state.flights = root.texts("flights").value_or(std::vector<std::string>());
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));

@@ -68,7 +68,8 @@ struct StateReport {
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing
     ReportedEdit undoEdit = {}, redoEdit = {};       ///< the same edits
     std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
-    std::vector<std::string> flights = {};           ///< the same
+    std::vector<std::string> bookmarkViews = {};     ///< a word each: the same word, the same view
+    std::vector<std::string> flights = {};           ///< names; none where there are very many
     bool modified = false;                           ///< there is something to save, other than the camera
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded
     bool indoors = false;                            ///< the scene's own view is from inside

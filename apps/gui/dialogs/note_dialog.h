@@ -20,7 +20,7 @@ class NoteDialog : public QDialog {
     /// `text`: of a note that there is; "": it is a new one.
     NoteDialog(const QString& text, const QString& author, QWidget* parent = nullptr);
 
-    // For tests.
+    /// Fields, and the button that ends it by written().
     QPlainTextEdit& text() { return *text_; }
     QLineEdit& author() { return *author_; }
     QPushButton& keeping() { return *keep_; }

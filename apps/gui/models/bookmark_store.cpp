@@ -165,18 +165,16 @@ QString BookmarkStore::write(const BookmarkFiles& files) {
     return save(path(files.file, ".cam"), files.camera);
 }
 
-QString BookmarkStore::rename(const Bookmark& bookmark, const QString& name) {
+BookmarkFiles BookmarkStore::renamed(const Bookmark& bookmark, const QString& name) const {
     const QString clean = fileNameOf(name);
     if (clean.isEmpty() || clean == bookmark.name) return {};
-    const int number = numberOf(bookmark.file);
-    const QString file =
-        number < 1'000'000 ? bookmark.file.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + clean : clean;
-    QFile camera(cameraPath(bookmark));
-    if (!camera.rename(path(file, ".cam"))) return camera.errorString();
-    QFile::remove(path(file, ".png"));
-    QFile::rename(path(bookmark.file, ".png"), path(file, ".png"));
-    return {};
+    BookmarkFiles files = read(bookmark);
+    const bool numbered = numberOf(bookmark.file) < 1'000'000;
+    files.file = numbered ? bookmark.file.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + clean : clean;
+    return files;
 }
+
+bool BookmarkStore::has(const QString& file) const { return QFile::exists(path(file, ".cam")); }
 
 BookmarkFiles BookmarkStore::read(const Bookmark& bookmark) const {
     return {bookmark.file, load(cameraPath(bookmark)), load(path(bookmark.file, ".png"))};

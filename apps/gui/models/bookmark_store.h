@@ -42,7 +42,6 @@ class BookmarkStore {
     QImage picture(const Bookmark& bookmark) const; ///< null when there is none
 
     QString add(const QString& name, const QByteArray& camera, const QImage& picture);
-    QString rename(const Bookmark& bookmark, const QString& name);
     QString remove(const Bookmark& bookmark);
     BookmarkFiles read(const Bookmark& bookmark) const;
     QString write(const BookmarkFiles& files);
@@ -50,6 +49,9 @@ class BookmarkStore {
     QString keepPicture(const Bookmark& bookmark, const QImage& picture);
     /// The files of two after they changed places in the order; none where one has no number there.
     QList<BookmarkFiles> exchanged(const Bookmark& a, const Bookmark& b) const;
+    /// The files of one under another name; without a `file` where that is no other one.
+    BookmarkFiles renamed(const Bookmark& bookmark, const QString& name) const;
+    bool has(const QString& file) const;
     /// "Place 3": a name that none has, nor is among those.
     QString freeName(const QStringList& taken = {}) const;
     /// Copies of all, for another scene.

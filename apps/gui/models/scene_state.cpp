@@ -73,6 +73,8 @@ std::optional<StateAnswer> readState(const QString& answer) {
         result.state.redo = QString::fromStdString(report.redo);
         for (const std::string& name : report.bookmarks)
             result.state.bookmarks.append(QString::fromStdString(name));
+        for (const std::string& view : report.bookmarkViews)
+            result.state.bookmarkViews.append(QString::fromStdString(view));
         result.state.modified = report.modified;
         result.state.edits = report.edits;
         result.state.indoors = report.indoors;

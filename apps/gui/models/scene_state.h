@@ -57,6 +57,7 @@ struct SceneState {
     float framedAspect = 0;        ///< of the image that this is the width of; 0: of any
     QString undo, redo;            ///< the steps that these would make (editLabel()); empty: none
     QStringList bookmarks;         ///< names of the scene's own
+    QStringList bookmarkViews;     ///< a word each: the same word, the same view
     bool modified = false;         ///< there is something to save, other than the camera
     int edits = 0;                 ///< made and not taken back
     bool indoors = false;          ///< the scene's own view is from inside

@@ -33,23 +33,17 @@ QString ViewPictures::path(const QString& view) const {
 }
 
 QImage ViewPictures::picture(const QString& view) const {
-    return scene_.isEmpty() ? QImage() : QImage(path(view));
+    return scene_.isEmpty() || view.isEmpty() ? QImage() : QImage(path(view));
 }
 
 void ViewPictures::keep(const QString& view, const QImage& picture) {
-    if (scene_.isEmpty() || picture.isNull()) return;
+    if (scene_.isEmpty() || view.isEmpty() || picture.isNull()) return;
     app::makePrivateFolder(folder_.toStdString());
     QSaveFile file(path(view));
     if (!file.open(QIODevice::WriteOnly)) return;
     file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
     if (picture.save(&file, "PNG")) file.commit();
     removeOld();
-}
-
-void ViewPictures::rename(const QString& view, const QString& name) {
-    if (scene_.isEmpty() || view == name) return;
-    QFile::remove(path(name));
-    QFile::rename(path(view), path(name));
 }
 
 void ViewPictures::removeOld() const {

@@ -6,8 +6,9 @@
 
 namespace gui {
 
-/// By scene and name of the view; at most 500 files and 32 MB, from which the oldest ones are removed. Any of
-/// them may be missing, or go. One thread. Trouble with files is none: an image comes again.
+/// By scene and view, whatever its name, so that one that comes back has its image again; at most 500 files
+/// and 32 MB, from which the oldest ones are removed. Any of them may be missing, or go. One thread. Trouble
+/// with files is none: an image comes again.
 class ViewPictures {
   public:
     /// `folder`: where the images of all scenes are.
@@ -16,11 +17,9 @@ class ViewPictures {
 
     /// `scene`: the path of its file; empty: no images.
     void setScene(const QString& scene);
-    /// Null where there is none.
+    /// `view`: SceneState::bookmarkViews; "": not known, without an image. Null where there is none.
     QImage picture(const QString& view) const;
     void keep(const QString& view, const QImage& picture);
-    /// The view has another name.
-    void rename(const QString& view, const QString& name);
 
     static constexpr int kMaxFiles = 500;
     static constexpr qint64 kMaxBytes = 32'000'000;

@@ -80,13 +80,15 @@ void BookmarkOperations::tellTrouble(const QString& text) {
 
 QList<BookmarkOperations::Entry> BookmarkOperations::entries() const {
     QList<Entry> all;
-    for (const QString& name : context_.editor.state().bookmarks) all.append({name, true, std::nullopt});
+    const SceneState& state = context_.editor.state();
+    for (qsizetype i = 0; i < state.bookmarks.size(); ++i)
+        all.append({state.bookmarks[i], true, state.bookmarkViews.value(i), std::nullopt});
     for (const Bookmark& bookmark : store_.list()) {
         const auto same = std::find_if(all.begin(), all.end(), [&](const Entry& each) {
             return each.ofScene && !each.kept && fileNameOf(each.name) == bookmark.name;
         });
         if (same == all.end()) {
-            all.append({bookmark.name, false, bookmark});
+            all.append({bookmark.name, false, {}, bookmark});
         } else {
             same->kept = bookmark;
         }
@@ -95,21 +97,22 @@ QList<BookmarkOperations::Entry> BookmarkOperations::entries() const {
 }
 
 QImage BookmarkOperations::pictureOf(const Entry& entry) const {
-    const QImage kept = entry.kept ? store_.picture(*entry.kept) : QImage();
-    return kept.isNull() && entry.ofScene ? pictures_.picture(entry.name) : kept;
+    const QImage own = pictures_.picture(entry.view);
+    return own.isNull() && entry.kept ? store_.picture(*entry.kept) : own;
 }
 
 void BookmarkOperations::refill() {
     QList<BookmarkRow> rows;
     for (const Entry& entry : entries()) rows.append({entry.name, pictureOf(entry)});
-    shown_ = context_.editor.state().bookmarks;
+    shown_ = context_.editor.state().bookmarks + context_.editor.state().bookmarkViews;
     panel_->show(rows);
     strip_->show(rows);
 }
 
 // Whichever client or step of undo changed them.
 void BookmarkOperations::onState() {
-    if (context_.editor.state().bookmarks != shown_) refill();
+    takeReplaced();
+    if (context_.editor.state().bookmarks + context_.editor.state().bookmarkViews != shown_) refill();
 }
 
 void BookmarkOperations::giveToScene() {
@@ -131,8 +134,7 @@ void BookmarkOperations::follow(const QString& scene) {
     QList<QImage> pictures;
     for (const Entry& entry : all) pictures.append(pictureOf(entry));
     setScene(scene);
-    for (qsizetype i = 0; i < all.size(); ++i)
-        if (all[i].ofScene && !all[i].kept) pictures_.keep(all[i].name, pictures[i]);
+    for (qsizetype i = 0; i < all.size(); ++i) pictures_.keep(all[i].view, pictures[i]);
     refill();
 }
 
@@ -203,20 +205,40 @@ void BookmarkOperations::go(int row) {
 void BookmarkOperations::keepPicture(const QString& name, const QImage& picture) {
     for (const Entry& entry : entries()) {
         if (entry.name != name) continue;
-        entry.kept ? tellTrouble(store_.keepPicture(*entry.kept, picture)) : pictures_.keep(name, picture);
+        entry.ofScene ? pictures_.keep(entry.view, picture)
+                      : tellTrouble(store_.keepPicture(*entry.kept, picture));
         return refill();
     }
+}
+
+QString BookmarkOperations::viewOf(const QString& name) const {
+    const SceneState& state = context_.editor.state();
+    return state.bookmarkViews.value(state.bookmarks.indexOf(name));
+}
+
+// Of a view that the state may not have yet.
+void BookmarkOperations::keepReplaced(const Entry& before, const QImage& picture) {
+    replaced_ = {before.name, before.view, picture};
+    takeReplaced();
+}
+
+void BookmarkOperations::takeReplaced() {
+    if (!replaced_) return;
+    const QString now = viewOf(replaced_->name);
+    if (now == replaced_->before) return;
+    pictures_.keep(now, replaced_->picture);
+    replaced_.reset();
+    refill();
 }
 
 void BookmarkOperations::rename(int row, const QString& name) {
     const QList<Entry> all = entries();
     if (row >= 0 && row < all.size() && !name.trimmed().isEmpty()) {
         const Entry& entry = all[row];
-        if (entry.kept) tellTrouble(store_.rename(*entry.kept, name));
+        if (entry.kept) renameKept(*entry.kept, name);
         if (entry.ofScene)
             context_.editor.edit(command::bookmarkRename(entry.name.toStdString(), name.toStdString()),
-                                 [this, before = entry.name, name, own = !entry.kept](const Answer& answer) {
-                                     if (answer.done && own) pictures_.rename(before, name);
+                                 [this](const Answer& answer) {
                                      if (!answer.done) tellTrouble(answer.text);
                                      refill();
                                  });
@@ -224,12 +246,21 @@ void BookmarkOperations::rename(int row, const QString& name) {
     refill();
 }
 
+void BookmarkOperations::renameKept(const Bookmark& bookmark, const QString& name) {
+    const BookmarkFiles before = store_.read(bookmark), after = store_.renamed(bookmark, name);
+    if (after.file.isEmpty() || before.camera.isEmpty()) return; // no other name, or removed meanwhile
+    if (store_.has(after.file)) return tellTrouble(tr("There is a bookmark “%1” already.").arg(name));
+    change(tr("rename “%1”").arg(bookmark.name), {before}, {after});
+}
+
 void BookmarkOperations::replace(int row) {
     const QList<Entry> all = entries();
     if (row < 0 || row >= all.size() || !context_.session.live()) return;
+    pictures_.keep(all[row].view, pictureOf(all[row])); // for undo
     if (all[row].ofScene) context_.editor.edit(command::bookmarkAdd(all[row].name.toStdString()));
     takeView([this, entry = all[row]](const QByteArray& camera, const QImage& picture) {
-        entry.kept ? replaceKept(*entry.kept, camera, picture) : keepPicture(entry.name, picture);
+        if (entry.ofScene) keepReplaced(entry, picture);
+        if (entry.kept) replaceKept(*entry.kept, camera, picture);
         context_.view.tell(tr("“%1” is the current view now.").arg(entry.name));
     });
 }

@@ -33,6 +33,7 @@ class BookmarkOperations : public QObject {
     struct Entry {
         QString name;
         bool ofScene = false;
+        QString view; ///< SceneState::bookmarkViews, of the scene's own
         std::optional<Bookmark> kept;
     };
     QList<Entry> entries() const;
@@ -48,8 +49,12 @@ class BookmarkOperations : public QObject {
     void takePicture(const QByteArray& camera, const Keep& keep);
     void keep(const QByteArray& camera, const QImage& picture);
     void keepPicture(const QString& name, const QImage& picture);
+    QString viewOf(const QString& name) const;
+    void keepReplaced(const Entry& before, const QImage& picture);
+    void takeReplaced();
     void go(int row);
     void rename(int row, const QString& name);
+    void renameKept(const Bookmark& bookmark, const QString& name);
     void replace(int row);
     void replaceKept(const Bookmark& bookmark, const QByteArray& camera, const QImage& picture);
     void move(int row, int by);
@@ -62,7 +67,13 @@ class BookmarkOperations : public QObject {
     GuiContext context_;
     BookmarkStore store_;
     ViewPictures pictures_; ///< of the scene's own
-    QStringList shown_;     ///< of the scene, in the panel
+    QStringList shown_;     ///< of the scene, in the panel: names, then views
+    /// The image of a view of the scene that was replaced, until the state has that.
+    struct Replaced {
+        QString name, before; ///< before: its view
+        QImage picture;
+    };
+    std::optional<Replaced> replaced_;
     BookmarksPanel* panel_;
     ViewsStrip* strip_;
     VisitPicture* visit_;

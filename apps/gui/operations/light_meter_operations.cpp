@@ -79,7 +79,7 @@ void LightMeterOperations::pointAt(const std::optional<QPointF>& position) {
 void LightMeterOperations::noticeStatus() {
     const ServerStatus& status = context_.session.status();
     if (!on_) return;
-    if (status.stateRevision != revision_) return restart();
+    if (status.imageRevision != revision_ || status.resolution != size_) return restart();
     if (status.view != view_) goOn();
 }
 
@@ -98,7 +98,8 @@ void LightMeterOperations::goOn() {
 
 void LightMeterOperations::restart() {
     view_ = context_.session.status().view;
-    revision_ = context_.session.status().stateRevision;
+    revision_ = context_.session.status().imageRevision;
+    size_ = context_.session.status().resolution;
     meter_.forget();
     rest_.stop();
     if (on_ && position_ && context_.session.live()) rest_.start();

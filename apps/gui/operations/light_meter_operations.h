@@ -41,7 +41,8 @@ class LightMeterOperations : public QObject {
     QTimer glances_;                  ///< since the last one
     std::optional<QPointF> position_; ///< of the pointer in the viewport
     View view_;                       ///< that was measured
-    quint64 revision_ = 0;
+    quint64 revision_ = 0;            ///< ServerStatus::imageRevision
+    QSize size_;
     bool on_ = false;
 };
 

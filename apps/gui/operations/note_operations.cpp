@@ -17,8 +17,11 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 
 #include <algorithm>
+#include <utility>
 
 namespace gui {
 
@@ -35,10 +38,7 @@ NoteOperations::NoteOperations(const GuiContext& context, QObject* parent)
         panel_->show(context_.editor.state());
         marks_->setState(context_.editor.state());
     });
-    connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] {
-        setAdding(false);
-        if (dialog_ != nullptr) dialog_->reject();
-    });
+    connect(&context_.editor, &SceneEditor::sceneChanged, this, &NoteOperations::onScene);
     const auto enable = [this] {
         panel_->setEnabled(context_.session.live());
         if (!context_.session.live()) setAdding(false);
@@ -91,23 +91,55 @@ void NoteOperations::ask(const QPointF& at) {
     });
 }
 
-NoteDialog* NoteOperations::open(const QString& text, const QString& author) {
+NoteDialog* NoteOperations::open(const QString& text, const QString& author, std::function<void()> again) {
     if (dialog_ != nullptr) dialog_->reject();
     dialog_ = new NoteDialog(text, author, &context_.window);
+    scene_ = context_.editor.scene();
+    begun_ = text;
+    again_ = std::move(again);
     dialog_->open();
     return dialog_;
 }
 
+// A dialog would be in the way of what the window offers when its server is gone.
+void NoteOperations::onScene() {
+    setAdding(false);
+    if (dialog_ != nullptr) {
+        const QString text = dialog_->text().toPlainText();
+        if (text != begun_) keepUnfinished(text, dialog_->author().text());
+        dialog_->reject();
+    } else if (unfinished_ && unfinished_->scene == context_.editor.scene()) {
+        std::function<void()>(unfinished_->again)(); // which takes it
+    }
+}
+
+void NoteOperations::keepUnfinished(const QString& text, const QString& author) {
+    if (text.trimmed().isEmpty()) return;
+    unfinished_ = {text, author, scene_, again_};
+    context_.view.tell(tr("The text of the note is kept for the next one."));
+}
+
+void NoteOperations::send(const std::string& line, const QString& text, const QString& author) {
+    context_.editor.edit(line, [this, text, author](const Answer& answer) {
+        if (answer.done) return;
+        keepUnfinished(text, author);
+        context_.notice.explain(answer.text, {});
+    });
+}
+
 void NoteOperations::write(const rtcore::Vec3d& point) {
     setAdding(false);
-    NoteDialog* dialog = open(QString(), context_.preferences.get(pref::noteAuthor));
+    const std::optional<Unfinished> left = std::exchange(unfinished_, std::nullopt);
+    NoteDialog* dialog = open(QString(), left ? left->author : context_.preferences.get(pref::noteAuthor),
+                              [this, point] { write(point); });
+    if (left) dialog->text().setPlainText(left->text);
     marks_->setPending(point);
     connect(dialog, &QDialog::finished, marks_, [this] { marks_->setPending({}); });
     const std::array<double, 3>& zero = context_.editor.state().origin.at;
     const command::Position place{point.x + zero[0], point.y + zero[1], point.z + zero[2]};
     connect(dialog, &NoteDialog::written, this, [this, place](const QString& text, const QString& author) {
         context_.preferences.set(pref::noteAuthor, author);
-        context_.editor.edit(command::noteAdd(place, text.toStdString(), author.toStdString()));
+        send(command::noteAdd(place, text.toStdString(), author.toStdString()), text, author);
     });
 }
 
@@ -115,26 +147,36 @@ void NoteOperations::write(const rtcore::Vec3d& point) {
 void NoteOperations::edit(int index) {
     const SceneState& state = context_.editor.state();
     if (index < 0 || index >= std::ssize(state.notes)) return;
-    const rtcore::SceneNote& note = state.notes[static_cast<std::size_t>(index)];
-    if (!state.notesShortened) return change(index, QString::fromStdString(note.text));
-    context_.session.send(command::noteGet(index + 1), this, [this, index](const Answer& answer) {
+    const rtcore::SceneNote note = state.notes[static_cast<std::size_t>(index)];
+    if (!state.notesShortened) return change(note, QString::fromStdString(note.text));
+    context_.session.send(command::noteGet(index + 1), this, [this, note](const Answer& answer) {
         if (!answer.done) return context_.notice.explain(answer.text, {});
-        change(index, answer.text);
+        change(note, answer.text);
     });
 }
 
-void NoteOperations::change(int index, const QString& text) {
-    const rtcore::SceneNotes& notes = context_.editor.state().notes;
-    if (index >= std::ssize(notes)) return;
-    const rtcore::SceneNote before = notes[static_cast<std::size_t>(index)];
-    NoteDialog* dialog = open(text, QString::fromStdString(before.author));
+int NoteOperations::indexOf(const rtcore::SceneNote& note) const {
+    const rtcore::SceneNotes& all = context_.editor.state().notes;
+    const auto found = std::ranges::find(all, note);
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+void NoteOperations::change(const rtcore::SceneNote& before, const QString& text) {
+    const auto again = [this, before, text] {
+        if (indexOf(before) < 0) return; // it stays for a new note
+        const std::optional<Unfinished> left = std::exchange(unfinished_, std::nullopt);
+        change(before, text);
+        dialog_->text().setPlainText(left->text);
+        dialog_->author().setText(left->author);
+    };
+    NoteDialog* dialog = open(text, QString::fromStdString(before.author), again);
     // Its number may be another one by then.
     connect(dialog, &NoteDialog::written, this, [this, before](const QString& now, const QString& by) {
-        const rtcore::SceneNotes& all = context_.editor.state().notes;
-        const auto found = std::ranges::find(all, before);
-        if (found == all.end()) return context_.view.tell(tr("This note was changed or removed meanwhile."));
-        const int number = static_cast<int>(found - all.begin()) + 1;
-        context_.editor.edit(command::noteText(number, now.toStdString(), by.toStdString()));
+        const int index = indexOf(before);
+        if (index >= 0)
+            return send(command::noteText(index + 1, now.toStdString(), by.toStdString()), now, by);
+        keepUnfinished(now, by);
+        context_.notice.explain(tr("This note was changed or removed meanwhile."), {});
     });
 }
 

@@ -75,14 +75,11 @@ void RenderOperations::listen() {
     connect(&context_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
     connect(&context_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
     connect(&context_.view, &FrameView::resolutionWanted, this, [this] {
-        if (!keeps()) edits_ = context_.editor.state().edits;
+        if (!keeps()) revision_ = context_.session.status().imageRevision;
         sizeAsked_.start();
     });
     connect(&context_.editor, &SceneEditor::sending, this, [this] {
         if (keeps()) interrupt();
-    });
-    connect(&context_.editor, &SceneEditor::stateChanged, this, [this] {
-        if (keeps() && context_.editor.state().edits != edits_) interrupt();
     });
     connect(&rest_, &QTimer::timeout, this, &RenderOperations::renderProgressively);
     connect(&preview_, &PreviewProcess::refined, this, &RenderOperations::onRefined);
@@ -143,7 +140,7 @@ void RenderOperations::onResize() {
     const bool same = before.eye == moment_.view.eye && before.forward == moment_.view.forward &&
                       before.up == moment_.view.up;
     if (!same || context_.view.showsLive()) return interrupt();
-    if (!keeps()) edits_ = context_.editor.state().edits;
+    if (!keeps()) revision_ = context_.session.status().imageRevision;
     sizeAsked_.invalidate();
     kept_ = context_.view.origin();
     beginAgain();
@@ -155,6 +152,7 @@ bool RenderOperations::resizes() const {
 
 void RenderOperations::onStatus() {
     const ServerStatus& status = context_.session.status();
+    if (keeps() && status.imageRevision != revision_) return interrupt();
     if ((settled_ || kept_) && status.resolution != moment_.size) return onResize();
     const bool moved = status.view != moment_.view;
     const bool busy = moment_.idle && !status.idle && !resizes();

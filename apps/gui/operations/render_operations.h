@@ -63,7 +63,7 @@ class RenderOperations : public QObject {
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
     Moment moment_;
     std::optional<PictureOrigin> kept_; ///< of the image that is still shown, of another size
-    int edits_ = 0;                     ///< of the scene since which it is kept
+    quint64 revision_ = 0;              ///< ServerStatus::imageRevision since which it is kept
     StillQuality rendered_;             ///< of the last image
 };
 

@@ -2,6 +2,8 @@
 
 #include "gui/models/edit_labels.h"
 
+#include "common/commands/command_lookup.h"
+
 #include <utility>
 
 namespace gui {
@@ -54,9 +56,9 @@ void SceneEditor::take(const SceneState& state, QString scene) {
 
 // --- Edits ---
 
-void SceneEditor::beginChange() {
+void SceneEditor::beginChange(const std::string& line) {
     follower_.edits();
-    emit sending();
+    if (app::effectOf(line) != app::CommandEffect::Keeps) emit sending();
 }
 
 void SceneEditor::setSetting(const QString& name, const QString& value) {
@@ -67,7 +69,7 @@ void SceneEditor::setSetting(const QString& name, const QString& value) {
 }
 
 void SceneEditor::follow(const QString& step, const std::string& line, std::optional<bool> goesOn) {
-    beginChange();
+    beginChange(line);
     const std::string thing = step.toStdString();
     if (const auto now = edits_.edit(thing, line, goesOn)) send(thing, *now);
 }
@@ -90,7 +92,7 @@ void SceneEditor::onRefusal(const Answer& answer) {
 }
 
 void SceneEditor::edit(const std::string& line, std::function<void(const Answer&)> done) {
-    beginChange();
+    beginChange(line);
     session_.send(line, this, [this, done = std::move(done)](const Answer& answer) {
         follower_.edits();
         done ? done(answer) : onRefusal(answer);

@@ -56,7 +56,7 @@ class SceneEditor : public QObject {
     void doOwn(QUndoCommand* step);
 
   signals:
-    /// A change of the user's is on its way.
+    /// A change of what is seen, by the user, is on its way.
     void sending();
     /// Also when undoText() or redoText() changes.
     void stateChanged();
@@ -69,7 +69,7 @@ class SceneEditor : public QObject {
     void onStatus();
     void ask();
     void take(const SceneState& state, QString scene);
-    void beginChange();
+    void beginChange(const std::string& line);
     void send(const std::string& thing, const std::string& line);
     void onAnswer(const std::string& thing, const Answer& answer);
     void onRefusal(const Answer& answer);

@@ -43,6 +43,7 @@ struct ServerStatus {
     bool paused = false; ///< no frame comes until the server is told to resume
     bool recording = false;
     quint64 stateRevision = 0; ///< grows when `state` would answer something else
+    quint64 imageRevision = 0; ///< grows when the image of a view of this size is another
     quint64 messages = 0;      ///< number of messages so far; grows
     friend bool operator==(const ServerStatus&, const ServerStatus&) = default;
 };

@@ -39,6 +39,7 @@ ServerStatus statusOf(const ipc::Status& from) {
     to.recording = from.recording != 0;
     to.messages = from.messages;
     to.stateRevision = from.stateRevision;
+    to.imageRevision = from.imageRevision;
     return to;
 }
 

@@ -1321,6 +1321,14 @@ Qt %1</translation>
         <source>move “%1”</source>
         <translation>přesunout „%1“</translation>
     </message>
+    <message>
+        <source>There is a bookmark “%1” already.</source>
+        <translation>Záložka „%1“ už existuje.</translation>
+    </message>
+    <message>
+        <source>rename “%1”</source>
+        <translation>přejmenovat „%1“</translation>
+    </message>
 </context>
 <context>
     <name>gui::BookmarkStore</name>
@@ -2967,6 +2975,10 @@ Alt+%2</translation>
     <message>
         <source>This note was changed or removed meanwhile.</source>
         <translation>Tato poznámka byla mezitím změněna nebo odstraněna.</translation>
+    </message>
+    <message>
+        <source>The text of the note is kept for the next one.</source>
+        <translation>Text poznámky je uschován pro příští.</translation>
     </message>
 </context>
 <context>

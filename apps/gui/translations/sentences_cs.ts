@@ -2188,6 +2188,10 @@
         <translation>ortografické kamery tohoto souboru Collada se mění v perspektivní</translation>
     </message>
     <message>
+        <source>others are being found out; ask again when they are there</source>
+        <translation>jiné se právě zjišťují; zeptejte se znovu, až budou hotové</translation>
+    </message>
+    <message>
         <source>pages give no {0}</source>
         <translation>stránky neposílají {0}</translation>
     </message>
@@ -3084,10 +3088,6 @@
         <translation>cíl má souřadnici za 1e12; zadejte bod poblíž modelu</translation>
     </message>
     <message>
-        <source>the text of a note has at most {0} bytes here</source>
-        <translation>text poznámky tu má nejvýše {0} bajtů</translation>
-    </message>
-    <message>
         <source>the text of a note has at most {0} characters and {1} bytes</source>
         <translation>text poznámky má nejvýše {0} znaků a {1} bajtů</translation>
     </message>
@@ -3198,6 +3198,10 @@
     <message>
         <source>there are {0} notes already; remove one first</source>
         <translation>už je tu {0} poznámek; nejdřív jednu odeberte</translation>
+    </message>
+    <message>
+        <source>there are {0} notes, or were before an edit that can be taken back</source>
+        <translation>poznámek je {0}, nebo jich tolik bylo před úpravou, kterou lze vzít zpět</translation>
     </message>
     <message>
         <source>there are {0} notes, the most that visitors may have</source>
@@ -3530,6 +3534,10 @@
     <message>
         <source>version {0} is unknown; this program reads version {1}</source>
         <translation>verze {0} je neznámá; tento program čte verzi {1}</translation>
+    </message>
+    <message>
+        <source>visitor is for 'note add' and 'note at'</source>
+        <translation>visitor je pro 'note add' a 'note at'</translation>
     </message>
     <message>
         <source>walking</source>

@@ -22,6 +22,7 @@ struct Call {
     Host& host;
     std::span<const std::string> arguments;
     std::uint64_t client = 0; ///< of ipc::Command
+    bool visitor = false;     ///< the note is of one who only looks: no step of undo
 
     Document& document() const { return state.document; }
     Walk& walk() const { return state.walk; }

@@ -1,5 +1,7 @@
 #include "rtserver/commands/command_service.h"
 
+#include "common/commands/command_lookup.h"
+
 #include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 
@@ -173,14 +175,16 @@ Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
     Arrivals arrivals;
     answerTelling();
     for (ipc::Command& command : commands) {
-        const app::CommandEffect effect = effectOf(command.text);
-        const bool tells = effect == app::CommandEffect::Tells, waits = effect == app::CommandEffect::Waits;
-        if (tells && !commands_.hasMore(command.client)) {
+        const app::CommandEffect effect = app::effectOf(command.text);
+        // What an image shows, the thread that traces it reads: these change nothing of that.
+        const bool aside = effect == app::CommandEffect::Tells || effect == app::CommandEffect::Keeps;
+        const bool waits = effect == app::CommandEffect::Waits, first = !commands_.hasMore(command.client);
+        if (aside && first) {
             tell(command);
             continue;
         }
         arrivals.end = arrivals.end || isEnd(command);
-        arrivals.change = arrivals.change || (!tells && !waits && !commands_.hasMore(command.client));
+        arrivals.change = arrivals.change || (!aside && !waits && first);
         commands_.add(std::move(command));
     }
     arrivals.change = arrivals.change || sideWork_.anyDone() || longWork_.anyDone();
@@ -200,8 +204,9 @@ void CommandService::tell(const ipc::Command& command) {
 }
 
 void CommandService::startApart(const ipc::Command& command, Result result) {
-    const bool tells = effectOf(command.text) == app::CommandEffect::Tells;
-    (tells ? tellingWork_ : longWork_).start(command, std::move(result.work), std::move(result.stop));
+    const bool tells = app::effectOf(command.text) == app::CommandEffect::Tells;
+    (tells ? tellingWork_ : longWork_)
+        .start(command, std::move(result.work), std::move(result.stop), result.shared);
 }
 
 // What is told needs no state any more.

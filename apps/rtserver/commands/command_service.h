@@ -66,8 +66,8 @@ class CommandService {
 
     // --- While a frame is drawn ---
 
-    /// Answers what only asks something, at once or when it is found out beside the frame, and takes the
-    /// others for the next serve().
+    /// Answers what only asks something, at once or when it is found out beside the frame, runs what Keeps
+    /// something (app::CommandEffect), and takes the others for the next serve().
     Arrivals addDuringFrame(std::vector<ipc::Command> commands);
 
   private:

@@ -52,15 +52,29 @@ std::string stepLabel(const app::CommandSpec& command, std::span<const std::stri
     }
 }
 
-/// The commands that may precede an edit on its line: `by PERSON`, `also`.
+/// The commands that may precede an edit on its line: `by PERSON`, `also`, or `visitor`.
 struct Prefixes {
     int person = 0;
     bool goesOn = false;
+    bool visitor = false;
 };
+
+bool addsNote(app::CommandId id) { return id == app::CommandId::NoteAdd || id == app::CommandId::NoteAt; }
+
+/// Cuts `visitor` off `words`; `found` is the command behind it then.
+Prefixes takeVisitor(std::vector<std::string>& words, app::FoundCommand& found) {
+    app::checkArguments(*found.command, std::span(words).subspan(found.words));
+    words.erase(words.begin());
+    found = app::findCommand(words);
+    if (!addsNote(found.command->id))
+        throw app::UsageError(rtcore::say("visitor is for 'note add' and 'note at'"));
+    return {.visitor = true};
+}
 
 /// Cuts them off `words`; `found` is the command behind them then.
 Prefixes takePrefixes(std::vector<std::string>& words, app::FoundCommand& found) {
     Prefixes prefixes;
+    if (found.command->id == app::CommandId::Visitor) return takeVisitor(words, found);
     while (found.command->id == app::CommandId::Also || found.command->id == app::CommandId::By) {
         const app::CommandSpec& prefix = *found.command;
         const bool isBy = prefix.id == app::CommandId::By;
@@ -96,13 +110,15 @@ Result runEdit(const Call& call, const app::CommandSpec& command, const Prefixes
 
 Result run(const Call& call, const app::CommandSpec& command, const Prefixes& prefixes) {
     if (command.needsScene && !call.document().ready()) return {.when = ReplyWhen::Again};
-    return command.edits() ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
+    const bool step = command.edits() && !prefixes.visitor;
+    return step ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
 }
 
 } // namespace
 
 bool hasFunction(app::CommandId id) {
-    return id == app::CommandId::Also || id == app::CommandId::By || functionOf(id) != nullptr;
+    using enum app::CommandId;
+    return id == Also || id == By || id == Visitor || functionOf(id) != nullptr;
 }
 
 Result runCommand(std::string_view text, Workspace& state, Host& host, std::uint64_t client) {
@@ -114,19 +130,11 @@ Result runCommand(std::string_view text, Workspace& state, Host& host, std::uint
         throw app::UsageError(rtcore::say("{0} is what CUI does itself, not the server", command.name));
     const std::span<const std::string> arguments = std::span(words).subspan(found.words);
     app::checkArguments(command, arguments);
-    return run({state, host, arguments, client}, command, prefixes);
+    return run({state, host, arguments, client, prefixes.visitor}, command, prefixes);
 }
 
 Result runCommand(app::CommandId id, std::span<const std::string> arguments, Workspace& state, Host& host) {
     return run({state, host, arguments}, app::commandOf(id), {});
-}
-
-app::CommandEffect effectOf(std::string_view text) {
-    try {
-        return app::findCommand(app::splitWords(text)).command->effect;
-    } catch (const app::UsageError&) {
-        return app::CommandEffect::Tells;
-    }
 }
 
 } // namespace rtserver

@@ -51,12 +51,8 @@ struct Result {
     std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
     Work work = {};          ///< for Beside and Apart; what it returns gives the answer
     StopFlag stop = {};      ///< for Apart: gives the work up
+    std::string shared = {}; ///< for Apart: see SideWork::start()
 };
-
-/// The effect of a command that comes while a long frame is drawn: one that Tells only reads the state, so
-/// that runCommand() answers it at once, in another thread; one that Waits is kept for the frame, or for its
-/// turn; for all others the frame is left. A wrong command Tells what is wrong with it.
-app::CommandEffect effectOf(std::string_view text);
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other
 /// exceptions with a text for the user. Commands that need a scene give Again until there is one. `client`:

@@ -51,13 +51,18 @@ Result addNote(const Call& call, const rtcore::Vec3d& point, std::size_t texts) 
     if (all.size() >= rtcore::kMaxNotes)
         throw rtcore::Refusal(
             rtcore::say("there are {0} notes already; remove one first", rtcore::kMaxNotes));
-    all.push_back({.point = point,
+    SceneNote note{.point = point,
                    .text = rtcore::noteText(call[texts]),
                    .author = call.size() > texts + 1 ? rtcore::noteAuthor(call[texts + 1]) : "",
                    .view = viewOnto(call.document(), point),
-                   .written = timeNow()});
-    checkNote(all.back());
-    call.document().setNotes(std::move(all));
+                   .written = timeNow()};
+    checkNote(note);
+    if (call.visitor) {
+        call.document().addToAllNotes(note);
+    } else {
+        all.push_back(std::move(note));
+        call.document().setNotes(std::move(all));
+    }
     return {.answer = std::to_string(call.document().notes().size())};
 }
 

@@ -78,7 +78,17 @@ Result plan(const Call& call) {
             .stop = stop};
 }
 
-// By one thread, for what is small: live frames keep the others.
+/// The same name, the same text.
+std::string nameOf(const StoreyOutlines::Order& order) {
+    if (order.storey)
+        return fmt::format("outline {} {}", static_cast<const void*>(order.scene.get()), *order.storey);
+    const rtcore::Vec3 eye = order.eye;
+    return fmt::format("outline {} at {} {} {}", static_cast<const void*>(order.scene.get()), eye.x, eye.y,
+                       eye.z);
+}
+
+// By one thread, for what is small: live frames keep the others. Of many who ask for a storey at once, such
+// as pages that have just been opened, one takes a thread.
 Result outline(const Call& call) {
     const Document& document = call.document();
     if (!call.state.outlines) call.state.outlines = std::make_shared<StoreyOutlines>();
@@ -94,7 +104,8 @@ Result outline(const Call& call) {
                 app::useThreads(1);
                 return [told = outlines->text(order, *stop)] { return told; };
             },
-            .stop = stop};
+            .stop = stop,
+            .shared = nameOf(order)};
 }
 
 Result storeys(const Call& call) {

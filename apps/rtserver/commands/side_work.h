@@ -37,9 +37,11 @@ int threadsBeside(int threads);
 class SideWork {
   public:
     /// Throws rtcore::FileError TryAgain when too many are under way, which then wait for something that
-    /// does not come.
-    void start(const ipc::Command& command, Work work, StopFlag stop = {});
-    /// Gives up the work for commands of which `unwanted` says so.
+    /// does not come. Where `shared` is not "", work of that name that is under way answers this command,
+    /// too, whose own is dropped; and kMaxShared works of such names are under way at most.
+    void start(const ipc::Command& command, Work work, StopFlag stop = {}, const std::string& shared = {});
+    static constexpr std::size_t kMaxShared = 6;
+    /// Gives up the work for commands of which `unwanted` says so: of all that it answers.
     void stopWhere(const std::function<bool(const ipc::Command&)>& unwanted) const;
     bool underWay() const { return !jobs_.empty(); }
     bool anyDone() const;
@@ -54,12 +56,16 @@ class SideWork {
 
   private:
     struct Job {
-        Job(const ipc::Command& of, Work work, StopFlag flag)
-            : command(of), task(std::move(work)), stop(std::move(flag)) {}
-        ipc::Command command;
+        Job(const ipc::Command& of, Work work, StopFlag flag, std::string sharedName)
+            : commands{of}, task(std::move(work)), stop(std::move(flag)), shared(std::move(sharedName)) {}
+        bool isWanted() const { return !stop || !stop->load(); }
+        std::vector<ipc::Command> commands; ///< one at least
         DetachedTask<Finish> task;
         StopFlag stop;
+        std::string shared; ///< the name of start()
     };
+    bool joins(const ipc::Command& command, const std::string& shared);
+
     std::list<Job> jobs_;
 };
 

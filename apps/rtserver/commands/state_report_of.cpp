@@ -1,9 +1,14 @@
 #include "rtserver/commands/state_report_of.h"
 
+#include "rtcore/io/text/camera_section.h"
+#include "rtcore/io/text/toml_writer.h"
 #include "rtcore/scene/light_power.h"
 #include "rtcore/sky/scene_sky.h"
 
+#include <fmt/format.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -58,6 +63,16 @@ std::vector<app::NamedSwitch> environmentsOf(const Document& document) {
 
 namespace {
 
+/// Of the camera as files have it, so that it is the same in the next run: FNV-1a.
+std::string wordOf(const rtcore::Camera& camera) {
+    constexpr std::uint64_t kOffset = 0xCBF29CE484222325, kPrime = 0x100000001B3;
+    rtcore::TomlWriter writer;
+    rtcore::writeCamera(writer, camera);
+    std::uint64_t hash = kOffset;
+    for (const char c : writer.text()) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
+    return fmt::format("{:016x}", hash);
+}
+
 /// The report of a step to the asking client, which is told the persons of its own steps alone.
 app::ReportedEdit reportOf(const EditStep* step, std::uint64_t client) {
     if (step == nullptr) return {};
@@ -94,8 +109,10 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
     report.redoEdit = reportOf(history.next(), client);
     report.modified = document.modified();
     report.indoors = document.world().loaded.indoors;
-    for (const rtcore::SceneBookmark& bookmark : document.bookmarks())
+    for (const rtcore::SceneBookmark& bookmark : document.bookmarks()) {
         report.bookmarks.push_back(bookmark.name);
+        report.bookmarkViews.push_back(wordOf(bookmark.camera));
+    }
     for (const rtcore::Flight& flight : document.flights()) report.flights.push_back(flight.name);
     report.edits = static_cast<int>(history.position());
     return report;

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -195,6 +197,26 @@ void Document::setNotes(rtcore::SceneNotes notes) {
 void Document::setFlights(rtcore::Flights flights) {
     if (flights == *flights_) return;
     flights_ = std::make_shared<const rtcore::Flights>(std::move(flights));
+}
+
+void Document::addToAllNotes(const rtcore::SceneNote& note) {
+    using Notes = std::shared_ptr<const rtcore::SceneNotes>;
+    std::map<Notes, Notes> with; // steps have most of them in common
+    const auto full = [](const Notes& notes) { return notes->size() >= rtcore::kMaxNotes; };
+    if (full(notes_) || history_.hasNotes(full))
+        throw rtcore::Refusal(rtcore::say(
+            "there are {0} notes, or were before an edit that can be taken back", rtcore::kMaxNotes));
+    const auto withNote = [&](const Notes& notes) {
+        Notes& extended = with[notes];
+        if (extended == nullptr) {
+            rtcore::SceneNotes all = *notes;
+            all.push_back(note);
+            extended = std::make_shared<const rtcore::SceneNotes>(std::move(all));
+        }
+        return extended;
+    };
+    notes_ = withNote(notes_);
+    history_.replaceNotes(withNote);
 }
 
 // --- Settings ---

@@ -100,6 +100,9 @@ class Document {
     void setMeasures(rtcore::KeptMeasures measures);
     const rtcore::SceneNotes& notes() const { return *notes_; }
     void setNotes(rtcore::SceneNotes notes);
+    /// Adds a note to those that are there now and to those of all steps: no step takes it back. Throws
+    /// rtcore::Refusal where there are kMaxNotes now, or before or behind a step, with nothing changed.
+    void addToAllNotes(const rtcore::SceneNote& note);
     const rtcore::Flights& flights() const { return *flights_; }
     void setFlights(rtcore::Flights flights);
     const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }

@@ -2,6 +2,7 @@
 
 #include "rtcore/sky/scene_sky.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -129,6 +130,21 @@ void EditHistory::joinToLast(Snapshot after) {
     if (changesAnything(step)) return;
     steps_.pop_back();
     done_ = steps_.size();
+}
+
+bool EditHistory::hasNotes(const std::function<bool(const Notes&)>& of) const {
+    return std::ranges::any_of(
+        steps_, [&](const EditStep& step) { return of(step.before.notes) || of(step.after.notes); });
+}
+
+void EditHistory::replaceNotes(const std::function<Notes(const Notes&)>& by) {
+    std::uint64_t before = std::exchange(base_, ++newest_), now = base_;
+    for (EditStep& step : steps_) {
+        step.before.notes = by(step.before.notes);
+        step.after.notes = by(step.after.notes);
+        const bool same = std::exchange(before, step.state) == step.state; // it placed the camera alone
+        step.state = now = same ? now : ++newest_;
+    }
 }
 
 void EditHistory::clear() {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -66,6 +67,13 @@ class EditHistory {
     /// where another person made that.
     void add(EditStep step, bool goesOn);
     void clear();
+
+    using Notes = std::shared_ptr<const rtcore::SceneNotes>;
+    /// Whether `of` says so of the notes before or behind a step.
+    bool hasNotes(const std::function<bool(const Notes&)>& of) const;
+    /// Other notes before and behind each step, those taken back included, by a change that is no step. All
+    /// states are others from then on, so that none is one that was saved.
+    void replaceNotes(const std::function<Notes(const Notes&)>& by);
 
     /// The step that undo takes back, and the one that redo makes again; null: there is none.
     const EditStep* last() const { return done_ > 0 ? &steps_[done_ - 1] : nullptr; }

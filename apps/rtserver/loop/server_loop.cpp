@@ -128,18 +128,21 @@ bool ServerLoop::orphaned() {
 
 // In the guard's thread.
 Arrivals ServerLoop::lookDuringFrame() {
-    Arrivals arrivals = commands_.addDuringFrame(takeCommands());
+    std::vector<ipc::Command> commands = takeCommands();
+    const bool mayKeep = !commands.empty();
+    Arrivals arrivals = commands_.addDuringFrame(std::move(commands));
     arrivals.change = keys_.add(server_.keys()) || arrivals.change;
     arrivals.end = arrivals.end || app::stopRequested() || orphaned();
-    tellWholeSeconds();
+    tellDuringFrame(mayKeep ? revision_.of(state_, false) : status_.stateRevision);
     return arrivals;
 }
 
 // The rest of the status is of the last turn.
-void ServerLoop::tellWholeSeconds() {
+void ServerLoop::tellDuringFrame(std::uint64_t stateRevision) {
     const double now = drawing_.wholeSeconds();
-    if (now - status_.wholeSeconds < kTold) return;
+    if (now - status_.wholeSeconds < kTold && stateRevision == status_.stateRevision) return;
     status_.wholeSeconds = now;
+    status_.stateRevision = stateRevision;
     server_.setStatus(status_);
 }
 
@@ -203,6 +206,7 @@ void ServerLoop::publishStatus() {
                         .framesPerSecond = drawing_.framesPerSecond(),
                         .wholeSeconds = drawing_.wholeSeconds(),
                         .stateRevision = revision_.of(state_, drawing_.idle()),
+                        .imageRevision = imageRevision_.of(state_.document),
                         .messages = messages_.count(),
                         .idle = drawing_.idle()});
     server_.setStatus(status_);

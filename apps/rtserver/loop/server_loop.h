@@ -7,6 +7,7 @@
 #include "rtserver/frames/frame_drawing.h"
 #include "rtserver/frames/kept_light.h"
 #include "rtserver/frames/scene_upkeep.h"
+#include "rtserver/loop/image_revision.h"
 #include "rtserver/loop/state_revision.h"
 #include "rtserver/messages.h"
 #include "rtserver/server_options.h"
@@ -71,13 +72,14 @@ class ServerLoop : private Host, private Replies {
     void publish(const ipc::FrameInfo& info, const rtcore::LdrImage& image);
     void record();
     void publishStatus();
-    void tellWholeSeconds();
+    void tellDuringFrame(std::uint64_t stateRevision);
     void sleep();
 
     const Options& options_;
     std::function<void()> onReady_; ///< called once
     ipc::Status status_;            ///< that was told last
     StateRevision revision_;
+    ImageRevision imageRevision_;
     ipc::Server server_;
     Messages messages_;
     Workspace state_;

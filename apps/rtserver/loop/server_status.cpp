@@ -11,6 +11,7 @@ ipc::Status statusOf(const Workspace& state, const FrameMaker& frames, const Act
     status.recording = state.walk.recording() ? 1 : 0;
     status.messages = activity.messages;
     status.stateRevision = activity.stateRevision;
+    status.imageRevision = activity.imageRevision;
     status.framesPerSecond = activity.framesPerSecond;
     status.wholeSeconds = activity.wholeSeconds;
     if (!state.document.ready()) return status;

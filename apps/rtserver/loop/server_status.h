@@ -16,6 +16,7 @@ struct Activity {
     double framesPerSecond = 0;
     double wholeSeconds = 0;         ///< see FrameDrawing::wholeSeconds()
     std::uint64_t stateRevision = 0; ///< see StateRevision
+    std::uint64_t imageRevision = 0; ///< see ImageRevision
     std::uint32_t messages = 0;      ///< so far
     bool idle = false;               ///< see FrameDrawing::idle()
 };

@@ -6,7 +6,7 @@
 
 namespace ipc {
 
-inline constexpr std::uint32_t kProtocolVersion = 9;
+inline constexpr std::uint32_t kProtocolVersion = 10;
 
 inline constexpr int kMaxClients = 32;                    ///< clients that command, per server
 inline constexpr int kMaxKeys = 256;                      ///< key codes are 0..255

@@ -30,8 +30,9 @@ struct Status {
     double wholeSeconds = 0; ///< what a frame of all pixels and samples takes, so far where it is under way
     double origin[3] = {0, 0, 0};    ///< what to add to the camera's position for that in the model's file
     std::uint64_t stateRevision = 0; ///< grows when what a client could ask for is another; 0: nothing yet
+    std::uint64_t imageRevision = 0; ///< grows when the image of a view of this size is another
     friend bool operator==(const Status&, const Status&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 160 && alignof(Status) == 8);
+static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 168 && alignof(Status) == 8);
 
 } // namespace ipc

@@ -129,9 +129,8 @@ std::string noteAuthor(std::string_view typed) {
 std::string shortened(const std::string& text, std::size_t max) {
     constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
     if (text.size() <= max) return text;
-    std::size_t end = max > kEllipsis.size() ? max - kEllipsis.size() : 0;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end; // within a character
-    return text.substr(0, end).append(kEllipsis);
+    const std::size_t room = max > kEllipsis.size() ? max - kEllipsis.size() : 0;
+    return std::string(utf8Beginning(text, room)).append(kEllipsis);
 }
 
 } // namespace rtcore

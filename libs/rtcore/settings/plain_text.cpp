@@ -20,12 +20,6 @@ unsigned codePointOf(std::string_view character) {
     return bits(0, 0x0F) << 12U | bits(1, 0x3F) << 6U | bits(2, 0x3F);
 }
 
-/// Where the text may be cut without cutting a UTF-8 sequence.
-std::size_t cutBefore(std::string_view text, std::size_t length) {
-    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
-    return length;
-}
-
 /// Takes the next character off `text`, or one byte where none is well-formed: then `isText` is false, as
 /// with a control.
 std::string_view takeCharacter(std::string_view& text, bool& isText) {
@@ -50,7 +44,7 @@ std::optional<unsigned> controlCode(std::string_view character) {
 std::string printable(std::string_view text, std::size_t limit) {
     constexpr std::string_view digits = "0123456789abcdef";
     const bool shortened = text.size() > limit;
-    if (shortened) text = text.substr(0, cutBefore(text, limit));
+    if (shortened) text = utf8Beginning(text, limit);
     std::string result;
     while (!text.empty()) {
         bool isText = false;

@@ -152,6 +152,7 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::Redo, command::redo(3)},
         {CommandId::Also, command::also(command::set("maxDepth", "3"))},
         {CommandId::By, command::by(7, command::also(command::set("maxDepth", "3")))},
+        {CommandId::Visitor, command::visitor("note add 0 0 0 dark Ada")},
         {CommandId::CameraAngle, command::cameraAngle(62.5)},
         {CommandId::CameraZoom, command::cameraZoom(1.05)},
         {CommandId::CameraPaste, command::cameraPaste("version = 1\neye = [0, 0, 0]")},

@@ -19,6 +19,7 @@ app::StateReport sampleReport() {
                            .undoEdit = {4, 7},
                            .redoEdit = {6, 0},
                            .bookmarks = {"door", "by the \"altar\""},
+                           .bookmarkViews = {"00ff", "1234"},
                            .flights = {"a\"b"},
                            .modified = true,
                            .edits = 3};

@@ -5,6 +5,8 @@
 #include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
 
+#include "rtcore/scene/scene_note.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -53,7 +55,7 @@ std::set<std::string_view> commandsFor(app::BrowserUse use) {
 TEST(BrowserUse, IsPermittedToTheseAlone) {
     using Names = std::set<std::string_view>;
     EXPECT_EQ(commandsFor(app::BrowserUse::Own),
-              (Names{"also", "bindings", "by", "camera turn", "messages", "state"}));
+              (Names{"also", "bindings", "by", "camera turn", "messages", "state", "visitor"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Look),
               (Names{"flight list", "material get", "materials", "measure angle", "measure distance",
                      "measure face", "measure hidden", "measure list", "measure point", "measure seen",
@@ -348,8 +350,12 @@ TEST(Requests, HoldTheTextsOfNotesAsOneWord) {
     EXPECT_EQ(lineOf(request("note text", {1, "\u001B[1m\u202Eb", ""})), "note text 1 [1mb \"\"");
     EXPECT_EQ(lineOf(request("note add", {0, 0, 0, "<b>=1</b>"})), "note add 0 0 0 <b>=1</b>");
     for (const json& text : {json(""), json(" \n"), json("\a"), json(7), json(true), json::array({"a"}),
-                             json(), json(std::string(3001, 'x'))})
+                             json(), json(std::string(rtcore::kMaxNoteText + 1, 'x'))})
         EXPECT_REFUSED(request("note add", {0, 0, 0, text})) << text;
+    std::string longest;
+    for (std::size_t i = 0; i < rtcore::kMaxNoteText; ++i) longest += "\u20AC";
+    EXPECT_EQ(lineOf(request("note add", {0, 0, 0, longest})), "note add 0 0 0 " + longest);
+    EXPECT_LT(request("note add", {0, 0, 0, longest}).dump().size(), bridge::kMaxPageMessage);
     EXPECT_REFUSED(request("note add", {0, 0, 0, "a", std::string(65, 'x')}));
     EXPECT_REFUSED(request("note add", {0, 0, 0, "a", 7}));
     EXPECT_REFUSED(request("note add", {0, 0, 0, "a", "b", "c"}));

@@ -31,7 +31,8 @@ class RestingViews : public testing::Test {
         status.eye[0] = eye;
         status.parallelWidth = parallelWidth;
         status.idle = idle ? 1 : 0;
-        status.stateRevision = revision;
+        status.imageRevision = revision;
+        status.stateRevision = ++states_;
         server().events.status(status);
     }
     void pass(double seconds) {
@@ -65,6 +66,7 @@ class RestingViews : public testing::Test {
 
   private:
     std::size_t answered_ = 0;
+    std::uint64_t states_ = 0;
 };
 
 TEST_F(RestingViews, NeedNoLightThatTheServerLearnsForThemAlone) {
@@ -100,6 +102,15 @@ TEST_F(RestingViews, AreNotRenderedWhileAnythingMovesOrNobodyLooks) {
     status(1);
     pass(1);
     EXPECT_TRUE(server().requests.empty());
+}
+
+TEST_F(RestingViews, StayWhateverIsKeptWithTheScene) {
+    begin();
+    const std::uint64_t before = run();
+    status(1); // there is another note
+    EXPECT_EQ(run(), before);
+    pass(1);
+    EXPECT_EQ(asked().size(), 1U);
 }
 
 TEST_F(RestingViews, AreOutOfDateOnceSomethingMovesOrIsEdited) {

@@ -107,7 +107,7 @@ TEST_F(RequestsOfARoom, AreNotesOfTheDriverAloneUnlessOthersMay) {
     EXPECT_EQ(refusal(kAnna, command("note add", {0, 0, 0, "dark"})), "taken");
     limits.visitorNotes = true;
     EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken");
-    EXPECT_EQ(lines(), (Lines{"by 1 note add 0 0 0 dark", "by 2 note add 0 0 0 dark Ben"}));
+    EXPECT_EQ(lines(), (Lines{"by 1 note add 0 0 0 dark", "visitor note add 0 0 0 dark Ben"}));
     answer(1, "2");
     EXPECT_EQ(refreshes, 1) << "the state has another note";
     EXPECT_EQ(refusal(kBen, command("note remove", {1}), false),
@@ -149,8 +149,59 @@ TEST_F(RequestsOfARoom, AreNoNotesOfVisitorsWhereTheSceneHasVeryMany) {
     app::StateReport state = app::parseStateReport(test::stateReport());
     state.noteCount = bridge::kMaxVisitorNotes;
     server.facts.read(app::formatStateReport(state, 65000));
+    requests.stateRead();
     EXPECT_NE(refusal(kBen, noteBy("Ben"), false).find("the most that visitors may have"), std::string::npos);
     EXPECT_EQ(refusal(kAnna, noteBy("Anna")), "taken");
+}
+
+TEST_F(RequestsOfARoom, AreNoMoreNotesOfVisitorsThanTheSceneMayHaveInABurst) {
+    limits.visitorNotes = true;
+    app::StateReport state = app::parseStateReport(test::stateReport());
+    state.noteCount = bridge::kMaxVisitorNotes - 3;
+    server.facts.read(app::formatStateReport(state, 65000));
+    requests.stateRead();
+    requests.join(3);
+    EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken");
+    EXPECT_EQ(refusal(3, noteBy("Cleo"), false), "taken");
+    answer(0, std::to_string(bridge::kMaxVisitorNotes - 2));
+    EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken") << "two are under way or there";
+    EXPECT_NE(refusal(kBen, noteBy("Ben"), false), "taken") << "the state is still that from before";
+    answer(1, std::to_string(bridge::kMaxVisitorNotes - 1));
+    answer(2, "", ipc::ReplyStatus::Failed);
+    EXPECT_EQ(refusal(3, noteBy("Cleo"), false), "taken") << "one was refused by the server";
+}
+
+TEST_F(RequestsOfARoom, AreNotesThatCountOnlyWhereTheyAreKept) {
+    limits.visitorNotes = true;
+    for (int i = 0; i < 9; ++i) {
+        EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken") << i;
+        answer(asked.size() - 1, "", ipc::ReplyStatus::Failed);
+    }
+    for (SessionId id = 10; id < 14; ++id) { // all that visitors may add at once
+        requests.join(id);
+        for (int i = 0; i < 3; ++i)
+            if (refusal(id, noteBy("Cleo"), false) == "taken") answer(asked.size() - 1, "1");
+    }
+    for (int i = 0; i < 9; ++i)
+        EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "too many notes; wait a minute");
+    clock.pass(15); // three more of all; those of a page are one in 20 s
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(refusal(kBen, noteBy("Ben"), false), "taken") << "its own are all there";
+        answer(asked.size() - 1, "1");
+    }
+}
+
+TEST_F(RequestsOfARoom, AreNotesOfVisitorsThatAreNoStep) {
+    limits.visitorNotes = true;
+    tellState({5, kAnna}, {6, kAnna});
+    json note = noteBy("Ben");
+    note["also"] = true;
+    ask(kBen, note, false);
+    EXPECT_EQ(lines(), Lines{"visitor note add 0 0 0 dark Ben"});
+    EXPECT_TRUE(requests.mayUndo(kAnna)) << "also while it is under way";
+    EXPECT_TRUE(requests.mayRedo(kAnna));
+    answer(0, "1");
+    EXPECT_EQ(refusal(kAnna, command("undo")), "taken");
 }
 
 TEST_F(RequestsOfARoom, AreFourWithoutAnAnswerAtMost) {

@@ -169,6 +169,9 @@ TEST(Morphs, ChannelsOfColladaThatNameNoTransformMoveNothing) {
         std::string text = test::morphDae("0.5 0", "NORMALIZED", test::growingDae(target, "0.25 1"));
         const ImportedModel model = importAt("m.dae", text, "first");
         EXPECT_TRUE(has(model, {1, 2, 0.5F})) << target << listOf(model);
+        const std::string head = "<channel ";
+        text.insert(text.find(head) + head.size(), "name=\"a > b\" id='\">' ");
+        EXPECT_TRUE(has(importAt("m.dae", text, "first"), {1, 2, 0.5F})) << target;
     }
 }
 

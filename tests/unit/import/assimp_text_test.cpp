@@ -87,7 +87,8 @@ std::string daeOf(const std::string& colour) {
 
 TEST(ColladaText, ColoursMayStandBehindBlanks) {
     for (const char* const colour : {"<color>0.25 0.5 0.75 1</color>", "<color>  0.25 0.5 0.75 1 </color>",
-                                     "<color sid=\"diffuse\">\n\t0.25\n0.5 0.75 1\n</color>"}) {
+                                     "<color sid=\"diffuse\">\n\t0.25\n0.5 0.75 1\n</color>",
+                                     "<color sid='a > b'>  0.25 0.5 0.75 1</color>"}) {
         const FileImport import = assimpImport("m.dae", daeOf(colour));
         ASSERT_EQ(import.model.materials.size(), 1U) << colour;
         EXPECT_TRUE(test::near(import.model.materials[0].diffuse, {0.25F, 0.5F, 0.75F})) << colour;

@@ -1,6 +1,8 @@
 /// The effects of commands on the state, and their requests to the host, one after the other.
 #include "command_room.h"
 
+#include "common/commands/command_lookup.h"
+
 #include "rtcore/io/text/scn.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/scene/focal_length.h"
@@ -406,11 +408,19 @@ TEST_F(Commands, RecordAndPlay) {
 
 TEST_F(Commands, SayWhatTheyDoToALongFrame) {
     using app::CommandEffect;
+    using app::effectOf;
     EXPECT_EQ(effectOf("lights"), CommandEffect::Tells);
     EXPECT_EQ(effectOf("light 1 off"), CommandEffect::Changes);
     EXPECT_EQ(effectOf("screenshot /a.png"), CommandEffect::Waits);
     EXPECT_EQ(effectOf("pause"), CommandEffect::Steers);
     EXPECT_EQ(effectOf("nonsense"), CommandEffect::Tells) << "what is wrong with it";
+    for (const char* const line :
+         {"note add 0 0 0 a", "note remove 1", "measure keep seen 0 0 1 1", "bookmark rename a b",
+          "by 7 also note text 1 b", "also measure name 1 a", "visitor note at 0.5 0.5 a Ada"})
+        EXPECT_EQ(effectOf(line), CommandEffect::Keeps) << line;
+    EXPECT_EQ(effectOf("by 7 also light 1 off"), CommandEffect::Changes);
+    EXPECT_EQ(effectOf("by"), CommandEffect::Tells);
+    EXPECT_EQ(effectOf("note go 1"), CommandEffect::Changes);
 }
 
 } // namespace

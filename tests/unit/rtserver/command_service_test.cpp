@@ -63,6 +63,34 @@ TEST_F(CommandServiceTest, RefusesWithTheExitCode) {
         << "since its client wants no answer";
 }
 
+TEST_F(CommandServiceTest, WhatIsInNoImageIsKeptDuringAFrame) {
+    for (const char* const line :
+         {"note add 0 0 0 dark Ada", "by 7 note text 1 darker", "visitor note add 0 0 0 b Ben",
+          "measure keep distance 0 0 0 1 0 0", "also measure name 1 a", "note remove 1", "measure remove all",
+          "bookmark rename door gate"}) {
+        const std::uint64_t before = document.history().state();
+        EXPECT_FALSE(during(line).change) << line;
+        EXPECT_EQ(told.take().size(), 1U) << line;
+        EXPECT_NE(document.history().state(), before) << line;
+    }
+    EXPECT_FALSE(changes().any());
+    EXPECT_TRUE(during("note go 1").change);
+    EXPECT_FALSE(during("note add 0 0 0 behind").change) << "that is to come first";
+    EXPECT_TRUE(told.take().empty());
+    serve({});
+    EXPECT_EQ(told.take().size(), 2U);
+}
+
+TEST_F(CommandServiceTest, OutlinesForManyTakeOneThread) {
+    for (int i = 0; i < 100; ++i) during("plan outline");
+    for (int i = 0; i < 2000 && told.lines.size() < 100; ++i) {
+        service.finishSideWork();
+        std::this_thread::sleep_for(1ms);
+    }
+    ASSERT_EQ(told.lines.size(), 100U);
+    for (const std::string& line : told.lines) EXPECT_EQ(line.rfind("plan outline: storey 0", 0), 0U) << line;
+}
+
 // Neither does the frame end for it, nor does it wait for the frame.
 TEST_F(CommandServiceTest, WhatIsFoundOutApartIsToldDuringAFrame) {
     EXPECT_FALSE(during("plan outline").change);

@@ -59,6 +59,7 @@ const std::vector<Case> kCases = {
     {"state", {}, "scene = \"/rooms/room.scn\""},
     {"also set antialiasing 2", {Change::Setting}},
     {"by 7 also set antialiasing 3", {Change::Setting}},
+    {"visitor note add 0 1 -2 dark Ada", {}, "1"},
     {"camera get", {}, "eye = [0.0, 1.8, 3.0]"},
     {"camera set 1 2 3 0 0 -1", {Change::View}},
     {"camera set 0 1.8 3 0 0 -1"},

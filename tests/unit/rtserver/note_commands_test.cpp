@@ -72,6 +72,70 @@ TEST_F(NoteCommands, AreStepsOfUndo) {
     EXPECT_EQ(note(1).text, "one");
 }
 
+TEST_F(NoteCommands, OfVisitorsAreNoStepsAndStayWhateverIsTakenBack) {
+    answer("note add 0 0 0 one");
+    answer("light 1 off");
+    answer("note text 1 another");
+    answer("undo");
+    const int last = document.history().last()->number, next = document.history().next()->number;
+    const std::uint64_t made = document.history().state();
+    EXPECT_EQ(answer("visitor note add 1 0 0 dark Ben"), "2");
+    EXPECT_EQ(answer("visitor note at 0.5 0.9 floor Cleo"), "3");
+    ASSERT_NE(document.history().next(), nullptr) << "redo stays";
+    EXPECT_EQ(document.history().last()->number, last);
+    EXPECT_EQ(document.history().next()->number, next);
+    EXPECT_NE(document.history().state(), made) << "there is something to save";
+    answer("redo");
+    EXPECT_EQ(answer("note list"), "1 0 0 0 another\n2 1 0 0 Ben: dark\n" + answer("note list 3"));
+    answer("undo");
+    answer("undo");
+    answer("undo");
+    EXPECT_EQ(document.history().last(), nullptr);
+    ASSERT_EQ(document.notes().size(), 2U);
+    EXPECT_EQ(note(1).author, "Ben");
+    EXPECT_EQ(note(2).author, "Cleo");
+    EXPECT_TRUE(document.modified());
+    answer("redo");
+    answer("note remove 2");
+    EXPECT_EQ(document.notes().size(), 2U);
+    answer("undo");
+    EXPECT_EQ(note(2).author, "Ben") << "to remove it is a step";
+}
+
+TEST_F(NoteCommands, OfVisitorsLeaveStatesThatWereSavedAlone) {
+    answer("note add 0 0 0 one");
+    answer("save as DIR/n.scn");
+    answer("camera set 1 2 3 0 0 -1");
+    EXPECT_FALSE(document.modified());
+    answer("visitor note add 0 0 0 dark Ben");
+    EXPECT_TRUE(document.modified());
+    answer("undo");
+    EXPECT_TRUE(document.modified()) << "the file has no such note";
+    answer("save as DIR/n.scn");
+    answer("redo");
+    EXPECT_FALSE(document.modified()) << "it placed the camera alone";
+}
+
+TEST_F(NoteCommands, OfVisitorsAreForAddingAlone) {
+    answer("note add 0 0 0 one");
+    for (const char* const line :
+         {"visitor note remove 1", "visitor note text 1 a", "visitor light 1 off", "visitor",
+          "visitor also note add 0 0 0 a", "by 1 visitor note add 0 0 0 a"})
+        EXPECT_EQ(refusal(line).code, 2) << line;
+    EXPECT_EQ(note(1).text, "one");
+}
+
+TEST_F(NoteCommands, OfVisitorsAreNoMoreThanAnyStepHasRoomFor) {
+    const rtcore::SceneNotes many(rtcore::kMaxNotes,
+                                  rtcore::SceneNote{.point = {0, 0, 0}, .text = "a", .view = {}});
+    document.setNotes(many);
+    answer("note remove all");
+    EXPECT_EQ(refusal("visitor note add 0 0 0 b Ben").code, 1) << "undo would bring back a thousand";
+    EXPECT_TRUE(document.notes().empty());
+    answer("undo");
+    EXPECT_EQ(document.notes().size(), rtcore::kMaxNotes);
+}
+
 TEST_F(NoteCommands, AreSavedAndSurviveOtherEdits) {
     answer("camera set 0 1 3 0 0 -1 60");
     answer("note add 0 0.5 -2 \"a \\\"b\\\"\n\\\\c\" Ada");

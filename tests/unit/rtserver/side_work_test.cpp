@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -37,6 +38,52 @@ TEST(SideWork, GivesWhatTheWorkGaveOrThrew) {
     EXPECT_EQ(done[0].finish().text, "12 frames");
     EXPECT_THROW(done[1].finish(), std::runtime_error);
     EXPECT_FALSE(work.underWay());
+    while (rtserver::tasksAtWork() > 0) std::this_thread::yield();
+}
+
+TEST(SideWork, AnswersAllThatShareAName) {
+    SideWork work;
+    const auto go = std::make_shared<std::atomic<bool>>(false);
+    const auto counted = std::make_shared<std::atomic<int>>(0);
+    const auto found = [go, counted]() -> Finish {
+        go->wait(false);
+        return [n = ++*counted] { return std::to_string(n); };
+    };
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    for (std::uint64_t i = 1; i <= 100; ++i) work.start(command(i), found, stop, "storey 1");
+    for (std::uint64_t i = 1; i < SideWork::kMaxShared; ++i)
+        work.start(command(200 + i), found, {}, std::to_string(i));
+    EXPECT_THROW(work.start(command(300), found, {}, "another"), rtcore::FileError);
+    work.start(command(400), found);
+    work.start(command(101), found, stop, "storey 1");
+    work.stopWhere([](const ipc::Command& each) { return each.sequence <= 100; });
+    EXPECT_FALSE(stop->load()) << "one still wants it";
+    *go = true;
+    go->notify_all();
+    work.waitFor(10s);
+    const std::vector<SideWork::Done> done = work.takeDone();
+    ASSERT_EQ(done.size(), 101U + SideWork::kMaxShared);
+    for (const SideWork::Done& each : done) EXPECT_EQ(each.finish().text, each.finish().text);
+    EXPECT_EQ(counted->load(), 1 + static_cast<int>(SideWork::kMaxShared));
+    while (rtserver::tasksAtWork() > 0) std::this_thread::yield();
+}
+
+TEST(SideWork, GivenUpAnswersNoCommandThatComesLater) {
+    SideWork work;
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    const auto waits = [stop]() -> Finish {
+        stop->wait(false);
+        return [] { return std::string("given up"); };
+    };
+    work.start(command(1), waits, stop, "storey 1");
+    work.stopWhere([](const ipc::Command&) { return true; });
+    stop->notify_all();
+    work.start(
+        command(2), [] { return Finish([] { return std::string("found"); }); }, {}, "storey 1");
+    work.waitFor(10s);
+    const std::vector<SideWork::Done> done = work.takeDone();
+    ASSERT_EQ(done.size(), 2U);
+    EXPECT_EQ(done[1].finish().text, "found");
     while (rtserver::tasksAtWork() > 0) std::this_thread::yield();
 }
 

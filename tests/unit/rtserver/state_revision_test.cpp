@@ -1,6 +1,7 @@
 #include "command_room.h"
 
 #include "rtserver/commands/state_report_of.h"
+#include "rtserver/loop/image_revision.h"
 #include "rtserver/loop/state_revision.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,26 @@ TEST_F(Revised, LeavesAMovingCameraToTheStatus) {
     run("camera turn 10 0");
     EXPECT_EQ(revision.of(state, false), first);
     EXPECT_GT(revision.of(state, true), first) << "once it rests";
+}
+
+TEST_F(Revised, CountsImagesByWhatTheyShow) {
+    ImageRevision revision;
+    std::uint64_t last = revision.of(document);
+    EXPECT_GT(last, 0U);
+    for (const char* const line :
+         {"note add 0 0 0 a", "note text 1 b", "note remove 1", "undo", "measure keep distance 0 0 0 1 0 0",
+          "measure unit mm", "bookmark add here", "bookmark rename here there", "light name 1 bulb",
+          "camera turn 10 0", "resolution 64 48", "set maxDepth 5", "pause", "resume", "bind k jump"}) {
+        answer(line);
+        EXPECT_EQ(revision.of(document), last) << line;
+    }
+    for (const char* const line : {"set maxDepth 3", "light 1 off", "undo", "redo", "environment 2",
+                                   "material set 1 diffuse 1 0 0", "part hide box", "up -y", "units cm",
+                                   "section add 0 0.5 0 0 1 0", "section hatching on", "sky on"}) {
+        answer(line);
+        EXPECT_GT(revision.of(document), last) << line;
+        last = revision.of(document);
+    }
 }
 
 } // namespace

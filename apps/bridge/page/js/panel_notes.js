@@ -4,7 +4,7 @@ import { plainNote } from "./notes.js";
 import { preference, setPreference } from "./storage.js";
 import { t } from "./texts.js";
 
-const MAX_TEXT = 1000, MAX_NAME = 40, SHOWN = 80; // letters: more do not fit into a message
+const MAX_NAME = 40, SHOWN = 80; // letters
 
 export function notesPanel(app) {
     let list, form, words, name, last = "";
@@ -36,7 +36,7 @@ export function notesPanel(app) {
         fill(place) {
             last = "";
             list = make("ul", { className: "list", id: "noted" });
-            words = make("textarea", { name: "note", maxLength: MAX_TEXT, rows: 3, placeholder: t("noteText"),
+            words = make("textarea", { name: "note", rows: 3, placeholder: t("noteText"),
                 "aria-label": t("noteText") });
             name = make("input", { type: "text", name: "author", maxLength: MAX_NAME, placeholder: t("yourName"),
                 "aria-label": t("yourName"), value: preference("name", "") });
@@ -46,6 +46,7 @@ export function notesPanel(app) {
         },
         show() {
             form.hidden = !app.notes.mayWrite();
+            if (app.welcome) words.maxLength = app.welcome.limits.note;
             const { all } = app.notes, rest = (app.state.notes?.count ?? 0) - all.length;
             const now = JSON.stringify([app.state.notes, app.mayEdit()]);
             if (now === last) return;

@@ -27,6 +27,7 @@
 #include "rtcore/platform/paths.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/scene/up_axis.h"
+#include "rtcore/settings/utf8.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/commonMetaData.h>
@@ -307,9 +308,7 @@ void refuseMisnamedFor(const std::filesystem::path& path, const Assimp::Importer
 std::string beginningOf(const std::string& reason) {
     constexpr std::size_t kMax = 300;
     if (reason.size() <= kMax) return reason;
-    std::size_t end = kMax;
-    while (end > 0 && (static_cast<unsigned char>(reason[end]) & 0xC0U) == 0x80U) --end;
-    return reason.substr(0, end) + " ...";
+    return std::string(utf8Beginning(reason, kMax)) + " ...";
 }
 
 /// In place of the file's, where Assimp would not understand that.

@@ -1,6 +1,7 @@
 #include "rtcore/io/import/assimp/collada_text.h"
 
 #include "rtcore/io/import/assimp/xml_text.h"
+#include "rtcore/io/import/assimp/xml_tree.h"
 #include "rtcore/platform/files.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::optional<std::string> withoutLeadingBlanks(View text) {
     std::size_t from = 0;
     for (std::size_t at = text.find('<'); at != View::npos; at = text.find('<', at + 1)) {
         if (!isTrimmed(text.substr(at, 16))) continue;
-        const std::size_t close = text.find('>', at);
+        const std::size_t close = xml::endOfHead(text, at);
         if (close == View::npos) break;
         const std::size_t number = std::min(text.find_first_not_of(kSpaces, close + 1), text.size());
         if (number == close + 1) continue;

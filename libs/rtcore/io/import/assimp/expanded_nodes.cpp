@@ -1,6 +1,7 @@
 #include "rtcore/io/import/assimp/expanded_nodes.h"
 
 #include "rtcore/io/import/assimp/xml_text.h"
+#include "rtcore/io/import/assimp/xml_tree.h"
 #include "rtcore/io/import/gltf/json_members.h"
 #include "rtcore/io/import/mesh/geometry_finish.h"
 #include "rtcore/io/import/mesh/instance_graph.h"
@@ -60,7 +61,8 @@ class ColladaNodes {
 
     std::optional<ExpandedCount> count() {
         for (std::size_t at = text_.find('<'); at != NodeText::npos; at = text_.find('<', at + 1)) {
-            const std::size_t end = std::min(text_.find('>', at), text_.size());
+            if (!isRead(text_.substr(at, kLongestName))) continue;
+            const std::size_t end = std::min(xml::endOfHead(text_, at), text_.size());
             read(text_.substr(at, end - at));
         }
         return nodes_.graph.count(roots_);
@@ -70,6 +72,13 @@ class ColladaNodes {
     static bool begins(NodeText head, NodeText name) {
         return head.starts_with(name) &&
                (head.size() == name.size() || NodeText(" \t\r\n/").find(head[name.size()]) != NodeText::npos);
+    }
+
+    static constexpr std::size_t kLongestName = 16; ///< "</visual_scene>"
+    static bool isRead(NodeText text) {
+        const NodeText name = text.substr(std::min<std::size_t>(text.starts_with("</") ? 2 : 1, text.size()));
+        return name.starts_with("node") || name.starts_with("instance_node") ||
+               name.starts_with("visual_scene");
     }
 
     void read(NodeText head) {

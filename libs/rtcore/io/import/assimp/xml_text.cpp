@@ -17,7 +17,7 @@ std::optional<Element> takeElement(View& text, const std::string& name) {
     for (std::size_t at = text.find(begin); at != View::npos; at = text.find(begin, at + 1)) {
         const std::size_t behind = at + begin.size();
         if (behind >= text.size() || View(" \t\r\n/>").find(text[behind]) == View::npos) continue;
-        const std::size_t close = text.find('>', behind);
+        const std::size_t close = endOfHead(text, at);
         if (close == View::npos) break;
         Element element{text.substr(at, close - at), {}};
         std::size_t last = close + 1;

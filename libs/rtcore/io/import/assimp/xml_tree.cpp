@@ -15,25 +15,6 @@ constexpr View kBlanks = " \t\r\n";
 constexpr std::array<std::pair<View, View>, 3> kPassedOver{
     {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
 
-/// The end of a head or of a document type, whose `>` do not count in quotes or brackets.
-std::size_t endOfHead(View text, std::size_t at) {
-    char quote = 0;
-    int brackets = 0;
-    for (; at < text.size(); ++at) {
-        const char c = text[at];
-        if (quote != 0) {
-            if (c == quote) quote = 0;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-        } else if (c == '[' || c == ']') {
-            brackets += c == '[' ? 1 : -1;
-        } else if (c == '>' && brackets <= 0) {
-            return at;
-        }
-    }
-    return View::npos;
-}
-
 class TreeReader {
   public:
     explicit TreeReader(View text) : text_(text) {}
@@ -97,6 +78,24 @@ class TreeReader {
 };
 
 } // namespace
+
+std::size_t endOfHead(View text, std::size_t at) {
+    char quote = 0;
+    int brackets = 0;
+    for (; at < text.size(); ++at) {
+        const char c = text[at];
+        if (quote != 0) {
+            if (c == quote) quote = 0;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '[' || c == ']') {
+            brackets += c == '[' ? 1 : -1;
+        } else if (c == '>' && brackets <= 0) {
+            return at;
+        }
+    }
+    return View::npos;
+}
 
 std::optional<Attribute> takeAttribute(View& attributes) {
     const std::size_t equals = attributes.find('=');

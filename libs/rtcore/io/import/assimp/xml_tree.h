@@ -1,6 +1,7 @@
 /// The elements of an XML document, without a reader of XML.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,10 @@
 namespace rtcore::xml {
 
 inline constexpr std::uint32_t kNoNode = 0xFFFFFFFFU;
+
+/// The `>` that ends the head of an element, or a document type, that begins at that `<`: none in quotes or
+/// in brackets. npos where it does not end.
+std::size_t endOfHead(std::string_view text, std::size_t begin);
 
 /// Views into the text that it was found in.
 struct Node {
