@@ -2681,7 +2681,7 @@
     </message>
     <message>
         <source>the flight has an even speed; 'flight timing NAME times' gives it times</source>
-        <translation>let má stálou rychlost; časy mu dá &apos;flight timing NAME times&apos;</translation>
+        <translation>let má stálou rychlost; časy mu dá 'flight timing NAME times'</translation>
     </message>
     <message>
         <source>the flight has no key frame</source>
@@ -2693,7 +2693,7 @@
     </message>
     <message>
         <source>the flight is too long for an answer; 'export scene' writes it</source>
-        <translation>let je na odpověď příliš dlouhý; zapíše ho &apos;export scene&apos;</translation>
+        <translation>let je na odpověď příliš dlouhý; zapíše ho 'export scene'</translation>
     </message>
     <message>
         <source>the folder cannot be made: {0}</source>
@@ -3017,11 +3017,11 @@
     </message>
     <message>
         <source>the scene has no bookmarks; 'bookmark add' keeps the view as one</source>
-        <translation>scéna nemá záložky; pohled jako záložku uchová &apos;bookmark add&apos;</translation>
+        <translation>scéna nemá záložky; pohled jako záložku uchová 'bookmark add'</translation>
     </message>
     <message>
         <source>the scene has no flight {0}; 'flight list' lists them</source>
-        <translation>scéna nemá let {0}; vypíše je &apos;flight list&apos;</translation>
+        <translation>scéna nemá let {0}; vypíše je 'flight list'</translation>
     </message>
     <message>
         <source>the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along</source>
