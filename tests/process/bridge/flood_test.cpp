@@ -197,7 +197,7 @@ TEST_F(Floods, OfPartsThatComeSlowlyEndTooButThoseOfAWholeMessageAreRight) {
     EXPECT_EQ(code, 4008);
     // As many parts, and more bytes, as the longest message can have.
     const auto good = join(kViewer);
-    const std::string request = R"({"id":7,"do":"parts","x":")" + std::string(4000, 'x') + "\"}";
+    const std::string request = R"({"id":7,"do":"parts","x":")" + std::string(8000, 'x') + "\"}";
     for (int round = 0; round < 10; ++round) {
         std::string cut;
         for (std::size_t i = 0; i < request.size(); ++i)

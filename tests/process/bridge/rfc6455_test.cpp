@@ -80,11 +80,11 @@ TEST_F(Rfc6455, WrongFramesAreClosedWithTheirCode) {
         {"unfinished UTF-8", webFrame(0x81, "\xE2\x82"), 1007},
         {"UTF-8 beyond", webFrame(0x81, "\xF4\x90\x80\x80"), 1007},
         {"bad UTF-8 in the second part", webFrame(0x01, "{") + webFrame(0x80, "\xFF"), 1007},
-        {"4097 bytes", webFrame(0x82, std::string(4097, 'x')), 1009},
+        {"8193 bytes", webFrame(0x82, std::string(8193, 'x')), 1009},
         {"a length of 2 GB", webFrame(0x82, "", true, 1ULL << 31), 1009},
         {"a length of 2^62", webFrame(0x82, "", true, 1ULL << 62), 1009},
-        {"parts of 4097 bytes", webFrame(0x02, std::string(4000, 'x')) + webFrame(0x80, std::string(97, 'x')),
-         1009},
+        {"parts of 8193 bytes",
+         webFrame(0x02, std::string(8000, 'x')) + webFrame(0x80, std::string(193, 'x')), 1009},
     };
     for (const auto& row : rows) {
         const auto client = join(kViewer);
