@@ -229,11 +229,29 @@ PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile
                                         .settingsFile = settingsFile_,
                                         .camera = file ? &*file : nullptr,
                                         .commandLine = options_.settings});
+    if (options_.panorama) makePanorama(*options_.panorama, shot);
     const rtcore::Sentence unused = unusedSettingsWarning(shot.settings, settingsFile_, options_.settings);
     if (!unused.empty() && !std::exchange(warnedOfUnused_, true))
         progress_.tell(rtcore::say("warning: {0}", unused));
     if (shot.settings.falseColours.on) useOneUnit(shot.settings);
     return shot;
+}
+
+/// Upright, with what the camera looks at in the middle.
+void PictureMaker::makePanorama(int width, Shot& shot) const {
+    const rtcore::Vec3 up = loaded_.scene.up;
+    rtcore::Camera& camera = shot.camera;
+    // Of a camera that looks straight up or down, the top or the bottom of its image is ahead.
+    const rtcore::Vec3 ahead = areParallel(camera.forward, up)
+                                   ? camera.up * (dot(camera.forward, up) > 0 ? -1.0F : 1.0F)
+                                   : camera.forward;
+    camera.forward = normalize(ahead - up * dot(ahead, up));
+    camera.up = up;
+    camera.kind = rtcore::CameraKind::Panorama;
+    camera.aspect = 0;
+    shot.settings.width = width;
+    shot.settings.height = width / 2;
+    shot.settings.depthOfField.on = false;
 }
 
 /// For false colours.
@@ -447,10 +465,11 @@ float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcor
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
     developer_.develop(radiance, settings, exposure, options_.threads, developed_);
-    caps_.paint(loaded_.scene, shot.camera, developed_);
+    const bool flat = shot.camera.kind != rtcore::CameraKind::Panorama;
+    if (flat) caps_.paint(loaded_.scene, shot.camera, developed_);
     if (developer_.falseColours() != nullptr)
         rtcore::paintLegend(*developer_.falseColours(), developed_.height, developed_);
-    tellOfOpenParts();
+    if (flat) tellOfOpenParts();
     return exposure;
 }
 
@@ -461,16 +480,17 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
     if (!net.empty()) texts.push_back({"denoising", net});
     if (const auto used = rtcore::netOf(settings); used && !net.empty())
         texts.push_back({"weights", std::string("SHA-256 ") + rtcore::fileOf(*used).sha256});
+    const rtcore::ImageNotes notes{.texts = texts, .panorama = options_.panorama.has_value()};
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (isStandardOutput(output)) {
-            app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat, texts)));
+            app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat, notes)));
         } else if (options_.aovs && rtcore::isExr(output)) {
             writeAovs(output, radiance, frame_, developer_.netErrors(), texts);
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance, texts);
         } else {
-            rtcore::writeImage(output, developed_, {.texts = texts});
+            rtcore::writeImage(output, developed_, notes);
         }
     }
 }

@@ -86,6 +86,7 @@ class PictureMaker {
 
     /// The shot of a .cam file, which switches lights on and off; "": that of the scene itself.
     Shot prepare(const std::filesystem::path& cameraFile);
+    void makePanorama(int width, Shot& shot) const;
     /// loaded_, for false colours, until the next prepare().
     void useOneUnit(const rtcore::RenderSettings& settings);
     void shareScale(const FrameTask& task, Shot& shot);

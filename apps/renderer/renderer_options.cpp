@@ -213,11 +213,23 @@ void checkFlight(const RendererOptions& options, const app::Arguments& arguments
     }
 }
 
+void checkPanorama(const RendererOptions& options, const app::Arguments& arguments) {
+    if (!options.panorama) return;
+    if (*options.panorama % 2 != 0)
+        throw app::UsageError("--panorama is twice as wide as high; give an even number of pixels");
+    for (const char* ofFlat : {"width", "height", "focus-at", "plan", "debug-scene", "stand-by"}) {
+        if (arguments.has(ofFlat))
+            throw app::UsageError("--panorama shows all directions and has a size of its own; leave out --" +
+                                  std::string(ofFlat));
+    }
+}
+
 void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
     }
     checkFlight(options, arguments);
+    checkPanorama(options, arguments);
     for (const char* ofFrames : {"frames", "chunk", "verify", "video"}) {
         if (!options.hasFrames() && arguments.has(ofFrames))
             throw app::UsageError("--" + std::string(ofFrames) + " needs --list, --flight or --turntable");
@@ -281,6 +293,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.model = readPath(arguments, "model");
     options.list = readPath(arguments, "list");
     options.flight = readFlight(arguments);
+    if (const auto width = arguments.integer("panorama")) options.panorama = static_cast<int>(*width);
     options.makeList = readPath(arguments, "make-list");
     options.settingsFile = readPath(arguments, "set");
     if (const auto range = arguments.text("frames")) options.frames = parseFrameRange(*range);

@@ -54,6 +54,7 @@ struct RendererOptions {
     bool standBy = false;                            ///< then those that standard input asks for
     std::optional<std::int64_t> parent;              ///< stop with this process; 0 = the parent
     bool requeue = false;                            ///< exit with TryAgain when SIGTERM stops the run
+    std::optional<int> panorama;                     ///< its width in pixels
     std::optional<rtcore::Vec2> focusAt;             ///< pixels of what a lens is focused at
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores

@@ -13,6 +13,7 @@
 #include "common/settings/setting_option.h"
 
 #include "rtcore/scene/flight.h"
+#include "rtcore/scene/image.h"
 
 #include <cstdint>
 #include <span>
@@ -31,36 +32,47 @@ std::vector<std::string> suggestNets(std::span<const std::string>) {
 }
 
 OptionGroup outputOptions() {
-    return {"Output",
-            {{.name = "output",
-              .letter = 'o',
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "write the image there; the extension says the format; .exr, .hdr and .pfm hold linear "
-                      "radiance, not tone mapped; '-' is standard output; may be given several times [the "
-                      "scene's output, else its name with .png in the current folder]",
-              .more = "The scene's output counts if it lies in the folder of the `.scn` or below"},
-             {.name = "format",
-              .value = ValueKind::Choice,
-              .argument = "NAME",
-              .help = "format of the image on standard output: png or ppm [png]",
-              .choices = {"png", "ppm"}},
-             {.name = "aovs",
-              .formerly = {"layers"},
-              .help = "outputs with the extension .exr also hold AOVs: depth, normal, albedo, direct light "
-                      "and ambient occlusion of the surfaces",
-              .more = "See [post.md](post.md#aovs)"},
-             {.name = "width",
-              .letter = 'w',
-              .value = ValueKind::Text,
-              .argument = "N",
-              .help = "pixels from left to right; alone it keeps the aspect",
-              .more = "That is the aspect of the `.cam`, the settings or the scene, else 4:3"},
-             {.name = "height",
-              .letter = 'h',
-              .value = ValueKind::Text,
-              .argument = "N",
-              .help = "pixels from top to bottom; alone it keeps the aspect"}}};
+    return {
+        "Output",
+        {{.name = "output",
+          .letter = 'o',
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "write the image there; the extension says the format; .exr, .hdr and .pfm hold linear "
+                  "radiance, not tone mapped; '-' is standard output; may be given several times [the "
+                  "scene's output, else its name with .png in the current folder]",
+          .more = "The scene's output counts if it lies in the folder of the `.scn` or below"},
+         {.name = "format",
+          .value = ValueKind::Choice,
+          .argument = "NAME",
+          .help = "format of the image on standard output: png or ppm [png]",
+          .choices = {"png", "ppm"}},
+         {.name = "aovs",
+          .formerly = {"layers"},
+          .help = "outputs with the extension .exr also hold AOVs: depth, normal, albedo, direct light "
+                  "and ambient occlusion of the surfaces",
+          .more = "See [post.md](post.md#aovs)"},
+         {.name = "width",
+          .letter = 'w',
+          .value = ValueKind::Text,
+          .argument = "N",
+          .help = "pixels from left to right; alone it keeps the aspect",
+          .more = "That is the aspect of the `.cam`, the settings or the scene, else 4:3"},
+         {.name = "height",
+          .letter = 'h',
+          .value = ValueKind::Text,
+          .argument = "N",
+          .help = "pixels from top to bottom; alone it keeps the aspect"},
+         {.name = "panorama",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "an image all around the eye, equirectangular, N x N/2 pixels; what the camera looks at is "
+                  "in its middle, and the horizon is level",
+          .more = "PNG and JPEG say so in XMP (GPano), by which phones and web pages show it round. 4096 is "
+                  "enough for a phone, 8192 for a screen. A panorama has no lens, and sections have no caps "
+                  "in it; `--aovs` hold distances from the eye in place of depths",
+          .minimum = 2,
+          .maximum = rtcore::kMaxImageSide}}};
 }
 
 OptionGroup sequenceOptions() {

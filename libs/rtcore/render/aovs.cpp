@@ -11,6 +11,7 @@ void Aovs::begin(const Camera& camera, int width, int height) {
     height_ = height;
     eye_ = camera.eye;
     axis_ = normalize(camera.forward);
+    panorama_ = camera.kind == CameraKind::Panorama;
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     pixels_.assign(count, {});
     sums_.assign(count, {});
@@ -24,7 +25,8 @@ void Aovs::add(std::span<const PrimaryHit> hits, std::span<const SampleId> sampl
         const PrimaryHit& hit = hits[i];
         if (!hit.any()) continue;
         AovPixel& pixel = pixels_[at];
-        pixel.depth = std::min(pixel.depth, dot(hit.position - eye_, axis_));
+        const Vec3 way = hit.position - eye_;
+        pixel.depth = std::min(pixel.depth, panorama_ ? length(way) : dot(way, axis_));
         pixel.normal += hit.normal;
         pixel.albedo += hit.albedo;
         pixel.direct += hit.direct;

@@ -15,7 +15,8 @@ inline constexpr float kBackgroundDepth = 1e10F;
 
 /// AOVs of a pixel: means over its samples, with zero for those that saw the background, but for the depth.
 struct AovPixel {
-    float depth = kBackgroundDepth; ///< of the nearest sample, scene units along the camera's axis
+    float depth = kBackgroundDepth; ///< of the nearest sample, scene units along the camera's axis;
+                                    ///< of a panorama along its ray
     Vec3 normal;                    ///< in the scene's axes; shorter than 1 where samples differ
     Colour albedo;                  ///< fraction of light that is scattered, mirrored or transmitted
     Colour direct;                  ///< radiance due to direct light
@@ -57,6 +58,7 @@ class Aovs {
 
     int width_ = 0, height_ = 0;
     Vec3 eye_, axis_;
+    bool panorama_ = false;
     std::vector<AovPixel> pixels_;
     std::vector<Sums> sums_;
 };

@@ -9,15 +9,15 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/math/float3-inl.h"
+#include "rtcore/render/panorama-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& block, float* dx, float* dy,
-                     float* dz) {
-    const Float3 corner = broadcast(plane.corner), right = broadcast(plane.right),
-                 down = broadcast(plane.down);
+/// `at`: the direction of a point of the image.
+template <typename At>
+HWY_INLINE void fillBlock(const CameraRays::Block& block, float* dx, float* dy, float* dz, At at) {
     const auto position = [&](int first, Uint offset, float from) {
         return from + (toFloat(first + toInt(offset)) + 0.5F) * block.step;
     };
@@ -27,8 +27,20 @@ void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& bl
         const Uint row = (shiftRight<2>(index) & 3U) | (shiftRight<3>(index) & 4U);
         const Float x = position(block.column, column, block.left);
         const Float y = position(block.row, row, block.top);
-        store(normalize(corner + right * x + down * y), dx + i, dy + i, dz + i);
+        store(at(x, y), dx + i, dy + i, dz + i);
     }
+}
+
+void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& block, float* dx, float* dy,
+                     float* dz) {
+    const Float3 corner = broadcast(plane.corner), right = broadcast(plane.right),
+                 down = broadcast(plane.down);
+    fillBlock(block, dx, dy, dz, [&](Float x, Float y) { return normalize(corner + right * x + down * y); });
+}
+
+void blockAround(const CameraRays::Around& around, const CameraRays::Block& block, float* dx, float* dy,
+                 float* dz) {
+    fillBlock(block, dx, dy, dz, [&](Float x, Float y) { return directionAround(around, x, y); });
 }
 
 } // namespace HWY_NAMESPACE
@@ -38,11 +50,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
+HWY_EXPORT(blockAround);
 HWY_EXPORT(blockDirections);
 
 namespace {
 
-constexpr float kRadiansPerDegree = 0.01745329252F;
+constexpr float kRadiansPerDegree = 0.01745329252F, kHalfTurn = 3.14159265359F;
 
 Vec3 rightOf(Vec3 forward, Vec3 up) {
     constexpr float kParallel = 1e-6F; // below it, the cross product is nothing but rounding
@@ -57,9 +70,17 @@ Vec3 rightOf(Vec3 forward, Vec3 up) {
 
 CameraRays::CameraRays(const Camera& camera, int width, int height)
     : eye_(camera.eye), forward_(normalize(camera.forward)),
-      parallel_(camera.kind == CameraKind::Orthographic), widened_(widening(camera, width, height)) {
+      parallel_(camera.kind == CameraKind::Orthographic), panorama_(camera.kind == CameraKind::Panorama),
+      widened_(widening(camera, width, height)) {
     const Vec3 right = rightOf(forward_, normalize(camera.up));
     const Vec3 down = cross(forward_, right);
+    if (panorama_) {
+        widened_ = 1;
+        around_ = {forward_, right, down, 2 * kHalfTurn / static_cast<float>(width),
+                   kHalfTurn / static_cast<float>(height)};
+        plane_ = {forward_, right * around_.column, down * around_.row};
+        return;
+    }
 
     const float half = camera.horizontalFov * 0.5F * kRadiansPerDegree;
     const float across = parallel_ ? camera.orthographicWidth : 2 * portableSin(half) / portableCos(half);
@@ -74,22 +95,34 @@ CameraRays CameraRays::coarser(int factor) const {
     CameraRays rays = *this;
     rays.plane_.right *= static_cast<float>(factor);
     rays.plane_.down *= static_cast<float>(factor);
+    rays.around_.column *= static_cast<float>(factor);
+    rays.around_.row *= static_cast<float>(factor);
     return rays;
 }
 
 Ray CameraRays::at(float x, float y) const {
     constexpr float kFar = std::numeric_limits<float>::max();
+    if (panorama_) {
+        float dx[kCameraBlockRays], dy[kCameraBlockRays], dz[kCameraBlockRays];
+        directions({x - 0.5F, y - 0.5F, 0, 0, 1}, dx, dy, dz);
+        return {eye_, 0, {dx[0], dy[0], dz[0]}, kFar};
+    }
     const Vec3 seen = plane_.corner + plane_.right * x + plane_.down * y;
     if (parallel_) return {eye_ + seen, 0, forward_, kFar};
     return {eye_, 0, normalize(seen), kFar};
 }
 
 void CameraRays::directions(const Block& block, float* dx, float* dy, float* dz) const {
-    HWY_DYNAMIC_DISPATCH(blockDirections)(plane_, block, dx, dy, dz);
+    if (panorama_) {
+        HWY_DYNAMIC_DISPATCH(blockAround)(around_, block, dx, dy, dz);
+    } else {
+        HWY_DYNAMIC_DISPATCH(blockDirections)(plane_, block, dx, dy, dz);
+    }
 }
 
 float fieldOfView(const Camera& camera, int width, int height) {
     if (camera.kind == CameraKind::Orthographic) return 0;
+    if (camera.kind == CameraKind::Panorama) return 360;
     const float widened = widening(camera, width, height);
     if (widened == 1) return camera.horizontalFov;
     const float half = camera.horizontalFov * 0.5F * kRadiansPerDegree;

@@ -1,4 +1,4 @@
-/// Rays of a camera with a flat image.
+/// Rays of a camera.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -28,6 +28,8 @@ class CameraRays {
 
     /// All are parallel, and start in a plane through the eye; else all start at the eye.
     bool parallel() const { return parallel_; }
+    /// They go to all sides, by around().
+    bool panorama() const { return panorama_; }
     /// The tangent of half the field of view is this many times that of the camera's own (scene/camera.h).
     float widened() const { return widened_; }
 
@@ -51,7 +53,7 @@ class CameraRays {
     };
     void directions(const Block& block, float* dx, float* dy, float* dz) const;
 
-    /// The image plane, from which directions are computed.
+    /// The image plane, from which directions are computed; of a panorama the size of a pixel in the middle.
     struct Plane {
         Vec3 corner;      ///< towards the upper left corner of the image at distance 1 (parallel: at the eye)
         Vec3 right, down; ///< one pixel, there
@@ -59,10 +61,18 @@ class CameraRays {
 
     const Plane& plane() const { return plane_; }
 
+    /// Of a panorama: the axes of its middle, and how far a pixel is turned, in radians.
+    struct Around {
+        Vec3 forward, right, down;
+        float column = 0, row = 0;
+    };
+    const Around& around() const { return around_; }
+
   private:
     Vec3 eye_, forward_;
     Plane plane_;
-    bool parallel_ = false;
+    Around around_;
+    bool parallel_ = false, panorama_ = false;
     float widened_ = 1;
 };
 
@@ -72,7 +82,8 @@ inline PixelSize pixelSizeOf(const CameraRays& camera) {
     return camera.parallel() ? PixelSize{size, 0} : PixelSize{0, size};
 }
 
-/// Degrees between the left and right edge of an image of this size; 0 for an orthographic camera.
+/// Degrees between the left and right edge of an image of this size; 0 for an orthographic camera, 360 for a
+/// panorama.
 float fieldOfView(const Camera& camera, int width, int height);
 
 } // namespace rtcore

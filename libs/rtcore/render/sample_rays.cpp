@@ -8,6 +8,7 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/math/float3-inl.h"
+#include "rtcore/render/panorama-inl.h"
 #include "rtcore/sampling/disc-inl.h"
 
 #ifndef RTCORE_RENDER_SAMPLE_BLOCK_
@@ -37,6 +38,15 @@ void aimParallel(const CameraRays& camera, SampleBlock& block) {
     }
 }
 
+void aimAround(const CameraRays& camera, SampleBlock& block) {
+    const Float3 eye = broadcast(camera.eye());
+    for (std::size_t i = 0; i < SampleBlock::kSize; i += lanes()) {
+        store(eye, block.ox + i, block.oy + i, block.oz + i);
+        store(directionAround(camera.around(), load(block.x + i), load(block.y + i)), block.dx + i,
+              block.dy + i, block.dz + i);
+    }
+}
+
 /// `round`: places on the lens are points of the unit square yet.
 void aimBlock(const CameraRays& camera, const Lens& lens, bool round, SampleBlock& block) {
     const Float3 corner = broadcast(camera.plane().corner), right = broadcast(camera.plane().right),
@@ -62,6 +72,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
+HWY_EXPORT(aimAround);
 HWY_EXPORT(aimBlock);
 HWY_EXPORT(aimParallel);
 
@@ -103,7 +114,7 @@ void aimSamples(const View& view, FocusFinder& focus, SampleView& samples) {
     rays = CameraRays(view.camera, view.settings.width, view.settings.height);
     samples.lens = {};
     const DepthOfFieldSettings& lens = view.settings.depthOfField;
-    if (!lens.on || rays.parallel()) return; // an orthographic view has no lens
+    if (!lens.on || rays.parallel() || rays.panorama()) return; // these have no lens
     // Focus on the middle of the whole image, whichever part of it is rendered.
     const float distance =
         lens.focus > 0 ? lens.focus : focus.distance(view.tracer, rays, width * 0.5F, height * 0.5F);
@@ -123,6 +134,8 @@ void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, R
         if (view.lens.open()) placeOnLens(view, samples.subspan(first, count), block);
         if (view.camera.parallel()) {
             HWY_DYNAMIC_DISPATCH(aimParallel)(view.camera, block);
+        } else if (view.camera.panorama()) {
+            HWY_DYNAMIC_DISPATCH(aimAround)(view.camera, block);
         } else {
             HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, view.aperture.round(), block);
         }

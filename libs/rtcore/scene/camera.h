@@ -1,4 +1,5 @@
-/// A camera with a flat (rectilinear) image. The record is written to .bsp files as it stands here.
+/// A camera: with a flat (rectilinear) image, or all around. The record is written to .bsp files as it stands
+/// here.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -10,8 +11,9 @@
 
 namespace rtcore {
 
-/// Perspective: all rays start at the eye. Orthographic: all are parallel to `forward`.
-enum class CameraKind : std::uint32_t { Perspective = 0, Orthographic = 1 };
+/// Perspective: all rays start at the eye. Orthographic: all are parallel to `forward`. Panorama: all around
+/// the eye, equirectangular, with `forward` in the middle and `up` upright; no file holds it.
+enum class CameraKind : std::uint32_t { Perspective = 0, Orthographic = 1, Panorama = 2 };
 
 struct Camera {
     Vec3 eye;                 ///< scene units

@@ -223,7 +223,7 @@ TEST(Formats, PngAndExrHoldTexts) {
     writeImage(folder / "a.png", image, {.texts = texts});
     EXPECT_EQ(textsOf("a.png"), expected);
     EXPECT_EQ(readLdrImage(folder / "a.png").pixels, image.pixels);
-    EXPECT_EQ(encodeImage(image, "png", texts), test::loadBytes(folder / "a.png"));
+    EXPECT_EQ(encodeImage(image, "png", {.texts = texts}), test::loadBytes(folder / "a.png"));
     writeImage(folder / "none.png", image);
     EXPECT_EQ(textsOf("none.png"), test::Texts());
     writeImage(folder / "a.jpg", image, {.texts = texts});
@@ -335,4 +335,23 @@ TEST(Threads, MayReadAndWriteAtOnce) {
 }
 
 } // namespace
+
+TEST(ImageNotes, OfAPanoramaAreXmpThatReadersPass) {
+    const LdrImage image = test::noiseImage(64, 32, false);
+    for (const char* const format : {"png", "jpg"}) {
+        const std::vector<std::byte> bytes = encodeImage(image, format, {.panorama = true});
+        const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        EXPECT_NE(text.find("GPano:ProjectionType=\"equirectangular\""), std::string::npos) << format;
+        EXPECT_NE(text.find("GPano:FullPanoWidthPixels=\"64\" GPano:FullPanoHeightPixels=\"32\""),
+                  std::string::npos)
+            << format;
+        EXPECT_EQ(decodeLdrImage(bytes, "memory").pixels,
+                  decodeLdrImage(encodeImage(image, format), "memory").pixels)
+            << format;
+    }
+    const std::vector<std::byte> flat = encodeImage(image, "png");
+    const std::string text(reinterpret_cast<const char*>(flat.data()), flat.size());
+    EXPECT_EQ(text.find("GPano"), std::string::npos);
+}
+
 } // namespace rtcore

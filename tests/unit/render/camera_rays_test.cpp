@@ -192,5 +192,35 @@ TEST(CameraRays, TheWidestFieldOfViewIsNotTurnedOver) {
     EXPECT_LE(rays.at(100, 50).direction.z, 0);
 }
 
+TEST(CameraRays, APanoramaSeesEachDirectionWhereItBelongs) {
+    constexpr int kWidth = 720, kHeight = 360; // half a degree a pixel
+    Camera camera = cameraOf(60);
+    camera.kind = CameraKind::Panorama;
+    camera.forward = {0, 0, -1};
+    const CameraRays rays(camera, kWidth, kHeight);
+    EXPECT_TRUE(rays.panorama());
+    float dx[kCameraBlockRays], dy[kCameraBlockRays], dz[kCameraBlockRays];
+    for (int y = 0; y < kHeight; y += kCameraBlock) {
+        for (int x = 0; x < kWidth; x += kCameraBlock) {
+            rays.directions({0, 0, x, y, 1}, dx, dy, dz);
+            for (int i = 0; i < kCameraBlockRays; ++i) {
+                const double right = (x + columnInBlock(i) + 0.5) / kWidth * 2 * kHalfTurn - kHalfTurn;
+                const double above = kHalfTurn / 2 - (y + rowInBlock(i) + 0.5) / kHeight * kHalfTurn;
+                ASSERT_NEAR(dx[i], std::cos(above) * std::sin(right), 1e-6) << x << " " << y;
+                ASSERT_NEAR(dy[i], std::sin(above), 1e-6) << x << " " << y;
+                ASSERT_NEAR(dz[i], -std::cos(above) * std::cos(right), 1e-6) << x << " " << y;
+            }
+        }
+    }
+    EXPECT_LT(angleBetween(rays.at(360, 180).direction, {0, 0, -1}), 1e-4);
+    EXPECT_LT(angleBetween(rays.at(540, 180).direction, {1, 0, 0}), 1e-4);
+    EXPECT_LT(angleBetween(rays.at(0, 180).direction, rays.at(720, 180).direction), 1e-4) << "the seam";
+    EXPECT_LT(angleBetween(rays.at(100, 0).direction, {0, 1, 0}), 1e-4);
+    EXPECT_NEAR(length(rays.plane().right) * kWidth, 2 * kHalfTurn, 1e-5) << "the size of a pixel";
+    EXPECT_EQ(fieldOfView(camera, kWidth, kHeight), 360);
+    // Coarser: the same view in fewer pixels.
+    EXPECT_LT(angleBetween(rays.coarser(4).at(135, 45).direction, {1, 0, 0}), 1e-4);
+}
+
 } // namespace
 } // namespace rtcore

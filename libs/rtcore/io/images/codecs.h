@@ -22,7 +22,7 @@ DecodedImage decodeRare(ByteSpan bytes, const std::string& name); // ImageMagick
 Bytes encodePng(const LdrImage& image, const std::string& name); // CImg
 Bytes encodeBmp(const LdrImage& image, const std::string& name); // CImg
 Bytes encodePpm(const LdrImage& image, const std::string& name); // CImg
-Bytes encodeJpeg(const LdrImage& image, const std::string& name);
+Bytes encodeJpeg(const LdrImage& image, bool panorama, const std::string& name);
 Bytes encodeTiff(const LdrImage& image, double dpi, const std::string& name); // LZW
 Bytes encodeTga(const LdrImage& image, const std::string& name);
 Bytes encodeRare(const LdrImage& image, const std::string& name, const std::string& magickName);
@@ -33,8 +33,8 @@ Bytes encodeExr(const HdrImage& image, std::span<const ImageText> texts,
 Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels,
                 std::span<const ImageText> texts, const std::string& name);
 
-/// A whole PNG file, with these notes as well.
-Bytes withPngNotes(Bytes png, const ImageNotes& notes);
+/// A whole PNG file of the image, with these notes as well.
+Bytes withPngNotes(Bytes png, const LdrImage& image, const ImageNotes& notes);
 
 /// Was this build made with them, and does ImageMagick have the coder?
 bool exrAvailable();

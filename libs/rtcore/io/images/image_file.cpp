@@ -113,8 +113,9 @@ std::string writableFormats() {
     return list;
 }
 
-std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format, Texts texts) {
-    return encodeLdr(image, findFormat(format), {.texts = texts}, "output." + format);
+std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format,
+                                   const ImageNotes& notes) {
+    return encodeLdr(image, findFormat(format), notes, "output." + format);
 }
 
 } // namespace rtcore

@@ -60,6 +60,6 @@ std::string writableFormats();
 /// The bytes of a file of that format, an extension without its dot ("png", "ppm"), for writing to a pipe.
 /// Throws FileError CannotWrite.
 std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format,
-                                   std::span<const ImageText> texts = {});
+                                   const ImageNotes& notes = {});
 
 } // namespace rtcore

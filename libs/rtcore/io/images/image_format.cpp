@@ -23,7 +23,11 @@ Bytes plainLinear(const HdrImage& image, Texts, const std::string& name) {
 }
 Bytes encodePngWithNotes(const LdrImage& image, const ImageNotes& notes, const FormatName&,
                          const std::string& name) {
-    return withPngNotes(encodePng(image, name), notes);
+    return withPngNotes(encodePng(image, name), image, notes);
+}
+Bytes encodeJpegFor(const LdrImage& image, const ImageNotes& notes, const FormatName&,
+                    const std::string& name) {
+    return encodeJpeg(image, notes.panorama, name);
 }
 Bytes encodeTiffFor(const LdrImage& image, const ImageNotes& notes, const FormatName&,
                     const std::string& name) {
@@ -38,7 +42,7 @@ Bytes encodeExrImage(const HdrImage& image, Texts texts, const std::string& name
 }
 
 constexpr ImageCodec kPng{decodePng, encodePngWithNotes};
-constexpr ImageCodec kJpeg{decodeJpeg, plain<encodeJpeg>};
+constexpr ImageCodec kJpeg{decodeJpeg, encodeJpegFor};
 constexpr ImageCodec kBmp{decodeBmp, plain<encodeBmp>};
 constexpr ImageCodec kPnm{decodePnm, plain<encodePpm>};
 constexpr ImageCodec kTga{decodeTga, plain<encodeTga>};

@@ -16,6 +16,7 @@ struct ImageText {
 struct ImageNotes {
     std::span<const ImageText> texts = {}; ///< kept by PNG and EXR
     double dpi = 0;                        ///< pixels to an inch of paper, kept by PNG and TIFF; 0: not said
+    bool panorama = false; ///< it is equirectangular and shows all directions; kept by PNG and JPEG
 };
 
 } // namespace rtcore

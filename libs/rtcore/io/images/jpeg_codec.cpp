@@ -1,5 +1,6 @@
 #include "rtcore/io/images/codecs.h"
 #include "rtcore/io/images/damage_forms.h"
+#include "rtcore/io/images/panorama_xmp.h"
 #include "rtcore/settings/library_text.h"
 
 #include <cstdio> // jpeglib.h needs it
@@ -176,8 +177,10 @@ class JpegWriter {
     JpegWriter(const JpegWriter&) = delete;
     JpegWriter& operator=(const JpegWriter&) = delete;
 
-    Bytes write(const LdrImage& image) {
+    /// `xmp`: a packet to keep; may be "".
+    Bytes write(const LdrImage& image, const std::string& xmp) {
         if (!start(image.width, image.height)) fail();
+        if (!xmp.empty() && !writeXmp(std::string("http://ns.adobe.com/xap/1.0/") + '\0' + xmp)) fail();
         std::vector<JSAMPLE> row(static_cast<std::size_t>(image.width) * 3);
         for (int y = 0; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
@@ -210,6 +213,12 @@ class JpegWriter {
         jpeg_start_compress(&info_, TRUE);
         return true;
     }
+    bool writeXmp(const std::string& content) {
+        if (setjmp(errors_.leave) != 0) return false;
+        jpeg_write_marker(&info_, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(content.data()),
+                          static_cast<unsigned>(content.size()));
+        return true;
+    }
     bool writeRow(JSAMPROW row) {
         if (setjmp(errors_.leave) != 0) return false;
         return jpeg_write_scanlines(&info_, &row, 1) == 1;
@@ -234,6 +243,8 @@ class JpegWriter {
 
 DecodedImage decodeJpeg(ByteSpan bytes, const std::string& name) { return JpegReader(bytes, name).read(); }
 
-Bytes encodeJpeg(const LdrImage& image, const std::string& name) { return JpegWriter(name).write(image); }
+Bytes encodeJpeg(const LdrImage& image, bool panorama, const std::string& name) {
+    return JpegWriter(name).write(image, panorama ? panoramaXmp(image.width, image.height) : std::string());
+}
 
 } // namespace rtcore

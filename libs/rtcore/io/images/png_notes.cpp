@@ -1,6 +1,7 @@
-// Notes in PNG files, which CImg's writer does not know (ISO/IEC 15948, 11.3.4.3 and 11.3.5.3).
+// Notes in PNG files, which CImg's writer does not know (ISO/IEC 15948, 11.3.4 and 11.3.5.3).
 #include "rtcore/io/images/byte_reader.h"
 #include "rtcore/io/images/codecs.h"
+#include "rtcore/io/images/panorama_xmp.h"
 
 #include <zlib.h>
 
@@ -29,6 +30,13 @@ Bytes textChunk(const ImageText& text) {
     return content;
 }
 
+/// Text that is not compressed, of no language.
+Bytes xmpChunk(const std::string& packet) {
+    Bytes content;
+    append(content, std::string("iTXtXML:com.adobe.xmp") + std::string(5, '\0') + packet);
+    return content;
+}
+
 Bytes sizeChunk(double dpi) {
     constexpr double kInchesOfMetre = 1 / 0.0254;
     const auto pixelsOfMetre = static_cast<std::uint32_t>(std::lround(dpi * kInchesOfMetre));
@@ -42,11 +50,12 @@ Bytes sizeChunk(double dpi) {
 
 } // namespace
 
-Bytes withPngNotes(Bytes png, const ImageNotes& notes) {
+Bytes withPngNotes(Bytes png, const LdrImage& image, const ImageNotes& notes) {
     constexpr std::ptrdiff_t kHead = 8 + 25; // the signature and IHDR
     Bytes chunks;
     if (notes.dpi > 0) appendChunk(chunks, sizeChunk(notes.dpi));
     for (const ImageText& text : notes.texts) appendChunk(chunks, textChunk(text));
+    if (notes.panorama) appendChunk(chunks, xmpChunk(panoramaXmp(image.width, image.height)));
     png.insert(png.begin() + kHead, chunks.begin(), chunks.end());
     return png;
 }

@@ -1,0 +1,11 @@
+/// What programs and phones know a panorama by: XMP of Google's GPano schema.
+#pragma once
+
+#include <string>
+
+namespace rtcore {
+
+/// An XMP packet (ISO 16684-1) for an equirectangular image that shows all directions.
+std::string panoramaXmp(int width, int height);
+
+} // namespace rtcore
