@@ -38,7 +38,8 @@ void clip(const HalfSpace& half, const RaySpan& rays, float* tMin, float* tMax) 
     for (; i + lanes <= rays.count; i += lanes) {
         const auto speed = along(half.normal, rays.direction, i);
         const auto room = hn::Sub(hn::Set(d, half.offset), along(half.normal, rays.origin, i));
-        const auto t = hn::Div(room, speed), first = hn::LoadU(d, tMin + i), last = hn::LoadU(d, tMax + i);
+        const auto t = hn::Div(room, speed), first = hn::LoadU(d, rays.tMin + i),
+                   last = hn::LoadU(d, rays.tMax + i);
         const auto towards = hn::Gt(speed, zero), away = hn::Lt(speed, zero);
         const auto earlier = hn::And(towards, hn::Lt(t, last)), later = hn::And(away, hn::Lt(first, t));
         const auto beside = hn::AndNot(hn::Or(towards, away), hn::Lt(room, zero));
@@ -48,6 +49,8 @@ void clip(const HalfSpace& half, const RaySpan& rays, float* tMin, float* tMax) 
     }
     for (; i < rays.count; ++i) {
         const float room = half.offset - alongOne(half.normal, rays.origin, i);
+        tMin[i] = rays.tMin[i];
+        tMax[i] = rays.tMax[i];
         clipInterval(alongOne(half.normal, rays.direction, i), room, tMin[i], tMax[i]);
     }
 }
@@ -61,8 +64,13 @@ namespace rtcore {
 
 HWY_EXPORT(clip);
 
-void clipRays(const HalfSpace& half, const RaySpan& rays, float* tMin, float* tMax) {
-    HWY_DYNAMIC_DISPATCH(clip)(half, rays, tMin, tMax);
+RaySpan clipRays(std::span<const HalfSpace> halves, RaySpan rays, float* tMin, float* tMax) {
+    for (const HalfSpace& half : halves) {
+        HWY_DYNAMIC_DISPATCH(clip)(half, rays, tMin, tMax);
+        rays.tMin = tMin;
+        rays.tMax = tMax;
+    }
+    return rays;
 }
 
 } // namespace rtcore

@@ -2,17 +2,12 @@
 #pragma once
 
 #include "rtcore/kernels/wave_kernels.h"
-#include "rtcore/math/vec.h"
+#include "rtcore/math/half_space.h"
 
 #include <algorithm>
+#include <span>
 
 namespace rtcore {
-
-/// dot(normal, x) <= offset is kept.
-struct HalfSpace {
-    Vec3 normal;
-    float offset = 0;
-};
 
 /// The part of a ray's interval that is kept; where none is, tMin > tMax. `speed`: of the ray along the
 /// normal; `room`: from its origin to the plane.
@@ -27,8 +22,8 @@ inline void clipInterval(float speed, float room, float& tMin, float& tMax) {
     }
 }
 
-/// The same of all rays, whose intervals are `tMin` and `tMax`, as long as `rays`; the same bits by every
-/// instruction set.
-void clipRays(const HalfSpace& half, const RaySpan& rays, float* tMin, float* tMax);
+/// The same rays clipped by all of these, with intervals in `tMin` and `tMax`, which have room for all; the
+/// same bits by every instruction set.
+RaySpan clipRays(std::span<const HalfSpace> halves, RaySpan rays, float* tMin, float* tMax);
 
 } // namespace rtcore

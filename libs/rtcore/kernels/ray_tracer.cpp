@@ -1,6 +1,8 @@
 #include "rtcore/kernels/ray_tracer.h"
 
+#include "rtcore/accel/tree_within.h"
 #include "rtcore/accel/visible_tree.h"
+#include "rtcore/kernels/clip_rays.h"
 #include "rtcore/kernels/hit_distance.h"
 #include "rtcore/kernels/leaf_records.h"
 #include "rtcore/kernels/single_ray.h"
@@ -17,6 +19,7 @@ namespace {
 struct ThreadMemory {
     StreamScratch streams;
     std::vector<std::uint32_t> indices; ///< of some of a wave's rays
+    std::vector<float> tMin, tMax;      ///< of clipped rays
 };
 
 ThreadMemory& threadMemory() {
@@ -30,6 +33,14 @@ RaySpan spanOf(const RayWave& rays) {
             rays.tMin.data(),
             rays.tMax.data(),
             rays.size()};
+}
+
+RaySpan spanWithin(std::span<const HalfSpace> halves, const RayWave& rays, ThreadMemory& memory) {
+    const RaySpan span = spanOf(rays);
+    if (halves.empty()) return span;
+    memory.tMin.resize(rays.size());
+    memory.tMax.resize(rays.size());
+    return clipRays(halves, span, memory.tMin.data(), memory.tMax.data());
 }
 
 } // namespace
@@ -46,46 +57,60 @@ KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords recor
     : KdRayTracer(tree, mesh, NarrowTriangles(tree, mesh), records) {}
 
 KdRayTracer::KdRayTracer(const KdTree& tree, const KdRayTracer& whole)
-    : KdRayTracer(tree, whole.mesh_, NarrowTriangles(tree, whole.narrow_.noise), LeafRecords::Shared) {}
+    : KdRayTracer(tree, whole.mesh_, NarrowTriangles(tree, whole.leaves_->narrow.noise),
+                  LeafRecords::Shared) {}
 
 KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records)
-    : tree_(tree), mesh_(mesh), narrow_(std::move(narrow)),
-      records_(records == LeafRecords::Inline
-                   ? makeLeafRecords(tree, narrow_.bits.empty() ? tree.references : narrow_.references, mesh)
-                   : UninitializedArray<float>{}),
-      scene_(tree_, mesh_, records_.capacity() == 0 ? nullptr : records_.data(), &narrow_),
+    : KdRayTracer(tree, mesh, makeLeaves(tree, mesh, std::move(narrow), records)) {}
+
+std::shared_ptr<const KdRayTracer::Leaves>
+KdRayTracer::makeLeaves(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records) {
+    auto leaves = std::make_shared<Leaves>(Leaves{std::move(narrow), {}});
+    if (records == LeafRecords::Inline) {
+        const NarrowTriangles& known = leaves->narrow;
+        leaves->records =
+            makeLeafRecords(tree, known.bits.empty() ? tree.references : known.references, mesh);
+    }
+    return leaves;
+}
+
+KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, std::shared_ptr<const Leaves> leaves)
+    : tree_(tree), mesh_(mesh), leaves_(std::move(leaves)),
+      scene_(tree_, mesh_, leaves_->records.capacity() == 0 ? nullptr : leaves_->records.data(),
+             &leaves_->narrow),
       nearLimit_(nearLimit(tree.bounds)) {}
 
 std::size_t KdRayTracer::memory() const {
-    return tree_.nodes.size_bytes() + tree_.references.size_bytes() + records_.capacity() * sizeof(float) +
-           std::span(narrow_.noise).size_bytes() + std::span(narrow_.references).size_bytes() +
-           std::span(narrow_.bits).size_bytes();
+    const NarrowTriangles& narrow = leaves_->narrow;
+    return tree_.nodes.size_bytes() + tree_.references.size_bytes() +
+           leaves_->records.capacity() * sizeof(float) + std::span(narrow.noise).size_bytes() +
+           std::span(narrow.references).size_bytes() + std::span(narrow.bits).size_bytes();
 }
 
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {
     hits.resize(rays.size());
-    const RaySpan span = spanOf(rays);
-    const HitSpan found{hits.t.data(), hits.triangle.data(), hits.u.data(), hits.v.data()};
     ThreadMemory& memory = threadMemory();
+    const RaySpan span = spanWithin(halves_, rays, memory);
+    const HitSpan found{hits.t.data(), hits.triangle.data(), hits.u.data(), hits.v.data()};
     traceClosest(scene_, span, memory.streams, found);
     memory.indices.resize(rays.size());
     std::uint32_t* const indices = memory.indices.data();
-    settleTies(rays, {indices, findTied(found, rays.size(), indices)}, hits);
+    settleTies(span, {indices, findTied(found, rays.size(), indices)}, hits);
     const std::size_t near = findNear(span, found, nearLimit_, indices);
     for (std::size_t i = 0; i < near; ++i) {
         const std::uint32_t ray = indices[i];
         Hit hit = hits.hit(ray);
-        refineDistance(mesh_, narrow_.noiseOf(hit.triangle), rays.ray(ray), hit);
+        refineDistance(mesh_, leaves_->narrow.noiseOf(hit.triangle), span.ray(ray), hit);
         hits.t[ray] = hit.t;
     }
 }
 
-void KdRayTracer::settleTies(const RayWave& rays, std::span<const std::uint32_t> tied, HitWave& hits) const {
+void KdRayTracer::settleTies(const RaySpan& rays, std::span<const std::uint32_t> tied, HitWave& hits) const {
     if (tied.empty()) return;
-    hits.clearance.assign(rays.size(), 0);
+    hits.clearance.assign(rays.count, 0);
     for (const std::uint32_t i : tied) {
         Hit hit = hits.hit(i);
-        const auto clearance = settleTie(scene_, &narrow_, rays.ray(i), hit);
+        const auto clearance = settleTie(scene_, &leaves_->narrow, rays.ray(i), hit);
         if (!clearance) hit = {};
         hits.set(i, hit);
         hits.clearance[i] = clearance.value_or(0);
@@ -94,7 +119,8 @@ void KdRayTracer::settleTies(const RayWave& rays, std::span<const std::uint32_t>
 
 void KdRayTracer::occluded(RayKind /*kind*/, const RayWave& rays, std::vector<std::uint8_t>& occluded) const {
     occluded.resize(rays.size());
-    traceAny(scene_, spanOf(rays), threadMemory().streams, occluded.data());
+    ThreadMemory& memory = threadMemory();
+    traceAny(scene_, spanWithin(halves_, rays, memory), memory.streams, occluded.data());
 }
 
 void RayTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> /*clear*/,
@@ -109,6 +135,19 @@ std::shared_ptr<const RayTracer> RayTracer::without(std::span<const std::uint8_t
 std::shared_ptr<const RayTracer> KdRayTracer::without(std::span<const std::uint8_t> left) const {
     auto tracer = std::make_shared<KdRayTracer>(visibleTree(tree_, left), *this);
     tracer->scene_.filter = scene_.filter;
+    tracer->halves_ = halves_;
+    return tracer;
+}
+
+std::shared_ptr<const RayTracer> RayTracer::within(std::span<const HalfSpace> /*halves*/) const {
+    return nullptr;
+}
+
+std::shared_ptr<const RayTracer> KdRayTracer::within(std::span<const HalfSpace> halves) const {
+    const std::shared_ptr<KdRayTracer> tracer(new KdRayTracer(treeWithin(tree_, halves), mesh_, leaves_));
+    tracer->scene_.filter = scene_.filter;
+    tracer->halves_ = halves_;
+    tracer->halves_.insert(tracer->halves_.end(), halves.begin(), halves.end());
     return tracer;
 }
 
@@ -119,7 +158,9 @@ void KdRayTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_
     found.resize(rays.size());
     KernelScene scene = scene_;
     scene.clear = clear.data();
-    traceAny(scene, spanOf(rays), threadMemory().streams, reinterpret_cast<std::uint8_t*>(found.data()));
+    ThreadMemory& memory = threadMemory();
+    traceAny(scene, spanWithin(halves_, rays, memory), memory.streams,
+             reinterpret_cast<std::uint8_t*>(found.data()));
 }
 
 } // namespace rtcore

@@ -6,6 +6,7 @@
 #include "rtcore/kernels/kernel_scene.h"
 #include "rtcore/kernels/narrow_triangles.h"
 #include "rtcore/kernels/ray_wave.h"
+#include "rtcore/math/half_space.h"
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
@@ -21,6 +22,8 @@ enum class Obstacle : std::uint8_t {
     Opaque, ///< at least one triangle of a material that lets no light through
     Unknown ///< nothing opaque is known: perhaps triangles that let light through, one behind the other
 };
+
+struct RaySpan;
 
 /// Answers whole waves. Safe from many threads, each with waves of its own.
 class RayTracer {
@@ -47,6 +50,10 @@ class RayTracer {
     /// A tracer of the same surfaces without these triangles, for as long as this one; `left` has one value
     /// for each, not 0: it is left out. This implementation has none: null.
     virtual std::shared_ptr<const RayTracer> without(std::span<const std::uint8_t> left) const;
+
+    /// A tracer of what all of these leave of the same surfaces, for as long as this one. This implementation
+    /// has none: null.
+    virtual std::shared_ptr<const RayTracer> within(std::span<const HalfSpace> halves) const;
 };
 
 /// How leaves find the corners of their triangles.
@@ -76,6 +83,9 @@ class KdRayTracer final : public RayTracer {
     Box3 bounds() const override { return tree_.bounds; }
     /// At once, with LeafRecords::Shared.
     std::shared_ptr<const RayTracer> without(std::span<const std::uint8_t> left) const override;
+    /// At once: rays are clipped to their intervals within all of these, and walk treeWithin(); all but its
+    /// nodes is shared.
+    std::shared_ptr<const RayTracer> within(std::span<const HalfSpace> halves) const override;
 
     /// From now on rays hit only what `filter` keeps, whose arrays and holes must outlive that. Not while
     /// other threads trace.
@@ -85,15 +95,24 @@ class KdRayTracer final : public RayTracer {
     std::size_t memory() const;
 
   private:
+    /// Of the triangles in leaves.
+    struct Leaves {
+        NarrowTriangles narrow;
+        UninitializedArray<float> records;
+    };
+
+    static std::shared_ptr<const Leaves> makeLeaves(const KdTree& tree, const Mesh& mesh,
+                                                    NarrowTriangles narrow, LeafRecords records);
     KdRayTracer(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records);
+    KdRayTracer(const KdTree& tree, const Mesh& mesh, std::shared_ptr<const Leaves> leaves);
     /// Settles the hits with these indices, which have kTiedHit.
-    void settleTies(const RayWave& rays, std::span<const std::uint32_t> tied, HitWave& hits) const;
+    void settleTies(const RaySpan& rays, std::span<const std::uint32_t> tied, HitWave& hits) const;
 
     KdTree tree_;
     Mesh mesh_;
-    NarrowTriangles narrow_;
-    UninitializedArray<float> records_;
+    std::shared_ptr<const Leaves> leaves_;
     KernelScene scene_;
+    std::vector<HalfSpace> halves_; ///< what of surfaces lies beyond any of these is not hit
     float nearLimit_;
 };
 

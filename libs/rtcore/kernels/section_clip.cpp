@@ -15,13 +15,6 @@ float largestOf(const Box3& bounds) {
     return largest;
 }
 
-/// Of all points of a box, that farthest along a direction.
-Vec3 farthest(const Box3& box, Vec3 direction) {
-    Vec3 corner;
-    for (int a = 0; a < 3; ++a) corner[a] = direction[a] > 0 ? box.hi[a] : box.lo[a];
-    return corner;
-}
-
 } // namespace
 
 float roundingOf(const Box3& bounds) {
@@ -35,7 +28,7 @@ SectionClip::SectionClip(const SectionPlanes& sections, const Box3& bounds) {
     for (const SectionPlane& plane : sections.planes) {
         const Vec3 normal = normalize(plane.normal);
         const float offset = dot(normal, plane.point) + rounding;
-        if (dot(normal, farthest(bounds, normal)) > offset) halves_.push_back({normal, offset});
+        if (dot(normal, farthestCorner(bounds, normal)) > offset) halves_.push_back({normal, offset});
     }
 }
 
@@ -47,15 +40,6 @@ bool SectionClip::removes(Vec3 point) const {
 void SectionClip::clip(const Ray& ray, float& tMin, float& tMax) const {
     for (const HalfSpace& half : halves_)
         clipInterval(dot(half.normal, ray.direction), half.offset - dot(half.normal, ray.origin), tMin, tMax);
-}
-
-void SectionClip::clip(RayWave& rays) const {
-    const RaySpan span{{rays.ox.data(), rays.oy.data(), rays.oz.data()},
-                       {rays.dx.data(), rays.dy.data(), rays.dz.data()},
-                       nullptr,
-                       nullptr,
-                       rays.size()};
-    for (const HalfSpace& half : halves_) clipRays(half, span, rays.tMin.data(), rays.tMax.data());
 }
 
 } // namespace rtcore

@@ -1,5 +1,4 @@
-/// Clips rays to what planes leave of a scene: each ray's own interval becomes shorter, and no tree is built
-/// anew.
+/// The part of a scene, and of rays, that planes leave.
 #pragma once
 
 #include "rtcore/kernels/clip_rays.h"
@@ -7,6 +6,7 @@
 #include "rtcore/math/box.h"
 #include "rtcore/scene/section_planes.h"
 
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -15,7 +15,7 @@ namespace rtcore {
 /// `bounds` are rounded by.
 float roundingOf(const Box3& bounds);
 
-/// Immutable. What it does to a ray does not depend on the others of a wave.
+/// Immutable.
 class SectionClip {
   public:
     SectionClip() = default;
@@ -25,11 +25,12 @@ class SectionClip {
 
     /// It clips no ray.
     bool empty() const { return halves_.empty(); }
+    /// All that is left is within each of these.
+    std::span<const HalfSpace> halves() const { return halves_; }
     /// Whether the point was taken away.
     bool removes(Vec3 point) const;
     /// The interval becomes that part of it that is left; where none is, tMin > tMax.
     void clip(const Ray& ray, float& tMin, float& tMax) const;
-    void clip(RayWave& rays) const;
 
   private:
     std::vector<HalfSpace> halves_;

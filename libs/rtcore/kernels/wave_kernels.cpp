@@ -22,13 +22,6 @@
 namespace rtcore {
 namespace {
 
-Ray rayOf(const RaySpan& rays, std::size_t i) {
-    return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
-            rays.tMin[i],
-            {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]},
-            rays.tMax[i]};
-}
-
 bool isFiltered(const KernelScene& scene) { return !scene.filter.empty() || scene.clear != nullptr; }
 
 } // namespace
@@ -48,7 +41,7 @@ std::size_t nearHits(const RaySpan& rays, const HitSpan& hits, float limit, std:
     const auto add = [&](std::size_t i) {
         indices[found] = static_cast<std::uint32_t>(i);
         const bool hit = hits.triangle[i] != kNoTriangle;
-        found += hit && isNear(rayOf(rays, i), {hits.t[i], 0, 0, 0}, limit) ? 1 : 0;
+        found += hit && isNear(rays.ray(i), {hits.t[i], 0, 0, 0}, limit) ? 1 : 0;
     };
     std::size_t i = 0;
     for (; i + lanes <= rays.count; i += lanes) {
@@ -89,7 +82,7 @@ std::size_t tiedHits(const HitSpan& hits, std::size_t count, std::uint32_t* indi
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, const HitSpan& hits) {
     for (std::size_t i = 0; i < rays.count; ++i) {
         Hit hit;
-        findNearest(scene, rayOf(rays, i), hit);
+        findNearest(scene, rays.ray(i), hit);
         hits.t[i] = hit.t;
         hits.u[i] = hit.u;
         hits.v[i] = hit.v;
@@ -100,7 +93,7 @@ void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scr
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, std::uint8_t* occluded) {
     // Single rays do not keep what they pass.
     const std::uint8_t none = scene.clear == nullptr ? 0 : 2;
-    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rayOf(rays, i)) ? 1 : none;
+    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rays.ray(i)) ? 1 : none;
 }
 
 #else

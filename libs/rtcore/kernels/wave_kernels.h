@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rtcore/kernels/kernel_scene.h"
+#include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/stream_scratch.h"
 
 #include <cstddef>
@@ -18,6 +19,13 @@ struct RaySpan {
     const float* tMin;
     const float* tMax;
     std::size_t count;
+
+    Ray ray(std::size_t i) const {
+        return {{origin[0][i], origin[1][i], origin[2][i]},
+                tMin[i],
+                {direction[0][i], direction[1][i], direction[2][i]},
+                tMax[i]};
+    }
 };
 
 struct HitSpan {

@@ -1,40 +1,32 @@
 #include "rtcore/render/section_tracer.h"
 
+#include "rtcore/kernels/section_clip.h"
+
 #include <utility>
 
 namespace rtcore {
 
-namespace {
-
-const RayWave& clipped(const SectionClip& clip, const RayWave& rays) {
-    thread_local RayWave copy;
-    copy = rays;
-    clip.clip(copy);
-    return copy;
-}
-
-} // namespace
-
 SectionTracer::SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections,
                              std::shared_ptr<const RayTracer> uncut)
-    : surfaces_(std::move(surfaces)), uncut_(std::move(uncut)), clip_(sections, surfaces_->bounds()),
+    : surfaces_(std::move(surfaces)),
+      left_(surfaces_->within(SectionClip(sections, surfaces_->bounds()).halves())), uncut_(std::move(uncut)),
       all_(sections.light == SectionLight::Cut) {}
 
-bool SectionTracer::clips(RayKind kind) const {
+bool SectionTracer::meetsLeft(RayKind kind) const {
     return all_ || kind == RayKind::Primary || kind == RayKind::Mirror || kind == RayKind::Refracted;
 }
 
 void SectionTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
-    clips(kind) ? intersectLeft(kind, rays, hits) : surfaces_->intersect(kind, rays, hits);
+    meetsLeft(kind) ? intersectLeft(kind, rays, hits) : surfaces_->intersect(kind, rays, hits);
 }
 
 void SectionTracer::intersectSeen(const RayWave& rays, HitWave& hits) const {
     intersectLeft(RayKind::Scattered, rays, hits);
 }
 
-/// Of clipped surfaces and those that are left whole.
+/// Of surfaces that are cut and those that are left whole.
 void SectionTracer::intersectLeft(RayKind kind, const RayWave& rays, HitWave& hits) const {
-    surfaces_->intersect(kind, clipped(clip_, rays), hits);
+    left_->intersect(kind, rays, hits);
     if (uncut_ == nullptr) return;
     thread_local HitWave whole;
     uncut_->intersect(kind, rays, whole);
@@ -47,8 +39,9 @@ void SectionTracer::intersectLeft(RayKind kind, const RayWave& rays, HitWave& hi
 }
 
 void SectionTracer::occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const {
-    surfaces_->occluded(kind, clips(kind) ? clipped(clip_, rays) : rays, occluded);
-    if (uncut_ == nullptr || !clips(kind)) return;
+    if (!meetsLeft(kind)) return surfaces_->occluded(kind, rays, occluded);
+    left_->occluded(kind, rays, occluded);
+    if (uncut_ == nullptr) return;
     thread_local std::vector<std::uint8_t> whole;
     uncut_->occluded(kind, rays, whole);
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] |= whole[i];
@@ -56,8 +49,9 @@ void SectionTracer::occluded(RayKind kind, const RayWave& rays, std::vector<std:
 
 void SectionTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                                   std::vector<Obstacle>& found) const {
-    surfaces_->findObstacles(all_ ? clipped(clip_, rays) : rays, clear, found);
-    if (uncut_ == nullptr || !all_) return;
+    if (!all_) return surfaces_->findObstacles(rays, clear, found);
+    left_->findObstacles(rays, clear, found);
+    if (uncut_ == nullptr) return;
     thread_local std::vector<Obstacle> whole;
     uncut_->findObstacles(rays, clear, whole);
     for (std::size_t i = 0; i < rays.size(); ++i)

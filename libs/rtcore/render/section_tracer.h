@@ -2,7 +2,6 @@
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/kernels/section_clip.h"
 #include "rtcore/scene/scene.h"
 
 #include <cstdint>
@@ -12,12 +11,12 @@
 
 namespace rtcore {
 
-/// Traces clipped rays with another tracer, and rays that are not with one of surfaces that sections leave
-/// whole, if any. Where light is whole, rays of the kinds Shadow, Occlusion and
-/// Scattered pass it as they are, but for intersectSeen().
+/// Traces with the tracer of what sections leave of surfaces (RayTracer::within()), and with one of surfaces
+/// that they leave whole, if any. Where light is whole, rays of the kinds Shadow, Occlusion and Scattered
+/// meet all of the surfaces, but for intersectSeen().
 class SectionTracer final : public RayTracer {
   public:
-    /// `uncut` may be null.
+    /// `surfaces` has a tracer within() half-spaces; `uncut` may be null.
     SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections,
                   std::shared_ptr<const RayTracer> uncut);
 
@@ -30,12 +29,11 @@ class SectionTracer final : public RayTracer {
     Box3 bounds() const override { return surfaces_->bounds(); }
 
   private:
-    bool clips(RayKind kind) const;
+    bool meetsLeft(RayKind kind) const;
     void intersectLeft(RayKind kind, const RayWave& rays, HitWave& hits) const;
 
-    std::shared_ptr<const RayTracer> surfaces_, uncut_;
-    SectionClip clip_;
-    bool all_; ///< rays of any kind
+    std::shared_ptr<const RayTracer> surfaces_, left_, uncut_;
+    bool all_; ///< rays of any kind meet what is left
 };
 
 /// The surfaces that sections leave whole, by a tree of their own, which is kept until others are asked for.

@@ -1,4 +1,5 @@
 /// Scenes that planes cut open: which rays are clipped, what they meet, and what light does.
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/render/path_renderer.h"
 #include "rtcore/render/shown_tracer.h"
 #include "support/random_numbers.h"
@@ -237,8 +238,13 @@ TEST(Sections, ClipRaysOfAWaveAsSingleOnes) {
             if (i % 3 == 0) direction.y = i % 2 == 0 ? 0.0F : -0.0F;
             wave.push({random.vector(1), 0.1F, direction, i % 4 == 0 ? 1.0F : kFar});
         }
-        RayWave clipped = wave;
-        clip.clip(clipped);
+        std::vector<float> begins(count), ends(count);
+        const RaySpan rays{{wave.ox.data(), wave.oy.data(), wave.oz.data()},
+                           {wave.dx.data(), wave.dy.data(), wave.dz.data()},
+                           wave.tMin.data(),
+                           wave.tMax.data(),
+                           count};
+        const RaySpan clipped = clipRays(clip.halves(), rays, begins.data(), ends.data());
         for (std::size_t i = 0; i < count; ++i) {
             float tMin = wave.tMin[i], tMax = wave.tMax[i];
             clip.clip(wave.ray(i), tMin, tMax);
@@ -262,6 +268,9 @@ class CountingTracer final : public RayTracer {
     std::shared_ptr<const RayTracer> without(std::span<const std::uint8_t> left) const override {
         ++made;
         return tracer_.without(left);
+    }
+    std::shared_ptr<const RayTracer> within(std::span<const HalfSpace> halves) const override {
+        return tracer_.within(halves);
     }
     mutable int made = 0;
 
