@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -19,9 +20,8 @@ class Panoramas : public testing::Test {
   protected:
     void SetUp() override { test::writeRoom(folder / "room.obj"); }
     test::ProgramResult render(Names extra) const {
-        const Names common{
-            "room.obj", "-i", "whitted", "--setting=exposure.mode=fixed", "--setting=exposure.value=1",
-            "-a",       "2"};
+        const Names common{"room.obj", "--setting=exposure.mode=fixed", "--setting=exposure.value=1", "-a",
+                           "2"};
         extra.insert(extra.begin(), common.begin(), common.end());
         return test::renderer(extra, {.folder = folder.path()});
     }
@@ -46,7 +46,6 @@ TEST_F(Panoramas, ShowWhatFlatImagesShow) {
     const std::string first = test::readBytes(folder / "one.cams/000001.cam");
     const std::string eye =
         first.substr(first.find("eye"), first.find('\n', first.find("eye")) - first.find("eye"));
-    const rtcore::LdrImage inFile = image("around.png");
     const std::vector<std::string> forwards{"0, 0, -1", "1, 0, 0", "0, 0, 1", "-1, 0, 0"};
     int wrong = 0, compared = 0;
     for (std::size_t face = 0; face < forwards.size(); ++face) {
@@ -86,8 +85,8 @@ TEST_F(Panoramas, HaveNoSeam) {
 }
 
 TEST_F(Panoramas, AreKnownAsSuchAndRenderedByPaths) {
-    ASSERT_EQ(render({"--panorama=64", "-o", "a.jpg", "-o", "a.png", "-o", "a.exr", "-i", "path",
-                      "--setting=path.samples=4"})
+    ASSERT_EQ(render({"--panorama=64", "-o", "a.jpg", "-o", "a.png", "-o", "a.exr",
+                      "--setting=integrator=path", "--setting=path.samples=4"})
                   .exitCode,
               0);
     for (const char* const file : {"a.jpg", "a.png"})

@@ -2,6 +2,7 @@
 // the loop of foreach_target.h.
 #include "rtcore/math/float3-inl.h"
 #include "rtcore/render/camera_rays.h"
+#include "rtcore/simd/functions-inl.h"
 
 #if defined(RTCORE_RENDER_PANORAMA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_RENDER_PANORAMA_INL_H_

@@ -1,4 +1,4 @@
-/// What programs and phones know a panorama by: XMP of Google's GPano schema.
+/// The mark by which programs and phones know a panorama: XMP of Google's GPano schema.
 #pragma once
 
 #include <string>
