@@ -50,46 +50,55 @@ rtcore::Flight turntableOf(const Turntable& turntable, const rtcore::Camera& cam
             .keys = {{.camera = camera}}};
 }
 
-/// By the camera that is asked for, around the middle of what the model is of.
-rtcore::Flight turntableOf(const RendererOptions& options, const rtcore::LoadedScene& loaded) {
-    rtcore::Camera camera = loaded.camera;
-    if (options.camera) camera = rtcore::readCameraFile(*options.camera, loaded.scene.origin).camera;
-    camera.nameOffset = 0;
+/// By the .cam that is asked for, or that of the scene, or its view, around the middle of what the model is
+/// of.
+app::FilmOfFlight turntableFilm(const RendererOptions& options, const rtcore::LoadedScene& loaded) {
+    const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
+    rtcore::CameraFile common;
+    common.origin = loaded.scene.origin;
+    common.camera = loaded.camera;
+    if (const auto file = options.camera ? options.camera : ofScene)
+        common = rtcore::readCameraFile(*file, loaded.scene.origin);
+    common.camera.nameOffset = 0;
     const rtcore::Box3 bounds = subjectOf(loaded.scene.model.mesh, axesOf(loaded.scene)).bounds;
-    return turntableOf(*options.flight->turntable, camera, bounds.empty() ? rtcore::Vec3{} : bounds.centre());
+    const rtcore::Flight flight = turntableOf(*options.flight->turntable, common.camera,
+                                              bounds.empty() ? rtcore::Vec3{} : bounds.centre());
+    return {rtcore::FlightCourse(flight, loaded.scene.up), rateOf(options), common};
 }
 
-rtcore::FlightCourse courseOf(const RendererOptions& options, const rtcore::LoadedScene& loaded) {
-    if (options.flight->turntable) return rtcore::FlightCourse(turntableOf(options, loaded), loaded.scene.up);
+app::FilmOfFlight filmOf(const RendererOptions& options, const rtcore::LoadedScene& loaded) {
+    if (options.flight->turntable) return turntableFilm(options, loaded);
     const rtcore::SceneFile* const file = loaded.sceneFile ? &*loaded.sceneFile : nullptr;
-    return rtcore::FlightCourse(flightNamed(options.flight->name, file, options.scene), loaded.scene.up);
+    rtcore::CameraFile common;
+    common.origin = loaded.scene.origin;
+    const rtcore::Flight& flight = flightNamed(options.flight->name, file, options.scene);
+    return {rtcore::FlightCourse(flight, loaded.scene.up), rateOf(options), common};
 }
 
 } // namespace
 
 int framesOfFlight(const RendererOptions& options) {
     if (options.flight->turntable)
-        return rtcore::FlightCourse(turntableOf(*options.flight->turntable, {}, {}), {0, 1, 0})
-            .frames(rateOf(options));
+        return app::filmFrames({turntableOf(*options.flight->turntable, {}, {}), {0, 1, 0}}, rateOf(options));
     std::optional<rtcore::SceneFile> scene;
     if (options.scene.extension() == ".scn") scene = rtcore::readSceneFile(options.scene);
     const rtcore::Flight& flight =
         flightNamed(options.flight->name, scene ? &*scene : nullptr, options.scene);
-    return rtcore::FlightCourse(flight, scene->up).frames(rateOf(options));
+    return app::filmFrames({flight, scene->up}, rateOf(options));
 }
 
 FlightList::FlightList(const RendererOptions& options, const rtcore::LoadedScene& loaded)
     : folder_("rtsuite-flight-") {
     const std::filesystem::path list = folder_.path() / "flight.lst";
-    app::recordFlight(list, courseOf(options, loaded), rateOf(options), loaded.scene.origin);
+    app::recordFlight(list, filmOf(options, loaded));
     cameras_ = rtcore::readCameraList(list);
 }
 
 void makeList(const RendererOptions& options, const rtcore::LoadedScene& loaded, app::Progress& progress) {
-    const rtcore::FlightCourse course = courseOf(options, loaded);
-    app::recordFlight(*options.makeList, course, rateOf(options), loaded.scene.origin);
+    const app::FilmOfFlight film = filmOf(options, loaded);
+    app::recordFlight(*options.makeList, film);
     progress.print("wrote " + options.makeList->string() + " with " +
-                   std::to_string(course.frames(rateOf(options))) + " cameras");
+                   std::to_string(app::filmFrames(film.course, film.perSecond)) + " cameras");
 }
 
 } // namespace renderer

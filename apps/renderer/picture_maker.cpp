@@ -377,8 +377,9 @@ void PictureMaker::checkDigest(rtcore::Net net) const {
 
 void PictureMaker::chooseNetByItself(rtcore::RenderSettings& settings) {
     if (options_.hasFrames()) {
-        throw app::UsageError("denoise.net=automatic chooses by what this machine has; the images of a list "
-                              "need one net: small, base or large");
+        throw app::UsageError(
+            "denoise.net=automatic chooses by what this machine has; the images of a list or a "
+            "flight need one net: small, base or large");
     }
     try {
         useNet(nets_.of(rtcore::Net::Base));
@@ -465,11 +466,10 @@ float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcor
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
     developer_.develop(radiance, settings, exposure, options_.threads, developed_);
-    const bool flat = shot.camera.kind != rtcore::CameraKind::Panorama;
-    if (flat) caps_.paint(loaded_.scene, shot.camera, developed_);
+    caps_.paint(loaded_.scene, shot.camera, developed_);
     if (developer_.falseColours() != nullptr)
         rtcore::paintLegend(*developer_.falseColours(), developed_.height, developed_);
-    if (flat) tellOfOpenParts();
+    if (shot.camera.kind != rtcore::CameraKind::Panorama) tellOfOpenParts();
     return exposure;
 }
 

@@ -72,6 +72,15 @@ TEST_F(FlightFilms, OfATurntableGoOnceAround) {
     const rtcore::Vec3 half = rtcore::readCameraFile(cameras[4]).camera.eye;
     EXPECT_NEAR(first.y, half.y, 1e-5F);
     EXPECT_GT(length(first - half), 1.0F);
+    // All that a .cam says counts for the film, too.
+    test::writeText(folder / "own.cam", "version = 1\neye = [0, 1, 2]\nforward = [0, 0, -1]\nup = [0, 1, 0]\n"
+                                        "fov = 60\nexposure = 0.5\nantialiasing = 3\n");
+    ASSERT_EQ(
+        render({"room.obj", "--turntable=2", "--fps=4", "--camera=own.cam", "--make-list=own.lst"}).exitCode,
+        0);
+    const rtcore::CameraFile own = rtcore::readCameraFile(rtcore::readCameraList(folder / "own.lst")[3]);
+    EXPECT_EQ(own.exposure, 0.5F);
+    EXPECT_EQ(own.antialiasing, 3);
     back.insert(back.end(), {"--turns=-0.5", "--make-list=back.lst"});
     ASSERT_EQ(render(back).exitCode, 0);
     const auto reversed = rtcore::readCameraList(folder / "back.lst");
@@ -97,6 +106,9 @@ TEST_F(FlightFilms, OfOddOrdersAreRefused) {
     refused({"room.scn", "--flight=in", "--make-list=a.lst", "-o", "a.png"}, 2, "leave out --output");
     refused({"room.scn", "--fps=3", "-o", "a.png"}, 2, "--fps needs");
     refused({"room.scn", "--flight=in", "--follow", "-o", "a#.png"}, 2, "--follow needs --list");
+    refused({"room.scn", "--turntable=86400", "--fps=1000", "-o", "a#.png"}, 2, "frames at that rate");
+    refused({"room.scn", "--turntable=86400", "--fps=1000", "-o", "a#.png", "--verify"}, 2,
+            "frames at that rate");
     test::writeText(folder / "there.lst", "mine\n");
     refused({"room.scn", "--flight=in", "--make-list=there.lst"}, 73, "there.lst");
     EXPECT_EQ(bytes("there.lst"), "mine\n");

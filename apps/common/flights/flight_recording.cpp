@@ -4,30 +4,40 @@
 
 #include "rtcore/io/recording/path_recorder.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 
 #include <system_error>
 
 namespace app {
 
-rtcore::CameraFile flightCamera(const rtcore::FlightCourse& course, int frame, double perSecond,
-                                const rtcore::LocalOrigin& zero) {
-    const double time = course.timeOfFrame(frame, perSecond);
-    const rtcore::FlightView view = course.at(time);
-    rtcore::CameraFile file;
+int filmFrames(const rtcore::FlightCourse& course, double perSecond) {
+    const int frames = course.frames(perSecond);
+    if (frames <= kMaxFilmFrames) return frames;
+    throw rtcore::BadValue(rtcore::say(
+        "the flight has {0} frames at that rate, and {1} is the most; take fewer frames per second", frames,
+        kMaxFilmFrames));
+}
+
+rtcore::CameraFile flightCamera(const FilmOfFlight& film, int frame) {
+    const double time = film.course.timeOfFrame(frame, film.perSecond);
+    const rtcore::FlightView view = film.course.at(time);
+    rtcore::CameraFile file = film.common;
     file.camera = view.camera;
-    file.origin = zero;
-    file.exposure = view.exposure;
+    if (view.exposure) file.exposure = view.exposure;
     file.time = time;
     return file;
 }
 
-void recordFlight(const std::filesystem::path& list, const rtcore::FlightCourse& course, double perSecond,
-                  const rtcore::LocalOrigin& zero) {
+void recordFlight(const std::filesystem::path& list, const FilmOfFlight& film,
+                  const std::atomic<bool>* stop) {
+    const int frames = filmFrames(film.course, film.perSecond);
     rtcore::PathRecorder recorder(list);
     try {
-        for (int frame = 0; frame < course.frames(perSecond); ++frame) {
+        for (int frame = 0; frame < frames; ++frame) {
             throwIfStopped();
-            recorder.add(flightCamera(course, frame, perSecond, zero));
+            if (stop != nullptr && *stop)
+                throw rtcore::FileError(rtcore::FailureKind::Stopped, list.string(), "stopped");
+            recorder.add(flightCamera(film, frame));
         }
         recorder.finish();
     } catch (...) {

@@ -4,17 +4,33 @@
 #include "rtcore/io/text/cam.h"
 #include "rtcore/motion/flight_course.h"
 
+#include <atomic>
 #include <filesystem>
 
 namespace app {
 
-/// A frame of a film of it, counted from 0; with its time. `zero`: that of the scene.
-rtcore::CameraFile flightCamera(const rtcore::FlightCourse& course, int frame, double perSecond,
-                                const rtcore::LocalOrigin& zero);
+/// As many as a list of cameras has room for.
+inline constexpr int kMaxFilmFrames = 500'000;
 
-/// Writes the list and, beside it, its .cam files (PathRecorder). Throws what that does, and FileError
-/// Stopped when the process is to end: what is written until then is removed.
-void recordFlight(const std::filesystem::path& list, const rtcore::FlightCourse& course, double perSecond,
-                  const rtcore::LocalOrigin& zero);
+/// FlightCourse::frames(). Throws rtcore::BadValue where these are more than kMaxFilmFrames.
+int filmFrames(const rtcore::FlightCourse& course, double perSecond);
+
+/// A film of a flight.
+struct FilmOfFlight {
+    rtcore::FlightCourse course;
+    double perSecond = 25;
+    /// What its cameras have in common; of `camera` and `time` nothing counts. Its exposure is that of views
+    /// without one.
+    rtcore::CameraFile common = {};
+};
+
+/// A frame, counted from 0, with its time.
+rtcore::CameraFile flightCamera(const FilmOfFlight& film, int frame);
+
+/// Writes the list and, beside it, its .cam files (PathRecorder). Throws what that and filmFrames() do, and
+/// FileError Stopped when the process is to end or `stop` is set: what is written until then is removed.
+/// `stop` may be null.
+void recordFlight(const std::filesystem::path& list, const FilmOfFlight& film,
+                  const std::atomic<bool>* stop = nullptr);
 
 } // namespace app

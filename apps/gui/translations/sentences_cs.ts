@@ -244,6 +244,10 @@
         <translation>záložka potřebuje jméno v UTF-8</translation>
     </message>
     <message>
+        <source>a camera of the flight is not finite</source>
+        <translation>některá kamera letu není konečná</translation>
+    </message>
+    <message>
         <source>a character stands here that cannot be seen; delete it</source>
         <translation>je tu znak, který není vidět; smažte ho</translation>
     </message>
@@ -350,6 +354,10 @@
     <message>
         <source>a key cannot hold '{0}'; it is of letters, digits, - and _, or stands in quotes</source>
         <translation>klíč nemůže obsahovat '{0}'; skládá se z písmen, číslic, - a _, nebo je v uvozovkách</translation>
+    </message>
+    <message>
+        <source>a key frame of a flight at an even speed has no time; leave it out, or set timing = "times"</source>
+        <translation>klíčový snímek letu se stálou rychlostí nemá čas; vynechte ho, nebo nastavte timing = &quot;times&quot;</translation>
     </message>
     <message>
         <source>a key has too many parts</source>
@@ -790,6 +798,10 @@
     <message>
         <source>another scene is being loaded</source>
         <translation>načítá se jiná scéna</translation>
+    </message>
+    <message>
+        <source>another scene is shown by now</source>
+        <translation>zatím se zobrazila jiná scéna</translation>
     </message>
     <message>
         <source>another scene was shown</source>
@@ -2616,6 +2628,10 @@
         <translation>používá se přesný kd-strom; trval {0} s</translation>
     </message>
     <message>
+        <source>the exposure of a key frame is above 0 and finite</source>
+        <translation>expozice klíčového snímku je větší než 0 a konečná</translation>
+    </message>
+    <message>
         <source>the faces of a cube are squares of one size, here {0} a side</source>
         <translation>stěny krychle jsou stejně velké čtverce, zde o straně {0}</translation>
     </message>
@@ -2694,6 +2710,14 @@
     <message>
         <source>the flight is too long for an answer; 'export scene' writes it</source>
         <translation>let je na odpověď příliš dlouhý; zapíše ho 'export scene'</translation>
+    </message>
+    <message>
+        <source>the flights have more than {0} key frames together; leave some out</source>
+        <translation>lety mají dohromady více než {0} klíčových snímků; některé vynechte</translation>
+    </message>
+    <message>
+        <source>the flights would have more than {0} key frames together; remove some</source>
+        <translation>lety by měly dohromady více než {0} klíčových snímků; některé odstraňte</translation>
     </message>
     <message>
         <source>the folder cannot be made: {0}</source>

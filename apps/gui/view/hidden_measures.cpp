@@ -57,6 +57,7 @@ void HiddenMeasures::look() {
     session_.send(command::measureHidden(), this, [this](const Answer& answer) {
         asking_ = false;
         if (wanted_ && answer.done) take(readHidden(answer.text));
+        if (!answer.done) asked_.reset(); // it is asked again after the pause
         look();
     });
 }

@@ -31,6 +31,10 @@ void putFlight(Document& document, const std::string& formerName, rtcore::Flight
         throw rtcore::Refusal(
             rtcore::say("there are {0} flights already; remove one first", rtcore::kMaxFlights));
     }
+    if (keysOf(all) > rtcore::kMaxKeysOfFlights)
+        throw rtcore::Refusal(
+            rtcore::say("the flights would have more than {0} key frames together; remove some",
+                        rtcore::kMaxKeysOfFlights));
     document.setFlights(std::move(all));
 }
 

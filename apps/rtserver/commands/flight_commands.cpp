@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 #include <span>
 #include <string>
@@ -93,14 +94,21 @@ Result makeTurntable(const Call& call) {
     return {};
 }
 
-/// Those without a time are a 30th of a second behind the one before.
+/// Those without a time, or with one that does not rise, are a 30th of a second behind the one before, and
+/// what follows goes on from there.
 std::vector<rtcore::TimedView> viewsOf(const std::filesystem::path& list, const rtcore::LocalOrigin& zero) {
     constexpr double kInterval = 1.0 / 30;
     std::vector<rtcore::TimedView> views;
+    double later = 0;
     for (const std::filesystem::path& path : rtcore::readCameraList(list)) {
         const rtcore::CameraFile file = rtcore::readCameraFile(path, zero);
         const double next = views.empty() ? 0 : views.back().time + kInterval;
-        views.push_back({file.camera, file.time.value_or(next)});
+        double time = file.time ? *file.time + later : next;
+        if (!views.empty() && !(time > views.back().time)) {
+            later += next - time;
+            time = next;
+        }
+        views.push_back({file.camera, time, file.exposure});
     }
     if (!views.empty()) return views;
     throw rtcore::FileError(rtcore::FailureKind::BadData, list.string(), "the list names no camera");
@@ -112,12 +120,15 @@ Result makeOfList(const Call& call) {
     if (!(within > 0)) throw rtcore::BadValue("WITHIN is above 0");
     const rtcore::Scene& scene = *call.document().scene();
     return {.when = ReplyWhen::Beside,
-            .work = [&document = call.document(), list = pathOf(call[0]), name = call[1], zero = scene.origin,
-                     up = scene.up, within, distance = within / double{scene.metresPerUnit}]() -> Finish {
+            .work = [&document = call.document(), world = call.document().history().firstState(),
+                     list = pathOf(call[0]), name = call[1], zero = scene.origin, up = scene.up, within,
+                     distance = within / double{scene.metresPerUnit}]() -> Finish {
                 const auto views = viewsOf(list, zero);
                 Flight flight{.name = name, .timing = FlightTiming::Times};
                 flight.keys = rtcore::thinned(views, distance, within * kDegreesPerMetre, up);
-                return [&document, flight = std::move(flight)] {
+                return [&document, world, flight = std::move(flight)] {
+                    if (document.history().firstState() != world)
+                        throw rtcore::Refusal("another scene is shown by now");
                     putFlight(document, flight.name, flight);
                     return std::to_string(flight.keys.size());
                 };
@@ -204,12 +215,17 @@ Result playFlight(const Call& call) {
 Result exportFlight(const Call& call) {
     constexpr double kUsualRate = 25;
     const double rate = call.size() > 2 ? preciseNumber(call[2]) : kUsualRate;
-    return {.when = ReplyWhen::Beside,
-            .work = [list = pathOf(call[1]), course = courseOf(call, flightNamed(call, call[0])), rate,
-                     zero = call.document().scene()->origin]() -> Finish {
-                app::recordFlight(list, course, rate, zero);
-                return [frames = course.frames(rate)] { return fmt::format("{} frames", frames); };
-            }};
+    app::FilmOfFlight film{courseOf(call, flightNamed(call, call[0])), rate};
+    film.common.origin = call.document().scene()->origin;
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    return {.when = ReplyWhen::Apart,
+            .work = [list = pathOf(call[1]), film, stop]() -> Finish {
+                app::recordFlight(list, film, stop.get());
+                return [frames = app::filmFrames(film.course, film.perSecond)] {
+                    return fmt::format("{} frames", frames);
+                };
+            },
+            .stop = stop};
 }
 
 constexpr std::array kFlightFunctions{

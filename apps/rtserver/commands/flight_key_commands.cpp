@@ -29,7 +29,7 @@ std::pair<Flight, std::size_t> chosenKey(const Call& call, std::size_t argument)
     return {std::move(flight), number - 1};
 }
 
-/// Where the time has its place among the others: before the first that is later.
+/// Where the time has its place among the others: before the first that is later. At an even speed all are 0.
 std::size_t insert(Flight& flight, FlightKey key) {
     const auto later =
         std::ranges::find_if(flight.keys, [&](const auto& each) { return each.time > key.time; });

@@ -5,6 +5,7 @@
 #include "rtcore/platform/sentence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -35,9 +36,9 @@ Playback::Playback(const std::filesystem::path& list, const rtcore::LocalOrigin&
 Playback::Playback(const rtcore::FlightCourse& course, double from) {
     constexpr double kPerSecond = 60;
     const double left = std::max(0.0, course.seconds() - from);
-    shots_ = static_cast<std::size_t>(left * kPerSecond) + 1;
-    read_ = [course, from](std::size_t i) {
-        const double time = static_cast<double>(i) / kPerSecond;
+    shots_ = static_cast<std::size_t>(std::ceil(left * kPerSecond)) + 1; // the last one is its end
+    read_ = [course, from, left](std::size_t i) {
+        const double time = std::min(static_cast<double>(i) / kPerSecond, left);
         const rtcore::FlightView view = course.at(from + time);
         rtcore::CameraFile file;
         file.camera = view.camera;

@@ -52,6 +52,7 @@ double shorterWay(double radians) { return radians - 2 * kHalfTurn * std::round(
 
 FlightCourse::FlightCourse(const Flight& flight, Vec3 up) : flight_(flight), frame_(up, 1) {
     const std::size_t keys = flight_.keys.size();
+    for (FlightKey& key : flight_.keys) key.camera.aspect = flight_.keys[0].camera.aspect;
     for (std::size_t i = 0; i < keys; ++i) stops_.push_back(i);
     if (flight_.closed && keys > 1) stops_.push_back(0);
     seconds_ = flight_.timing == FlightTiming::Even ? flight_.seconds : flight_.keys.back().time;
@@ -71,6 +72,10 @@ FlightCourse::FlightCourse(const Flight& flight, Vec3 up) : flight_(flight), fra
     setTracks();
 }
 
+bool FlightCourse::stays(std::size_t stop) const {
+    return !(length(eyeOf(stop + 1) - eyeOf(stop)) > digits_);
+}
+
 void FlightCourse::findRests() {
     // What floats cannot tell apart is no way.
     constexpr double kDigits = 2e-7;
@@ -79,8 +84,8 @@ void FlightCourse::findRests() {
         const Vec3d eye = eyeOf(i);
         largest = std::max({largest, std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)});
     }
+    digits_ = kDigits * largest;
     const auto way = [&](std::size_t i) { return eyeOf(i + 1) - eyeOf(i); };
-    const auto stays = [&](std::size_t i) { return !(length(way(i)) > kDigits * largest); };
     const auto rests = [&](std::size_t before, std::size_t after) {
         return stays(before) || stays(after) || turnsBack(way(before), way(after));
     };
@@ -99,7 +104,7 @@ void FlightCourse::layOut() {
         const std::size_t first = rests_[leg], last = rests_[leg + 1];
         std::vector<Vec3d> points;
         for (std::size_t i = first; i <= last; ++i) points.push_back(eyeOf(i));
-        if (points.size() == 2 && points[0] == points[1]) points.pop_back();
+        if (points.size() == 2 && stays(first)) points.pop_back();
         if (goesRound_) points.pop_back();
         const SmoothCurve curve(points, goesRound_);
         for (std::size_t i = first + 1; i <= last; ++i)
@@ -114,8 +119,8 @@ double FlightCourse::weightOfTurn(std::size_t stop) const {
     const Camera &from = cameraAt(stop), &to = cameraAt(stop + 1);
     if (from == to) return 0;
     const Angles a = anglesOf(from), b = anglesOf(to);
-    const double turn = std::max(
-        {std::fabs(shorterWay(b.yaw - a.yaw)), std::fabs(b.pitch - a.pitch), std::fabs(b.roll - a.roll)});
+    const double turn = std::max({std::fabs(shorterWay(b.yaw - a.yaw)), std::fabs(b.pitch - a.pitch),
+                                  std::fabs(shorterWay(b.roll - a.roll))});
     return std::max(kOfOtherChanges, turn / (kHalfTurn / 2));
 }
 
@@ -151,7 +156,7 @@ void FlightCourse::setTracks() {
         const Angles angles = anglesOf(camera);
         yaw.push_back(i == 0 ? angles.yaw : yaw.back() + shorterWay(angles.yaw - yaw.back()));
         pitch.push_back(angles.pitch);
-        roll.push_back(angles.roll);
+        roll.push_back(i == 0 ? angles.roll : roll.back() + shorterWay(angles.roll - roll.back()));
         angle.push_back(double{camera.horizontalFov});
         width.push_back(double{camera.orthographicWidth});
         if (const auto& exposed = flight_.keys[stops_[i]].exposure) {

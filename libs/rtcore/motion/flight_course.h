@@ -17,10 +17,11 @@ struct FlightView {
     std::optional<float> exposure; ///< as in FlightKey
 };
 
-/// The same bits on every processor; at the time of a key exactly its camera, which a target turns to itself.
-/// The eye goes along a SmoothCurve; yaw (the shorter way), pitch, roll, angle or width, and exposure are
-/// MonotoneTracks over time. Where the eye stays while the camera turns, and where it turns back, the flight
-/// comes to rest. Images are upright unless a key is rolled.
+/// The same bits on every processor; at the time of a key exactly its camera, but for the aspect, which is
+/// that of the first all the way, and for a target, which is looked at. The eye goes along a SmoothCurve; yaw
+/// (the shorter way), pitch, roll, angle or width, and exposure are MonotoneTracks over time. Where the eye
+/// stays while the camera turns, and where it turns back, the flight comes to rest. Images are upright unless
+/// a key is rolled.
 ///
 /// Even: the eye has one speed, but for kEase of the time between two rests at either end; a turn on the spot
 /// by a right angle takes as long as the mean way between two keys. Closed, without a rest: one speed.
@@ -63,6 +64,7 @@ class FlightCourse {
     const Camera& cameraAt(std::size_t stop) const { return flight_.keys[stops_[stop]].camera; }
     Vec3d eyeOf(std::size_t stop) const { return frame_.toMetres(cameraAt(stop).eye); }
     Angles anglesOf(const Camera& camera) const;
+    bool stays(std::size_t stop) const; ///< until the next one
     void findRests();
     void layOut();
     double weightOfTurn(std::size_t stop) const;
@@ -77,6 +79,7 @@ class FlightCourse {
     Flight flight_;
     WorldFrame frame_;
     std::vector<std::size_t> stops_; ///< keys in their order, with the first at the end of what is closed
+    double digits_ = 0;              ///< shorter ways are rounding
     std::vector<std::size_t> rests_; ///< indices into stops_, the first and the last among them
     std::vector<Stretch> stretches_;
     std::vector<double> ways_;         ///< along the whole, at each stop

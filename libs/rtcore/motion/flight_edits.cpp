@@ -33,8 +33,9 @@ std::vector<FlightKey> timedKeys(const Flight& flight, Vec3 up) {
         keys.back().time = course.seconds();
     }
     // Views that are the same are passed at once.
-    const auto passed = std::unique(
-        keys.begin(), keys.end(), [](const FlightKey& a, const FlightKey& b) { return !(b.time > a.time); });
+    const auto passed = std::unique(keys.begin(), keys.end(), [](const FlightKey& a, const FlightKey& b) {
+        return b.time < a.time + kMinFlightSeconds;
+    });
     keys.erase(passed, keys.end());
     return keys;
 }
@@ -86,7 +87,8 @@ Flight trimmed(const Flight& flight, double from, double to, Vec3 up) {
     Flight result = opened(flight);
     result.keys = {keyAt(course, from)};
     for (FlightKey& key : timedKeys(flight, up)) {
-        if (key.time > from && key.time < to) result.keys.push_back(key);
+        if (key.time >= from + kMinFlightSeconds && key.time <= to - kMinFlightSeconds)
+            result.keys.push_back(key);
     }
     result.keys.push_back(keyAt(course, to));
     for (FlightKey& key : result.keys) key.time = flight.timing == FlightTiming::Times ? key.time - from : 0;

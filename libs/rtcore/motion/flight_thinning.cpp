@@ -19,7 +19,9 @@ double degreesBetween(Vec3 a, Vec3 b) {
 Flight flightThrough(std::span<const TimedView> views, const std::vector<std::size_t>& chosen) {
     Flight flight{.name = "thinned", .timing = FlightTiming::Times};
     for (const std::size_t i : chosen)
-        flight.keys.push_back({.camera = views[i].camera, .time = views[i].time - views[0].time});
+        flight.keys.push_back({.camera = views[i].camera,
+                               .time = views[i].time - views[0].time,
+                               .exposure = views[i].exposure});
     return flight;
 }
 
@@ -28,7 +30,7 @@ Flight flightThrough(std::span<const TimedView> views, const std::vector<std::si
 std::vector<FlightKey> thinned(std::span<const TimedView> all, double distance, double degrees, Vec3 up) {
     std::vector<TimedView> views;
     for (const TimedView& view : all) {
-        if (views.empty() || view.time > views.back().time) views.push_back(view);
+        if (views.empty() || view.time >= views.back().time + kMinFlightSeconds) views.push_back(view);
     }
     std::vector<std::size_t> chosen{0};
     if (views.size() > 1) chosen.push_back(views.size() - 1);

@@ -24,9 +24,11 @@ inline std::string_view nameOf(FlightTiming timing) {
 }
 
 inline constexpr std::size_t kMaxFlights = 100, kMaxFlightKeys = 1000;
-inline constexpr std::size_t kMaxFlightName = 200;  ///< bytes
-inline constexpr int kMaxFlightSeconds = 24 * 3600; ///< a day
-inline constexpr int kMaxTurns = 1000;              ///< of a turntable, either way
+inline constexpr std::size_t kMaxFlightName = 200;       ///< bytes
+inline constexpr std::size_t kMaxKeysOfFlights = 20'000; ///< of all of a scene together
+inline constexpr double kMinFlightSeconds = 0.001;       ///< of the whole, and between two key frames
+inline constexpr int kMaxFlightSeconds = 24 * 3600;      ///< a day
+inline constexpr int kMaxTurns = 1000;                   ///< of a turntable, either way
 
 /// One key frame.
 struct FlightKey {
@@ -55,10 +57,14 @@ struct FlightProblem {
     std::string_view key;
     Sentence why;
 };
-/// An empty or long name, or one with control characters; no key, too many, times that do not rise from 0 on,
+/// An empty or long name, or one with control characters; no key, too many, cameras that are not finite,
+/// exposures that are not above 0, times that do not rise from 0 on, or are those of an even flight,
 /// seconds or turns that are out of range, perspective and orthographic keys together; a closed flight by
 /// times; a turntable without a target, with several keys or by times; a target beyond 1e12.
 std::optional<FlightProblem> problemOf(const Flight& flight);
+
+/// Key frames of all of them.
+std::size_t keysOf(const Flights& flights);
 
 /// The end where none has that name.
 Flights::const_iterator findFlight(const Flights& flights, std::string_view name);

@@ -36,6 +36,7 @@ std::vector<std::string> CapPainter::openParts(const Scene& scene) {
 }
 
 void CapPainter::paint(const Scene& scene, const Camera& camera, LdrImage& image) {
+    if (camera.kind == CameraKind::Panorama) return;
     if (!paints(scene)) return;
     const std::lock_guard lock(mutex_);
     const SectionCaps& caps = capsOf(scene);

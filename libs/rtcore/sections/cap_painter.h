@@ -19,7 +19,7 @@ class CapPainter {
   public:
     /// Over an image of the scene by this camera (cap_image.h), where no part that is left whole stands
     /// before them. Nothing where no section cuts it.
-    void paint(const Scene& scene, const Camera& camera, LdrImage& image);
+    void paint(const Scene& scene, const Camera& camera, LdrImage& image); ///< nothing of a panorama
     /// Whether paint() would do anything to an image that shows them.
     static bool paints(const Scene& scene);
     /// Names of parts that the scene's sections cut and that are not closed: they have no caps.

@@ -243,6 +243,31 @@ TEST(FlightCourse, ExposureAndRollAreTracks) {
     EXPECT_NEAR(degreesBetween(middle.up, kUp), 15, 5);
 }
 
+TEST(FlightCourse, RollTurnsTheShorterWay) {
+    const auto rolled = [](double degrees) {
+        const double radians = degrees / 57.29577951308232;
+        return cameraAt({0, 0, 1}, {0, 1, 0},
+                        {static_cast<float>(std::sin(radians)), 0, static_cast<float>(std::cos(radians))});
+    };
+    const FlightCourse course(flightOf({rolled(175), rolled(-175)}), kUp);
+    for (int i = 0; i <= 100; ++i) EXPECT_LT(course.at(i * 0.1).camera.up.z, -0.99F);
+}
+
+TEST(FlightCourse, HasOneAspectAllTheWay) {
+    Flight flight = flightOf({cameraAt({0, 0, 1}, {0, 1, 0}), cameraAt({0, 4, 1}, {0, 1, 0})});
+    flight.keys[1].camera.aspect = 1.5F;
+    const FlightCourse course(flight, kUp);
+    for (int i = 0; i <= 10; ++i) EXPECT_EQ(course.at(i).camera.aspect, 0);
+}
+
+TEST(FlightCourse, WhatMovesByRoundingAloneStands) {
+    const Flight flight = flightOf({cameraAt({4000, 0, 1}, {1, 0, 0}), cameraAt({4004, 0, 1}, {1, 0, 0}),
+                                    cameraAt({std::nextafter(4004.0F, 0.0F), 0, 1}, {0, 1, 0}),
+                                    cameraAt({4004, 4, 1}, {0, 1, 0})});
+    const FlightCourse course(flight, kUp);
+    EXPECT_NEAR(course.timeOf(2) - course.timeOf(1), 10.0 / 3, 1e-3) << "a right angle, as long as a way";
+}
+
 TEST(FlightCourse, LooksStraightDown) {
     const FlightCourse course(
         flightOf({cameraAt({0, 0, 9}, {0, 0, -1}, {0, 1, 0}), cameraAt({0, -9, 9}, {0, 1, -1})}), kUp);

@@ -57,6 +57,7 @@ TEST_F(FlightCommands, KeepViewsAsKeyFrames) {
     EXPECT_NE(why("flight key set a 4").find("3 key frames"), std::string::npos);
     EXPECT_NE(why("flight key add a 3").find("even speed"), std::string::npos);
     EXPECT_NE(why("flight key time a 2 3").find("even speed"), std::string::npos);
+    EXPECT_NE(why("flight key exposure a 1 1e-50").find("above 0"), std::string::npos);
     for (int i = 0; i < 3; ++i) answer("flight key remove a 1");
     EXPECT_TRUE(document.flights().empty()) << "the last key frame goes with its flight";
 }
@@ -158,6 +159,15 @@ TEST_F(FlightCommands, AreShownAndWritten) {
         answer("flight go back " + std::to_string(i * 0.1));
         EXPECT_NEAR(document.camera().eye.x, wanted.eye.x, 0.0101);
     }
+    // Two recordings, one behind the other, are one way.
+    std::ofstream(folder / "twice.lst") << "f.cams/000001.cam\nf.cams/000021.cam\nf.cams/000001.cam\n"
+                                        << "f.cams/000021.cam\n";
+    EXPECT_EQ(answer("flight from DIR/twice.lst twice 0.01"), "4");
+    EXPECT_NEAR(flight("twice").keys[3].time, 2 + 1.0 / 30 + 2, 1e-9);
+    answer("flight seconds a 86400");
+    EXPECT_NE(why("flight export a DIR/long.lst 1000").find("86400001 frames"), std::string::npos);
+    EXPECT_FALSE(exists("long.lst"));
+    answer("flight seconds a 2");
     answer("camera set 9 1.8 3 0 0 -1");
     answer("flight play a 1");
     move(1ms, {});

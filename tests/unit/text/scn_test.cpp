@@ -253,6 +253,9 @@ TEST(Scn, RefusesFlightsWithTheirLine) {
     refused("name = \"a\"\nspeed = 3\n", key, "unknown key 'speed'");
     refused("name = \"a\"\n", key + "speed = 3\n", "unknown key 'speed'");
     refused("name = \"a\"\n", key + "exposure = 0\n", "exposure");
+    refused("name = \"a\"\n", key + key + "time = 1\n", "has no time");
+    refused("name = \"a\"\nseconds = 1e-9\n", key, "between 0 and 86400");
+    refused("name = \"a\"\ntiming = \"times\"\n", key + key + "time = 1e-310\n", "number 2 does not");
     refused("name = \"a\"\n", key + "[[flight]]\nname = \"a\"\n" + key, "another flight is called 'a', too");
     std::string many, frames = "[[flight]]\nname = \"a\"\n";
     for (int i = 0; i < 101; ++i) many += "[[flight]]\nname = \"" + std::to_string(i) + "\"\n" + key;

@@ -55,6 +55,9 @@ Flights readFlights(StrictTable& root, Vec3 up) {
         if (findFlight(flights, flight.name) != flights.end())
             table.fail("name", say("another flight is called {0}, too", inQuotes(flight.name)));
         flights.push_back(std::move(flight));
+        if (keysOf(flights) > kMaxKeysOfFlights)
+            table.fail("name", say("the flights have more than {0} key frames together; leave some out",
+                                   kMaxKeysOfFlights));
     }
     return flights;
 }

@@ -62,8 +62,9 @@ class ColladaNodes {
     std::optional<ExpandedCount> count() {
         for (std::size_t at = text_.find('<'); at != NodeText::npos; at = text_.find('<', at + 1)) {
             if (!isRead(text_.substr(at, kLongestName))) continue;
-            const std::size_t end = std::min(xml::endOfHead(text_, at), text_.size());
-            read(text_.substr(at, end - at));
+            const std::size_t end = xml::endOfHead(text_, at);
+            read(text_.substr(at, std::min(end, text_.size()) - at));
+            if (end == NodeText::npos) break; // of all that would begin behind it, too
         }
         return nodes_.graph.count(roots_);
     }
