@@ -798,6 +798,10 @@
         <source>note</source>
         <translation>poznámka</translation>
     </message>
+    <message>
+        <source>flight</source>
+        <translation>let</translation>
+    </message>
 </context>
 <context>
     <name>LightKinds</name>
@@ -897,20 +901,52 @@
         <translation>vykreslit snímek pro každý soubor .cam z tohoto textového seznamu; #### ve jménu výstupu se nahradí číslem snímku od 0001</translation>
     </message>
     <message>
+        <source>Flight</source>
+        <translation>Let</translation>
+    </message>
+    <message>
+        <source>render the frames of a flight that the .scn keeps, as those of a list</source>
+        <translation>vykreslit snímky letu, který je ve .scn, jako snímky seznamu</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Otočný stůl</translation>
+    </message>
+    <message>
+        <source>go once around the model in S seconds, from the scene's view or that of --camera on, as by a flight</source>
+        <translation>obletět model jednou za S sekund, od pohledu scény nebo kamery --camera, jako letem</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Otáčky</translation>
+    </message>
+    <message>
+        <source>with --turntable: so many times around; below 0 it goes clockwise, as seen from above [1]</source>
+        <translation>s --turntable: tolikrát dokola; pod 0 po směru hodinových ručiček při pohledu shora [1]</translation>
+    </message>
+    <message>
+        <source>Make list</source>
+        <translation>Vytvořit seznam</translation>
+    </message>
+    <message>
+        <source>render nothing; write the cameras of the flight or the turntable as a list of .cam files, in a folder beside it</source>
+        <translation>nic nevykreslit; zapsat kamery letu nebo otočného stolu jako seznam souborů .cam ve složce vedle něj</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>Snímky</translation>
     </message>
     <message>
-        <source>render only these frames of the list; also A, A- and -B</source>
-        <translation>vykreslit jen tyto snímky seznamu; také A, A- a -B</translation>
+        <source>render only these frames of the list or flight; also A, A- and -B</source>
+        <translation>vykreslit jen tyto snímky seznamu nebo letu; také A, A- a -B</translation>
     </message>
     <message>
         <source>Chunk</source>
         <translation>Díl</translation>
     </message>
     <message>
-        <source>render the I-th of N equal parts of the list, or of --frames</source>
-        <translation>vykreslit I-tý z N stejných dílů seznamu nebo výběru --frames</translation>
+        <source>render the I-th of N equal parts of the list or flight, or of --frames</source>
+        <translation>vykreslit I-tou z N stejných částí seznamu nebo letu, nebo --frames</translation>
     </message>
     <message>
         <source>Force</source>
@@ -949,16 +985,16 @@
         <translation>Film</translation>
     </message>
     <message>
-        <source>make a film of the list by ffmpeg: .mp4, .webm, .mkv, .gif; with -o the frames are kept as well, and those that are there are used</source>
-        <translation>udělat ze seznamu film programem ffmpeg: .mp4, .webm, .mkv, .gif; s -o zůstanou i snímky a ty, které už existují, se použijí</translation>
+        <source>make a film of the list or flight by ffmpeg: .mp4, .webm, .mkv, .gif; with -o the frames are kept as well, and those that are there are used</source>
+        <translation>ze seznamu nebo letu vytvořit film pomocí ffmpeg: .mp4, .webm, .mkv, .gif; s -o zůstanou i snímky, a ty, které tam už jsou, se použijí</translation>
     </message>
     <message>
         <source>FPS</source>
         <translation>Snímků za sekundu</translation>
     </message>
     <message>
-        <source>frames per second of the film [as the .cam files were recorded, else 25]</source>
-        <translation>snímků filmu za sekundu [jak byly zaznamenány soubory .cam, jinak 25]</translation>
+        <source>frames per second of the film or flight [as the .cam files were recorded, else 25]</source>
+        <translation>snímků za sekundu filmu nebo letu [jak byly zaznamenány soubory .cam, jinak 25]</translation>
     </message>
     <message>
         <source>Quality</source>
