@@ -9,6 +9,7 @@
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/corner_plan_operations.h"
 #include "gui/operations/display_operations.h"
+#include "gui/operations/flight_operations.h"
 #include "gui/operations/job_operations.h"
 #include "gui/operations/light_meter_operations.h"
 #include "gui/operations/light_operations.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new SectionOperations(context, this);
     new MeasureOperations(context, this);
     new NoteOperations(context, this);
+    auto* flights = new FlightOperations(context, this);
     auto* plans = new PlanOperations(context, this);
     new CornerPlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
@@ -87,6 +89,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     jobs_ = new JobOperations(context, this);
     connect(jobs_, &JobOperations::openWanted, this, &MainWindow::open);
     connect(camera, &CameraOperations::filmWanted, jobs_, &JobOperations::renderList);
+    connect(flights, &FlightOperations::filmWanted, jobs_, &JobOperations::renderFlight);
     connect(plans, &PlanOperations::lightWanted, jobs_, &JobOperations::prepare);
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);

@@ -97,9 +97,9 @@ TEST_F(JobDialogsTest, RenderDialogShowsTheCommandAndWhatIsWrong) {
     EXPECT_TRUE(acceptable());
     EXPECT_TRUE(command->text().startsWith(QStringLiteral("Renderer /")));
     EXPECT_TRUE(command->text().contains(QStringLiteral("--antialiasing=3")));
-    field<QLineEdit>(dialog, "FPS")->setText(QStringLiteral("many"));
+    field<QLineEdit>(dialog, "Turns")->setText(QStringLiteral("many"));
     EXPECT_FALSE(acceptable()) << "the table says: a number";
-    field<QLineEdit>(dialog, "FPS")->setText(QString());
+    field<QLineEdit>(dialog, "Turns")->setText(QString());
     EXPECT_TRUE(acceptable());
     QSignalSpy wanted(&dialog, &RenderDialog::wanted);
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);

@@ -171,6 +171,7 @@ TEST_F(PanelsTest, AClosedPanelGivesTheKeysBackToTheImage) {
                           std::pair{Qt::Key_F6, Qt::KeyboardModifiers(Qt::ShiftModifier)},
                           std::pair{Qt::Key_F7, Qt::KeyboardModifiers()},
                           std::pair{Qt::Key_F7, Qt::KeyboardModifiers(Qt::ShiftModifier)},
+                          std::pair{Qt::Key_F7, Qt::KeyboardModifiers(Qt::ControlModifier)},
                           std::pair{Qt::Key_F8, Qt::KeyboardModifiers()},
                           std::pair{Qt::Key_F8, Qt::KeyboardModifiers(Qt::ShiftModifier)},
                           std::pair{Qt::Key_J, Qt::KeyboardModifiers(Qt::ControlModifier)}};
@@ -206,9 +207,9 @@ TEST_F(PanelsTest, OneKeyHidesAllPanelsAndBringsThemBack) {
     };
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(),
-              (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"), QStringLiteral("measures"),
-                           QStringLiteral("model"), QStringLiteral("notes"), QStringLiteral("sections"),
-                           QStringLiteral("settings"), QStringLiteral("views")}));
+              (QStringList{QStringLiteral("bookmarks"), QStringLiteral("flights"), QStringLiteral("lights"),
+                           QStringLiteral("measures"), QStringLiteral("model"), QStringLiteral("notes"),
+                           QStringLiteral("sections"), QStringLiteral("settings"), QStringLiteral("views")}));
     QTest::keyClick(&*window, Qt::Key_F4);
     EXPECT_EQ(shown(), QStringList());
     QTest::keyClick(&*window, Qt::Key_F6);

@@ -214,6 +214,12 @@ json lightKindsJson() {
     return kinds;
 }
 
+std::vector<std::string> flightNamesOf(const std::vector<app::ReportedFlight>& flights) {
+    std::vector<std::string> names;
+    for (const app::ReportedFlight& each : flights) names.push_back(each.name);
+    return names;
+}
+
 json sceneJson(const app::StateReport& state) {
     json scene{{"scene", std::filesystem::path(state.scene).filename().string()},
                {"up", vectorJson(state.up)},
@@ -226,7 +232,7 @@ json sceneJson(const app::StateReport& state) {
                {"sky", skyJson(state)},
                {"sections", sectionsJson(state)},
                {"bookmarks", state.bookmarks},
-               {"flights", state.flights},
+               {"flights", flightNamesOf(state.flights)},
                {"measures", measuresJson(state)},
                {"notes", notesJson(state)},
                {"undo", stepJson(state.undo)},
@@ -245,7 +251,7 @@ bool SceneFacts::read(std::string_view report) {
         changes_ = difference(now, all_);
         all_ = std::move(now);
         bookmarks_ = state.bookmarks;
-        flights_ = state.flights;
+        flights_ = flightNamesOf(state.flights);
         notes_ = static_cast<std::size_t>(state.noteCount);
         lights_ = state.lights.size();
         hasSky_ = state.sky.has_value();

@@ -284,6 +284,45 @@ std::string noteRemove(int number) { return line(CommandId::NoteRemove, number);
 std::string noteGo(int number) { return line(CommandId::NoteGo, number); }
 std::string noteExport(const std::string& path) { return line(CommandId::NoteExport, path); }
 
+std::string flightThrough(const std::string& name, double seconds) {
+    return line(CommandId::FlightThrough, name, seconds);
+}
+std::string flightTurntable(const std::string& name, double seconds) {
+    return line(CommandId::FlightTurntable, name, seconds);
+}
+std::string flightRename(const std::string& name, const std::string& to) {
+    return line(CommandId::FlightRename, name, to);
+}
+std::string flightRemove(const std::string& name) { return line(CommandId::FlightRemove, name); }
+std::string flightSeconds(const std::string& name, double seconds) {
+    return line(CommandId::FlightSeconds, name, seconds);
+}
+std::string flightTiming(const std::string& name, const std::string& timing) {
+    return line(CommandId::FlightTiming, name, timing);
+}
+std::string flightClosed(const std::string& name, bool on) {
+    return line(CommandId::FlightClosed, name, on ? "on" : "off");
+}
+std::string flightKeyAdd(const std::string& name) { return line(CommandId::FlightKeyAdd, name); }
+std::string flightKeySet(const std::string& name, int number) {
+    return line(CommandId::FlightKeySet, name, number);
+}
+std::string flightKeyMove(const std::string& name, int number, int to) {
+    return line(CommandId::FlightKeyMove, name, number, to);
+}
+std::string flightKeyTime(const std::string& name, int number, double seconds) {
+    return line(CommandId::FlightKeyTime, name, number, seconds);
+}
+std::string flightKeyRemove(const std::string& name, int number) {
+    return line(CommandId::FlightKeyRemove, name, number);
+}
+std::string flightGo(const std::string& name, double seconds) {
+    return line(CommandId::FlightGo, name, seconds);
+}
+std::string flightPlay(const std::string& name, double from) {
+    return line(CommandId::FlightPlay, name, from);
+}
+
 std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
 
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {
@@ -292,6 +331,7 @@ std::string exportCamera(const std::string& path, int width, int height, int ant
 
 std::string exportScene(const std::string& path) { return line(CommandId::ExportScene, path); }
 std::string screenshot(const std::string& path) { return line(CommandId::Screenshot, path); }
+std::string playStop() { return line(CommandId::PlayStop); }
 std::string play(const std::string& path) { return line(CommandId::Play, path); }
 std::string exportVideo() { return line(CommandId::ExportVideo); }
 std::string exportVideoStart(const std::string& path) { return line(CommandId::ExportVideoStart, path); }

@@ -194,11 +194,28 @@ std::string noteRemove(int number);
 std::string noteGo(int number);
 std::string noteExport(const std::string& path);
 
+// Flights, by their names; key frames counted from 1.
+std::string flightThrough(const std::string& name, double seconds); ///< all bookmarks of the scene
+std::string flightTurntable(const std::string& name, double seconds);
+std::string flightRename(const std::string& name, const std::string& to);
+std::string flightRemove(const std::string& name);
+std::string flightSeconds(const std::string& name, double seconds);
+std::string flightTiming(const std::string& name, const std::string& timing); ///< of rtcore::kFlightTimings
+std::string flightClosed(const std::string& name, bool on);
+std::string flightKeyAdd(const std::string& name); ///< the current view, also of a flight that is new
+std::string flightKeySet(const std::string& name, int number);
+std::string flightKeyMove(const std::string& name, int number, int to);
+std::string flightKeyTime(const std::string& name, int number, double seconds);
+std::string flightKeyRemove(const std::string& name, int number);
+std::string flightGo(const std::string& name, double seconds);
+std::string flightPlay(const std::string& name, double from); ///< seconds
+
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);
 std::string screenshot(const std::string& path);
 std::string play(const std::string& path);
+std::string playStop();
 std::string exportVideo();
 std::string exportVideoStart(const std::string& path);
 std::string exportVideoStop();

@@ -121,6 +121,19 @@ void writeNotes(rtcore::TomlWriter& writer, const rtcore::SceneNotes& notes, con
     }
 }
 
+void writeFlights(rtcore::TomlWriter& writer, const std::vector<ReportedFlight>& flights) {
+    for (const ReportedFlight& each : flights) {
+        writer.section("[[flights]]");
+        writer.add("name", rtcore::printable(each.name));
+        writer.add("seconds", each.seconds);
+        writer.add("timing", rtcore::nameOf(each.timing));
+        if (each.closed) writer.add("closed", true);
+        if (each.turntable) writer.add("turntable", true);
+        writer.add("keyCount", each.keyCount);
+        writer.add("keyTimes", each.keyTimes);
+    }
+}
+
 std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
     writer.add("version", kVersion);
@@ -135,7 +148,6 @@ std::string format(const StateReport& state, const Extent& extent) {
     if (extent.names) {
         writer.add("bookmarks", printableOf(state.bookmarks));
         writer.add("bookmarkViews", printableOf(state.bookmarkViews));
-        writer.add("flights", printableOf(state.flights));
     }
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
@@ -160,6 +172,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     for (const rtcore::SectionPlane& plane : state.sections.planes) rtcore::writeSectionPlane(writer, plane);
     writeMeasures(writer, state.measures, extent.measures);
     writeNotes(writer, state.notes, extent);
+    if (extent.names) writeFlights(writer, state.flights);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
     rtcore::writeSettingsSection(writer, "settings", state.settings);
@@ -211,6 +224,21 @@ void readLights(rtcore::StrictTable& root, StateReport& state) {
 rtcore::Box3 readBounds(rtcore::StrictTable& root) {
     const auto lo = root.vector("boundsMin"), hi = root.vector("boundsMax");
     return lo && hi ? rtcore::Box3{*lo, *hi} : rtcore::Box3();
+}
+
+ReportedFlight readFlight(rtcore::StrictTable& table) {
+    constexpr rtcore::Limits kSeconds{.minimum = 0, .maximum = rtcore::kMaxFlightSeconds};
+    constexpr int kMaxTime = 1000 * rtcore::kMaxFlightSeconds;
+    ReportedFlight flight{.name = table.require("name", table.text("name"))};
+    flight.seconds = table.require("seconds", table.preciseNumber("seconds", kSeconds));
+    flight.timing = static_cast<rtcore::FlightTiming>(
+        table.require("timing", table.choice("timing", rtcore::kFlightTimings)));
+    flight.closed = table.boolean("closed").value_or(false);
+    flight.turntable = table.boolean("turntable").value_or(false);
+    flight.keyCount = table.require("keyCount", table.integer("keyCount", 0, kMax));
+    flight.keyTimes = table.require("keyTimes", table.integers("keyTimes", 0, kMaxTime));
+    table.finish();
+    return flight;
 }
 
 ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
@@ -269,7 +297,7 @@ StateReport parseStateReport(std::string_view text) {
     state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
     state.bookmarkViews = root.texts("bookmarkViews").value_or(std::vector<std::string>());
-    state.flights = root.texts("flights").value_or(std::vector<std::string>());
+    for (rtcore::StrictTable& each : root.tables("flights")) state.flights.push_back(readFlight(each));
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
     readLights(root, state);

@@ -46,6 +46,18 @@ struct ReportedEdit {
     friend bool operator==(const ReportedEdit&, const ReportedEdit&) = default;
 };
 
+/// A camera path of the scene.
+struct ReportedFlight {
+    std::string name;   ///< not empty
+    double seconds = 0; ///< of the whole
+    rtcore::FlightTiming timing = rtcore::FlightTiming::Even;
+    bool closed = false, turntable = false;
+    int keyCount = 0;
+    std::vector<int> keyTimes = {}; ///< milliseconds; of kMaxReportedKeys of all flights, the first ones
+    friend bool operator==(const ReportedFlight&, const ReportedFlight&) = default;
+};
+inline constexpr std::size_t kMaxReportedKeys = 1500;
+
 struct StateReport {
     std::string scene;                     ///< absolute path of the scene or model
     rtcore::Vec3 up{0, 1, 0};              ///< one of the six axes
@@ -69,7 +81,7 @@ struct StateReport {
     ReportedEdit undoEdit = {}, redoEdit = {};       ///< the same edits
     std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
     std::vector<std::string> bookmarkViews = {};     ///< a word each: the same word, the same view
-    std::vector<std::string> flights = {};           ///< names; none where there are very many
+    std::vector<ReportedFlight> flights = {};        ///< none where there are very many lights
     bool modified = false;                           ///< there is something to save, other than the camera
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded
     bool indoors = false;                            ///< the scene's own view is from inside

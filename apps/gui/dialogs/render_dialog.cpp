@@ -3,8 +3,11 @@
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/option_fields.h"
+#include "gui/models/bookmark_store.h"
 #include "gui/models/option_names.h"
+#include "gui/models/output_file.h"
 #include "gui/models/plain_text.h"
+#include "gui/panels/value_box.h"
 #include "gui/processes/private_folder.h"
 #include "gui/processes/programs.h"
 #include "gui/session/server_sentence.h"
@@ -38,7 +41,8 @@ QStringList ownOptions() {
                                              "preview",      "run-id",      "linger",
                                              "progress",     "parent",      "requeue",
                                              "verify",       "debug-scene", "make-light",
-                                             "light-time",   "light-size"};
+                                             "light-time",   "light-size",  "flight",
+                                             "fps",          "make-list"};
     QStringList names;
     for (const char* name : kNames) names.append(QLatin1String(name));
     return names;
@@ -81,17 +85,32 @@ RenderDialog::RenderDialog(const RenderContext& context, QWidget* parent)
     layOut();
     listen();
     list_->setPath(context.list);
-    setSource(!context.list.isEmpty() ? Source::List : live_ ? Source::View : Source::Scene);
+    setSource(!context.list.isEmpty()     ? Source::List
+              : !context.flight.isEmpty() ? Source::Flight
+              : live_                     ? Source::View
+                                          : Source::Scene);
     onSource();
     addCommonParts(tr("Render"));
 }
 
 void RenderDialog::makeFields(const RenderContext& context) {
+    constexpr int kShortName = 20;    // letters
+    constexpr double kMaxRate = 1000; // --fps
     const QString all = QStringLiteral(";;") + tr("All files (*)");
     source_ = new QComboBox;
     if (live_) source_->addItem(tr("current view"), static_cast<int>(Source::View));
     source_->addItem(tr("a scene or a model"), static_cast<int>(Source::Scene));
     source_->addItem(tr("a recorded list of cameras"), static_cast<int>(Source::List));
+    if (live_ && !context.flights.isEmpty())
+        source_->addItem(tr("a flight of the scene"), static_cast<int>(Source::Flight));
+    flight_ = new QComboBox;
+    flight_->addItems(context.flights);
+    flight_->setCurrentIndex(static_cast<int>(context.flights.indexOf(context.flight)));
+    flight_->setAccessibleName(tr("Flight"));
+    flight_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    flight_->setMinimumContentsLength(kShortName);
+    rate_ = new ValueBox(0, kMaxRate);
+    rate_->setAccessibleName(tr("Frames per second"));
     scene_ = new FileField(FileField::Kind::Open, tr("Scene or model"), sceneFilter());
     scene_->setPath(context.scene);
     if (live_) scene_->edit()->setPlaceholderText(tr("as the server has it now"));
@@ -164,7 +183,9 @@ void RenderDialog::layOut() {
     form().addRow(tr("&Scene or model:"), scene_);
     form().addRow(tr("&Camera:"), camera_);
     form().addRow(tr("&List:"), list_);
+    form().addRow(tr("Fli&ght:"), flight_);
     form().addRow(tr("&Frames:"), frames_);
+    form().addRow(tr("Frames &per second:"), rate_);
     form().addRow(tr("F&ilm:"), film_);
     form().addRow(tr("&Output:"), output_);
     form().addRow(tr("&Resolution:"), sizeRow_);
@@ -177,7 +198,9 @@ void RenderDialog::layOut() {
     form().addRow(tr("S&ettings:"), settings_);
     const std::pair<QWidget*, const char*> options[] = {{camera_, "camera"},
                                                         {list_, "list"},
+                                                        {flight_, "flight"},
                                                         {frames_, "frames"},
+                                                        {rate_, "fps"},
                                                         {film_, "video"},
                                                         {output_, "output"},
                                                         {integrator_, "integrator"},
@@ -196,6 +219,11 @@ void RenderDialog::layOut() {
 void RenderDialog::listen() {
     connect(source_, &QComboBox::currentIndexChanged, this, &RenderDialog::onSource);
     connect(list_, &FileField::pathChanged, this, &RenderDialog::proposeFilm);
+    connect(flight_, &QComboBox::currentIndexChanged, this, [this] {
+        proposeFilm();
+        check();
+    });
+    connect(rate_, &ValueBox::valueChanged, this, &RenderDialog::check);
     for (FileField* field : {scene_, camera_, list_, output_, film_, settings_})
         connect(field, &FileField::pathChanged, this, &RenderDialog::check);
     for (QComboBox* box : {size_, integrator_, occlusion_, denoising_}) {
@@ -235,17 +263,19 @@ void RenderDialog::setSource(Source source) {
 
 void RenderDialog::onSource() {
     const Source now = source();
-    form().setRowVisible(scene_, now != Source::View);
     form().setRowVisible(camera_, now == Source::Scene);
-    for (QWidget* field : std::initializer_list<QWidget*>{list_, frames_, film_, newNoise_})
-        form().setRowVisible(field, now == Source::List);
-    size_->setItemText(AsTheScene, now == Source::View    ? tr("same as viewport")
-                                   : now == Source::Scene ? tr("from scene")
-                                                          : tr("from recording"));
+    form().setRowVisible(scene_, now == Source::Scene || now == Source::List);
+    form().setRowVisible(list_, now == Source::List);
+    form().setRowVisible(flight_, now == Source::Flight);
+    for (QWidget* field : std::initializer_list<QWidget*>{frames_, rate_, film_, newNoise_})
+        form().setRowVisible(field, hasFrames());
+    rate_->setSpecialValueText(now == Source::List ? tr("as recorded, else 25") : QStringLiteral("25"));
+    size_->setItemText(AsTheScene, now == Source::View   ? tr("same as viewport")
+                                   : now == Source::List ? tr("from recording")
+                                                         : tr("from scene"));
     size_->setMinimumWidth(size_->sizeHint().width()); // its least width is that of the words before
-    output_->edit()->setPlaceholderText(now == Source::List ? tr("no images; or such as frame_####.png")
-                                                            : QString());
-    output_->setPath(now == Source::List ? QString() : proposedOutput_);
+    output_->edit()->setPlaceholderText(hasFrames() ? tr("no images; or such as frame_####.png") : QString());
+    output_->setPath(hasFrames() ? QString() : proposedOutput_);
     proposeFilm();
     check();
     adjustSize();
@@ -253,14 +283,24 @@ void RenderDialog::onSource() {
 
 void RenderDialog::proposeFilm() {
     if (film_->path() != proposedFilm_) return; // the user has chosen another
-    const QFileInfo list(list_->path());
-    const QString name = list.isDir() ? QString() : list.completeBaseName();
-    film_->setPath(name.isEmpty() ? QString() : list.dir().filePath(name + QStringLiteral(".mp4")));
+    film_->setPath(freeFilm());
     proposedFilm_ = film_->path();
 }
 
+QString RenderDialog::freeFilm() const {
+    if (source() == Source::Flight)
+        return nextFreeName(QFileInfo(proposedOutput_).path(), fileNameOf(flight_->currentText()),
+                            QStringLiteral("mp4"));
+    const QFileInfo list(list_->path());
+    const QString name = list.isDir() ? QString() : list.completeBaseName();
+    return name.isEmpty() ? QString() : list.dir().filePath(name + QStringLiteral(".mp4"));
+}
+
+bool RenderDialog::hasFrames() const { return source() == Source::List || source() == Source::Flight; }
+
 bool RenderDialog::sceneOfServer() const {
-    return source() == Source::View || (source() == Source::List && live_ && scene_->path().isEmpty());
+    return source() == Source::View || source() == Source::Flight ||
+           (source() == Source::List && live_ && scene_->path().isEmpty());
 }
 
 QString RenderDialog::exported(const QString& name) const { return files_->file(name); }
@@ -276,13 +316,22 @@ QStringList RenderDialog::ownArguments() const {
     };
     if (now == Source::View) option("camera", exported(QStringLiteral("view.cam")));
     if (now == Source::Scene) option("camera", camera_->path());
-    if (now == Source::List) {
-        option("list", list_->path());
-        option("frames", frames_->text().trimmed());
-        option("video", film_->path());
-    }
+    if (now == Source::List) option("list", list_->path());
+    if (now == Source::Flight) option("flight", flight_->currentText());
+    if (hasFrames()) words += filmArguments();
     option("output", output_->path());
     return words + qualityArguments();
+}
+
+QStringList RenderDialog::filmArguments() const {
+    constexpr double kUsualRate = 25;
+    QStringList words;
+    if (!frames_->text().trimmed().isEmpty())
+        words.append(QStringLiteral("--frames=") + frames_->text().trimmed());
+    if (!film_->path().isEmpty()) words.append(QStringLiteral("--video=") + film_->path());
+    const double rate = rate_->value() > 0 ? rate_->value() : kUsualRate;
+    if (source() == Source::Flight || rate_->value() > 0) words.append(QStringLiteral("--fps=%1").arg(rate));
+    return words;
 }
 
 QStringList RenderDialog::qualityArguments() const {
@@ -306,7 +355,7 @@ QStringList RenderDialog::integratorArguments() const {
     if (!byPaths()) return {};
     QStringList words{QStringLiteral("--integrator=path")};
     if (samples_->value() > 0) words.append(QStringLiteral("--samples=%1").arg(samples_->value()));
-    if (source() == Source::List && newNoise_->isChecked())
+    if (hasFrames() && newNoise_->isChecked())
         words.append(QStringLiteral("--setting=path.seedPerFrame=true"));
     return words + denoisingArguments();
 }
@@ -349,8 +398,9 @@ QString RenderDialog::missing() const {
     };
     if (source() == Source::Scene && gone(camera_)) return tr("The camera's file is not there.");
     if (gone(settings_)) return tr("The file of settings is not there.");
-    if (source() == Source::List) {
-        if (!QFileInfo(list_->path()).isFile()) return tr("Choose a list of cameras.");
+    if (source() == Source::List && !QFileInfo(list_->path()).isFile())
+        return tr("Choose a list of cameras.");
+    if (hasFrames()) {
         if (film_->path().isEmpty() && output_->path().isEmpty()) return tr("Name a film, images, or both.");
     } else if (output_->path().isEmpty()) {
         return tr("Name the file to write.");
@@ -360,7 +410,7 @@ QString RenderDialog::missing() const {
 
 // A film before its images.
 QString RenderDialog::result() const {
-    return source() == Source::List && !film_->path().isEmpty() ? film_->path() : output_->path();
+    return hasFrames() && !film_->path().isEmpty() ? film_->path() : output_->path();
 }
 
 void RenderDialog::finish() {

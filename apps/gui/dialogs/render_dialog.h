@@ -15,14 +15,17 @@ class QSpinBox;
 namespace gui {
 
 class FileField;
+class ValueBox;
 
 /// The state that the dialog starts from.
 struct RenderContext {
-    bool live = false; ///< there is a server whose view can be rendered
-    QSize size;        ///< of a live frame
-    QString scene;     ///< proposed; may be empty
-    QString list;      ///< a recorded list to begin with; may be empty
-    QString output;    ///< proposed for an image
+    bool live = false;   ///< there is a server whose view can be rendered
+    QSize size;          ///< of a live frame
+    QString scene;       ///< proposed; may be empty
+    QString list;        ///< a recorded list to begin with; may be empty
+    QStringList flights; ///< of the server's scene
+    QString flight;      ///< one of them to begin with; may be empty
+    QString output;      ///< proposed for an image
     int antialiasing = 3;
 };
 
@@ -38,8 +41,8 @@ class RenderDialog : public JobDialog {
   public:
     explicit RenderDialog(const RenderContext& context, QWidget* parent = nullptr);
 
-    enum class Source { View, Scene, List };
-    void setSource(Source source); ///< View only when there is a server
+    enum class Source { View, Scene, List, Flight };
+    void setSource(Source source); ///< View and Flight only when there is a server with such
     Source source() const;
 
   signals:
@@ -57,10 +60,13 @@ class RenderDialog : public JobDialog {
     void listen();
     void onSource();
     void proposeFilm();
+    QString freeFilm() const;
+    bool hasFrames() const;     ///< many: of a list or a flight
     bool sceneOfServer() const; ///< it has to be exported
     QString sceneFile() const;
     QString result() const;
     QString exported(const QString& name) const;
+    QStringList filmArguments() const;
     QStringList qualityArguments() const;
     QStringList integratorArguments() const;
     QStringList denoisingArguments() const;
@@ -74,6 +80,8 @@ class RenderDialog : public JobDialog {
     QComboBox* source_;
     FileField *scene_, *camera_, *list_, *output_, *film_, *settings_;
     QLineEdit* frames_;
+    QComboBox* flight_;
+    ValueBox* rate_; ///< frames per second; 0: as recorded
     QComboBox *size_, *integrator_, *denoising_, *occlusion_;
     QSpinBox *width_, *height_, *samples_, *antialiasing_, *occlusionRays_, *bloom_;
     QCheckBox* newNoise_; ///< in each frame of a list

@@ -75,6 +75,9 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::AddNote, MenuId::View, TEXT("Add a &note"),
               TEXT("Click a place of the model and write what is to be said of it"), "Ctrl+Shift+N",
               NeedsServer | Checkable},
+    ActionRow{ActionId::AddKeyFrame, MenuId::View, TEXT("&Add a key frame"),
+              TEXT("Let the flight that is selected end at the current view, or begin one"), "Ctrl+Shift+B",
+              NeedsServer},
     ActionRow{ActionId::UpAndUnit, MenuId::View, TEXT("Up a&xis and unit…"),
               TEXT("Which axis of the model is up, and how long a unit of it is"), "", NeedsServer},
 
@@ -155,6 +158,8 @@ constexpr ActionRow kRows[]{
               TEXT("Measures that are kept, and their unit"), "Shift+F7", Checkable},
     ActionRow{ActionId::NotesPanel, MenuId::Window, TEXT("Notes an&d comments"),
               TEXT("Texts at places of the model"), "Shift+F6", Checkable},
+    ActionRow{ActionId::FlightsPanel, MenuId::Window, TEXT("Fli&ghts panel"),
+              TEXT("Paths of the camera by key frames, and films of them"), "Ctrl+F7", Checkable},
     ActionRow{ActionId::BookmarksPanel, MenuId::Window, TEXT("&Bookmarks panel"), TEXT("Views that you keep"),
               "F7", Checkable},
     ActionRow{ActionId::AllPanels, MenuId::Window, TEXT("All &panels"),

@@ -25,6 +25,14 @@ QList<ShownLight> lightsOf(const std::vector<app::ReportedLight>& lights) {
     return list;
 }
 
+std::vector<ShownFlight> flightsOf(const std::vector<app::ReportedFlight>& flights) {
+    std::vector<ShownFlight> list;
+    for (const app::ReportedFlight& each : flights)
+        list.push_back({QString::fromStdString(each.name), each.seconds, each.timing, each.closed,
+                        each.turntable, each.keyCount, each.keyTimes});
+    return list;
+}
+
 } // namespace
 
 const ShownLight* lightOf(const SceneState& state, int id) {
@@ -75,6 +83,7 @@ std::optional<StateAnswer> readState(const QString& answer) {
             result.state.bookmarks.append(QString::fromStdString(name));
         for (const std::string& view : report.bookmarkViews)
             result.state.bookmarkViews.append(QString::fromStdString(view));
+        result.state.flights = flightsOf(report.flights);
         result.state.modified = report.modified;
         result.state.edits = report.edits;
         result.state.indoors = report.indoors;

@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include <optional>
+#include <vector>
 
 namespace gui {
 
@@ -36,6 +37,17 @@ struct ShownMap {
     friend bool operator==(const ShownMap&, const ShownMap&) = default;
 };
 
+/// A camera path that is kept with the scene.
+struct ShownFlight {
+    QString name;
+    double seconds = 0;
+    rtcore::FlightTiming timing = rtcore::FlightTiming::Even;
+    bool closed = false, turntable = false;
+    int keyCount = 0;
+    std::vector<int> keyTimes = {}; ///< milliseconds; of very many the first ones
+    friend bool operator==(const ShownFlight&, const ShownFlight&) = default;
+};
+
 struct SceneState {
     QString up;                      ///< "+y"
     float metresPerUnit = 1;         ///< above 0
@@ -58,9 +70,10 @@ struct SceneState {
     QString undo, redo;            ///< the steps that these would make (editLabel()); empty: none
     QStringList bookmarks;         ///< names of the scene's own
     QStringList bookmarkViews;     ///< a word each: the same word, the same view
-    bool modified = false;         ///< there is something to save, other than the camera
-    int edits = 0;                 ///< made and not taken back
-    bool indoors = false;          ///< the scene's own view is from inside
+    std::vector<ShownFlight> flights;
+    bool modified = false; ///< there is something to save, other than the camera
+    int edits = 0;         ///< made and not taken back
+    bool indoors = false;  ///< the scene's own view is from inside
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };
 

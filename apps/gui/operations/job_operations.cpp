@@ -6,6 +6,7 @@
 #include "gui/dialogs/render_dialog.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/panel_operations.h"
+#include "gui/operations/scene_editor.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
@@ -57,13 +58,17 @@ void JobOperations::makeDock() {
 
 void JobOperations::renderList(const QString& list) { openRenderDialog(list); }
 
-void JobOperations::openRenderDialog(const QString& list) {
+void JobOperations::renderFlight(const QString& flight) { openRenderDialog({}, flight); }
+
+void JobOperations::openRenderDialog(const QString& list, const QString& flight) {
     RenderContext context;
     context.live = context_.session.live() && !context_.session.status().resolution.isEmpty();
     context.size = context_.session.status().resolution;
     // The server shows more than its file holds: lights, settings.
     context.scene = context.live ? QString() : context_.preferences.recentFiles().value(0);
     context.list = list;
+    for (const ShownFlight& each : context_.editor.state().flights) context.flights.append(each.name);
+    context.flight = flight;
     context.output = freeOutput();
     context.antialiasing = context_.preferences.get(pref::stillAntialiasing);
     auto* dialog = new RenderDialog(context, &context_.window);

@@ -24,6 +24,8 @@ class JobOperations : public QObject {
     JobQueue& queue() { return queue_; }
     /// The dialog, with this recorded list.
     void renderList(const QString& list);
+    /// The same with this flight of the scene.
+    void renderFlight(const QString& flight);
     /// Whether the window may close now. If not, the user is asked, and the window is closed when they agree.
     bool mayClose();
     /// The server writes what the job needs; then it is queued.
@@ -35,7 +37,7 @@ class JobOperations : public QObject {
 
   private:
     void makeDock();
-    void openRenderDialog(const QString& list);
+    void openRenderDialog(const QString& list, const QString& flight = {});
     void openBuildDialog();
     QString freeOutput() const;
     void prepareCamera(const RenderWish& wish);

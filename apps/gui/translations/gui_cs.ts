@@ -1227,6 +1227,22 @@
         <source>Show the numbers of notes over the image</source>
         <translation>Zobrazit čísla poznámek v obraze</translation>
     </message>
+    <message>
+        <source>&amp;Add a key frame</source>
+        <translation>Přidat klíčov&amp;ý snímek</translation>
+    </message>
+    <message>
+        <source>Let the flight that is selected end at the current view, or begin one</source>
+        <translation>Vybraný let ukončit nynějším pohledem nebo nový začít</translation>
+    </message>
+    <message>
+        <source>Fli&amp;ghts panel</source>
+        <translation>Panel let&amp;ů</translation>
+    </message>
+    <message>
+        <source>Paths of the camera by key frames, and films of them</source>
+        <translation>Dráhy kamery podle klíčových snímků a filmy z nich</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -2000,6 +2016,234 @@ Alt+%2</translation>
     <message>
         <source>Browse: %1</source>
         <translation>Procházet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FlightKeys</name>
+    <message>
+        <source>Key frames</source>
+        <translation>Klíčové snímky</translation>
+    </message>
+    <message>
+        <source>Enter or a double click looks from there</source>
+        <translation>Enter nebo dvojité kliknutí se odtud podívá</translation>
+    </message>
+    <message>
+        <source>Time of the key frame</source>
+        <translation>Čas klíčového snímku</translation>
+    </message>
+    <message>
+        <source>When the flight comes through the selected key frame; of a flight whose key frames have times</source>
+        <translation>Kdy let prochází vybraným klíčovým snímkem; u letu, jehož klíčové snímky mají časy</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>At:</source>
+        <translation>V čase:</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Přidat</translation>
+    </message>
+    <message>
+        <source>Let the flight end at the current view</source>
+        <translation>Ukončit let nynějším pohledem</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Nahradit</translation>
+    </message>
+    <message>
+        <source>Let the selected key frame be the current view</source>
+        <translation>Dát vybranému klíčovému snímku nynější pohled</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Dříve</translation>
+    </message>
+    <message>
+        <source>Move the selected key frame before the one above it</source>
+        <translation>Přesunout vybraný klíčový snímek před ten nad ním</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Později</translation>
+    </message>
+    <message>
+        <source>Move the selected key frame behind the one below it</source>
+        <translation>Přesunout vybraný klíčový snímek za ten pod ním</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+    <message>
+        <source>Remove the selected key frame; also Del. The last one goes with its flight</source>
+        <translation>Odebrat vybraný klíčový snímek; též Del. S posledním zmizí i let</translation>
+    </message>
+    <message>
+        <source>%1: at %2 s</source>
+        <translation>%1: v čase %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FlightOperations</name>
+    <message>
+        <source>Flights</source>
+        <translation>Lety</translation>
+    </message>
+    <message>
+        <source>Key frame %1 of %2</source>
+        <translation>Klíčový snímek %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FlightPlayer</name>
+    <message>
+        <source>Time</source>
+        <translation>Čas</translation>
+    </message>
+    <message>
+        <source>Look from where the flight is at that time</source>
+        <translation>Podívat se odtud, kde let v té chvíli je</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Zastavit</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Přehrát</translation>
+    </message>
+    <message>
+        <source>Stay where the flight is now</source>
+        <translation>Zůstat tam, kde let právě je</translation>
+    </message>
+    <message>
+        <source>Show the flight in real time from here on; moving ends it</source>
+        <translation>Ukázat let odtud dál v reálném čase; pohyb ho ukončí</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FlightsPanel</name>
+    <message>
+        <source>Seconds:</source>
+        <translation>Sekundy:</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Rychlost:</translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation>Let</translation>
+    </message>
+    <message>
+        <source>Key frames</source>
+        <translation>Klíčové snímky</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>Lety</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Název</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekundy</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nový</translation>
+    </message>
+    <message>
+        <source>Begin a flight at the current view; add key frames from other views</source>
+        <translation>Začít let v nynějším pohledu; z dalších pohledů přidat klíčové snímky</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Otočný stůl</translation>
+    </message>
+    <message>
+        <source>Once around what one orbits in 10 seconds</source>
+        <translation>Jednou dokola kolem středu otáčení za 10 sekund</translation>
+    </message>
+    <message>
+        <source>Through the saved views</source>
+        <translation>Uloženými pohledy</translation>
+    </message>
+    <message>
+        <source>Through all bookmarks of the scene, in their order, in 10 seconds</source>
+        <translation>Všemi záložkami scény v jejich pořadí za 10 sekund</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+    <message>
+        <source>Remove the selected flight; also Del. Can be undone</source>
+        <translation>Odebrat vybraný let; též Del. Lze vrátit</translation>
+    </message>
+    <message>
+        <source>Film…</source>
+        <translation>Film…</translation>
+    </message>
+    <message>
+        <source>Render the selected flight as a film or images</source>
+        <translation>Vykreslit vybraný let jako film nebo obrázky</translation>
+    </message>
+    <message>
+        <source>Flight %1</source>
+        <translation>Let %1</translation>
+    </message>
+    <message>
+        <source>Turntable %1</source>
+        <translation>Otočný stůl %1</translation>
+    </message>
+    <message>
+        <source>Views %1</source>
+        <translation>Pohledy %1</translation>
+    </message>
+    <message>
+        <source>How long the whole takes; times of key frames are stretched</source>
+        <translation>Jak dlouho trvá celý let; časy klíčových snímků se roztáhnou</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Rychlost</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>stálá</translation>
+    </message>
+    <message>
+        <source>by the times of key frames</source>
+        <translation>podle časů klíčových snímků</translation>
+    </message>
+    <message>
+        <source>One speed all the way, or through each key frame at its time</source>
+        <translation>Po celé dráze stejná rychlost, nebo každým klíčovým snímkem v jeho čase</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Uzavřený</translation>
+    </message>
+    <message>
+        <source>Go on from the last key frame to the first; at an even speed</source>
+        <translation>Pokračovat od posledního klíčového snímku k prvnímu; při stálé rychlosti</translation>
+    </message>
+    <message>
+        <source>turntable</source>
+        <translation>otočný stůl</translation>
     </message>
 </context>
 <context>
@@ -3670,6 +3914,30 @@ Alt+%2</translation>
     <message>
         <source>De&amp;noise:</source>
         <translation>O&amp;dstranit šum:</translation>
+    </message>
+    <message>
+        <source>a flight of the scene</source>
+        <translation>let ze scény</translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation>Let</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Snímků za sekundu</translation>
+    </message>
+    <message>
+        <source>Fli&amp;ght:</source>
+        <translation>Let kamer&amp;y:</translation>
+    </message>
+    <message>
+        <source>Frames &amp;per second:</source>
+        <translation>Snímků za sek&amp;undu:</translation>
+    </message>
+    <message>
+        <source>as recorded, else 25</source>
+        <translation>podle záznamu, jinak 25</translation>
     </message>
 </context>
 <context>

@@ -33,7 +33,9 @@ std::pair<Flight, std::size_t> chosenKey(const Call& call, std::size_t argument)
 std::size_t insert(Flight& flight, FlightKey key) {
     const auto later =
         std::ranges::find_if(flight.keys, [&](const auto& each) { return each.time > key.time; });
-    return static_cast<std::size_t>(flight.keys.insert(later, key) - flight.keys.begin());
+    const std::ptrdiff_t index = later - flight.keys.begin();
+    flight.keys.insert(later, key); // later is none any more
+    return static_cast<std::size_t>(index);
 }
 
 Result addKey(const Call& call) {

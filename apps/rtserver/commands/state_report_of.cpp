@@ -2,16 +2,21 @@
 
 #include "rtcore/io/text/camera_section.h"
 #include "rtcore/io/text/toml_writer.h"
+#include "rtcore/motion/flight_course.h"
+#include "rtcore/motion/flight_edits.h"
 #include "rtcore/scene/light_power.h"
 #include "rtcore/sky/scene_sky.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -80,6 +85,32 @@ app::ReportedEdit reportOf(const EditStep* step, std::uint64_t client) {
     return {step->number, own ? step->by.person : 0};
 }
 
+app::ReportedFlight reportOf(const rtcore::Flight& flight, rtcore::Vec3 up, std::size_t keys) {
+    app::ReportedFlight report{.name = flight.name,
+                               .seconds = secondsOf(flight),
+                               .timing = flight.timing,
+                               .closed = flight.closed,
+                               .turntable = flight.turns != 0,
+                               .keyCount = static_cast<int>(flight.keys.size())};
+    if (keys == 0) return report;
+    constexpr double kThousand = 1000;
+    const rtcore::FlightCourse course(flight, up);
+    for (std::size_t key = 0; key < keys; ++key)
+        report.keyTimes.push_back(static_cast<int>(std::lround(kThousand * course.timeOf(key))));
+    return report;
+}
+
+std::vector<app::ReportedFlight> flightsOf(const Document& document) {
+    std::vector<app::ReportedFlight> reports;
+    std::size_t room = app::kMaxReportedKeys;
+    for (const rtcore::Flight& flight : document.flights()) {
+        const std::size_t keys = std::min(room, flight.keys.size());
+        reports.push_back(reportOf(flight, document.scene()->up, keys));
+        room -= keys;
+    }
+    return reports;
+}
+
 } // namespace
 
 app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
@@ -113,7 +144,7 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
         report.bookmarks.push_back(bookmark.name);
         report.bookmarkViews.push_back(wordOf(bookmark.camera));
     }
-    for (const rtcore::Flight& flight : document.flights()) report.flights.push_back(flight.name);
+    report.flights = flightsOf(document);
     report.edits = static_cast<int>(history.position());
     return report;
 }

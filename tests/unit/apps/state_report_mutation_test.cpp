@@ -40,7 +40,13 @@ app::StateReport fullState() {
                            .undo = "set bloom.radius",
                            .redo = "load camera",
                            .bookmarks = {"door"},
-                           .flights = {"around"},
+                           .flights = {{.name = "around",
+                                        .seconds = 12.5,
+                                        .timing = rtcore::FlightTiming::Times,
+                                        .closed = true,
+                                        .turntable = true,
+                                        .keyCount = 2,
+                                        .keyTimes = {0, 12500}}},
                            .modified = true,
                            .edits = 3};
     state.lights[0].description->id = 1;

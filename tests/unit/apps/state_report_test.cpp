@@ -20,7 +20,13 @@ app::StateReport sampleReport() {
                            .redoEdit = {6, 0},
                            .bookmarks = {"door", "by the \"altar\""},
                            .bookmarkViews = {"00ff", "1234"},
-                           .flights = {"a\"b"},
+                           .flights = {{.name = "a\"b",
+                                        .seconds = 12.5,
+                                        .timing = rtcore::FlightTiming::Times,
+                                        .keyCount = 2,
+                                        .keyTimes = {0, 12500}},
+                                       {.name = "c", .seconds = 1, .turntable = true, .keyCount = 1},
+                                       {.name = "d", .seconds = 1.0 / 3, .closed = true}},
                            .modified = true,
                            .edits = 3};
     state.camera.eye = {0.1F, 2, 1.0F / 3};

@@ -20,9 +20,10 @@ class FlightCommands : public test::CommandRoom {
         EXPECT_NE(found, document.flights().end()) << name;
         return *found;
     }
-    void keep(const std::string& name, double x, const std::string& time = "") {
+    /// The answer.
+    std::string keep(const std::string& name, double x, const std::string& time = "") {
         answer("camera set " + std::to_string(x) + " 1.8 3 0 0 -1");
-        answer("flight key add " + name + " " + time);
+        return answer("flight key add " + name + " " + time);
     }
     float eye(std::size_t key, const std::string& name = "a") const {
         return flight(name).keys.at(key - 1).camera.eye.x;
@@ -31,9 +32,9 @@ class FlightCommands : public test::CommandRoom {
 };
 
 TEST_F(FlightCommands, KeepViewsAsKeyFrames) {
-    keep("a", 0);
-    keep("a", 1);
-    keep("a", 4);
+    EXPECT_EQ(keep("a", 0), "1");
+    EXPECT_EQ(keep("a", 1), "2");
+    EXPECT_EQ(keep("a", 4), "3");
     EXPECT_EQ(flight("a").keys.size(), 3U);
     EXPECT_EQ(flight("a").timing, rtcore::FlightTiming::Even);
     EXPECT_EQ(eye(3), 4);
@@ -65,7 +66,7 @@ TEST_F(FlightCommands, KeepViewsAsKeyFrames) {
 TEST_F(FlightCommands, ByTimesHaveTheirPlaceByThem) {
     keep("a", 0, "0");
     keep("a", 8, "8");
-    keep("a", 4, "4");
+    EXPECT_EQ(keep("a", 4, "4"), "2");
     EXPECT_EQ(eye(2), 4);
     keep("a", 9);
     EXPECT_EQ(flight("a").keys[3].time, 11) << "three seconds behind the last";
