@@ -357,7 +357,7 @@
     </message>
     <message>
         <source>a key frame of a flight at an even speed has no time; leave it out, or set timing = "times"</source>
-        <translation>klíčový snímek letu se stálou rychlostí nemá čas; vynechte ho, nebo nastavte timing = &quot;times&quot;</translation>
+        <translation>klíčový snímek letu se stálou rychlostí nemá čas; vynechte ho, nebo nastavte timing = "times"</translation>
     </message>
     <message>
         <source>a key has too many parts</source>
