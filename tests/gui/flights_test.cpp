@@ -167,6 +167,28 @@ TEST_F(FlightsPanelTest, PlaysFromTheSlider) {
                                                "play <b>in & out</b> 0"}));
 }
 
+TEST_F(FlightsPanelTest, GoesWhereTheSliderIsClicked) {
+    panel.show(flownState());
+    panel.resize(400, 700);
+    panel.QWidget::show();
+    QSlider& slider = panel.player().slider();
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, slider.rect().center());
+    EXPECT_NEAR(slider.value(), 6250, 250);
+    EXPECT_FALSE(slider.isSliderDown());
+    EXPECT_EQ(lines.size(), 1U);
+}
+
+TEST_F(FlightsPanelTest, LeavesOneSelectedByAClickBelowTheRows) {
+    panel.show(flownState());
+    panel.resize(400, 700);
+    panel.QWidget::show();
+    QWidget* area = panel.list().viewport();
+    QTest::mouseClick(area, Qt::LeftButton, {}, QPoint(area->width() / 2, area->height() - 2));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(panel.list().selectedItems().size(), 3);
+    EXPECT_EQ(panel.selected(), QStringLiteral("<b>in & out</b>"));
+}
+
 TEST_F(FlightsPanelTest, KeepsTheSelectedOneThroughChanges) {
     SceneState state = flownState();
     panel.show(state);

@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -23,7 +24,7 @@ constexpr double kThousand = 1000; // milliseconds
 
 } // namespace
 
-/// With a tick at each key frame.
+/// With a tick at each key frame. A click goes to where it is.
 class TickedSlider : public QSlider {
   public:
     TickedSlider() : QSlider(Qt::Horizontal) {}
@@ -33,12 +34,22 @@ class TickedSlider : public QSlider {
     }
 
   protected:
+    // The press, and the drag that it may become, are one.
+    void mousePressEvent(QMouseEvent* event) override {
+        QStyleOptionSlider option;
+        const QRect handle = handleOf(option);
+        const int x = event->position().toPoint().x();
+        if (event->button() == Qt::LeftButton && (x < handle.left() || x > handle.right())) {
+            setSliderDown(true);
+            setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), x - handle.width() / 2,
+                                                     width() - handle.width(), option.upsideDown));
+        }
+        QSlider::mousePressEvent(event);
+    }
     void paintEvent(QPaintEvent* event) override {
         constexpr int kHigh = 4;
         QStyleOptionSlider option;
-        initStyleOption(&option);
-        const QRect handle =
-            style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+        const QRect handle = handleOf(option);
         const int room = width() - handle.width();
         QPainter painter(this);
         painter.setPen(palette().color(QPalette::WindowText));
@@ -52,6 +63,11 @@ class TickedSlider : public QSlider {
     }
 
   private:
+    QRect handleOf(QStyleOptionSlider& option) const {
+        initStyleOption(&option);
+        return style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    }
+
     std::vector<int> ticks_;
 };
 

@@ -90,6 +90,10 @@ void FlightsPanel::makeList() {
     list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     list_->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     list_->horizontalHeader()->setHighlightSections(false);
+    list_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    const int rowHeight = list_->fontMetrics().height() + 6;
+    list_->verticalHeader()->setMinimumSectionSize(rowHeight);
+    list_->verticalHeader()->setDefaultSectionSize(rowHeight);
     list_->verticalHeader()->hide();
     list_->setSelectionBehavior(QAbstractItemView::SelectRows);
     list_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -97,13 +101,18 @@ void FlightsPanel::makeList() {
     list_->setTabKeyNavigation(false);
     list_->setShowGrid(false);
     list_->setWordWrap(false);
-    list_->setMinimumHeight((kRows + 1) * (list_->fontMetrics().height() + 6));
+    list_->setMinimumHeight((kRows + 1) * rowHeight);
     connect(list_, &QTableWidget::currentCellChanged, this, [this](int row) {
         if (row >= 0 && row < std::ssize(state_.flights))
             chosen_ = state_.flights[static_cast<std::size_t>(row)].name;
         showSelected();
     });
     // Not while the list is still busy with its editor.
+    // A click below the rows leaves the selected one, which all else is about.
+    const auto keep = [this] {
+        if (list_->selectedItems().isEmpty() && flight() != nullptr) list_->selectRow(list_->currentRow());
+    };
+    connect(list_, &QTableWidget::itemSelectionChanged, this, keep, Qt::QueuedConnection);
     connect(list_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
         if (item->column() != NameColumn) return;
         const auto later = [this, row = item->row(), text = item->text()] { rename(row, text); };
