@@ -2,12 +2,14 @@
 
 #include "renderer/film_rate.h"
 
+#include "common/cli/command_line.h"
 #include "common/flights/flight_recording.h"
 
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/settings/plain_text.h"
 #include "rtcore/survey/subject.h"
 
@@ -40,6 +42,15 @@ const rtcore::Flight& flightNamed(const std::string& name, const rtcore::SceneFi
                           "--turntable needs none",
                           rtcore::inQuotes(name))
             : rtcore::say("it has no flight {0}, but {1}", rtcore::inQuotes(name), namesOf(flights)));
+}
+
+/// As many as a list has room for: fewer frames per second are a matter of the options.
+int framesOf(const rtcore::FlightCourse& course, const RendererOptions& options) {
+    try {
+        return app::filmFrames(course, rateOf(options));
+    } catch (const rtcore::BadValue& tooMany) {
+        throw app::UsageError(tooMany.sentence());
+    }
 }
 
 rtcore::Flight turntableOf(const Turntable& turntable, const rtcore::Camera& camera, rtcore::Vec3 middle) {
@@ -79,26 +90,28 @@ app::FilmOfFlight filmOf(const RendererOptions& options, const rtcore::LoadedSce
 
 int framesOfFlight(const RendererOptions& options) {
     if (options.flight->turntable)
-        return app::filmFrames({turntableOf(*options.flight->turntable, {}, {}), {0, 1, 0}}, rateOf(options));
+        return framesOf({turntableOf(*options.flight->turntable, {}, {}), {0, 1, 0}}, options);
     std::optional<rtcore::SceneFile> scene;
     if (options.scene.extension() == ".scn") scene = rtcore::readSceneFile(options.scene);
     const rtcore::Flight& flight =
         flightNamed(options.flight->name, scene ? &*scene : nullptr, options.scene);
-    return app::filmFrames({flight, scene->up}, rateOf(options));
+    return framesOf({flight, scene->up}, options);
 }
 
 FlightList::FlightList(const RendererOptions& options, const rtcore::LoadedScene& loaded)
     : folder_("rtsuite-flight-") {
     const std::filesystem::path list = folder_.path() / "flight.lst";
-    app::recordFlight(list, filmOf(options, loaded));
+    const app::FilmOfFlight film = filmOf(options, loaded);
+    framesOf(film.course, options);
+    app::recordFlight(list, film);
     cameras_ = rtcore::readCameraList(list);
 }
 
 void makeList(const RendererOptions& options, const rtcore::LoadedScene& loaded, app::Progress& progress) {
     const app::FilmOfFlight film = filmOf(options, loaded);
+    const int frames = framesOf(film.course, options);
     app::recordFlight(*options.makeList, film);
-    progress.print("wrote " + options.makeList->string() + " with " +
-                   std::to_string(app::filmFrames(film.course, film.perSecond)) + " cameras");
+    progress.print("wrote " + options.makeList->string() + " with " + std::to_string(frames) + " cameras");
 }
 
 } // namespace renderer
