@@ -300,9 +300,11 @@ TEST_F(FlightsOfAServer, ArePlayedUntilTheyAreStopped) {
 
 TEST_F(FlightsOfAServer, AreRenamedAndRefusedBySentences) {
     ASSERT_NO_FATAL_FAILURE(makeFlight());
+    panel().player().showSeconds(4);
     panel().list().item(0, 0)->setText(QStringLiteral("to the <i>altar</i>"));
     EXPECT_TRUE(comes([&] { return flights()[0].name == QStringLiteral("to the <i>altar</i>"); }));
     EXPECT_EQ(panel().selected(), QStringLiteral("to the <i>altar</i>"));
+    EXPECT_EQ(panel().player().seconds(), 4) << "it is the same one";
     panel().turning().click();
     ASSERT_TRUE(comes([&] { return flights().size() == 2; }));
     panel().list().item(0, 0)->setText(QStringLiteral("Turntable 1"));

@@ -118,7 +118,7 @@ void FlightKeys::show(const std::optional<ShownFlight>& flight) {
     const int row = list_->currentRow();
     if (std::exchange(flight_, flight) != flight) showList();
     const int count = flight_ ? flight_->keyCount : 0;
-    const bool added = same && count == before + 1;
+    const bool added = same && count > before;
     const QSignalBlocker quiet(list_);
     list_->setCurrentRow(added ? count - 1 : same ? std::min(row, count - 1) : std::min(0, count - 1));
     enable();

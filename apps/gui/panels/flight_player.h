@@ -23,6 +23,8 @@ class FlightPlayer : public QWidget {
 
     /// Null: none is selected. Another one begins at 0, and ends what is played.
     void setFlight(const ShownFlight* flight);
+    /// The flight is called so from its next setFlight() on, and stays where it is.
+    void rename(const QString& name) { name_ = name; }
     double seconds() const; ///< from the beginning
     /// Emits nothing.
     void showSeconds(double seconds);

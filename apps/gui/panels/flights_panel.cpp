@@ -219,6 +219,7 @@ void FlightsPanel::rename(int row, const QString& text) {
     if (now == before) return;
     if (now.isEmpty()) return showList();
     chosen_ = now;
+    if (before == selected()) player_->rename(now);
     emit wanted(command::flightRename(before.toStdString(), now.toStdString()));
 }
 
