@@ -53,6 +53,9 @@ TEST_F(PageModules, AModelInTheHandNeverFallsBehind) { passes("orbit_test.js"); 
 TEST_F(PageModules, PointsAreShownWithPerspectiveAndWithout) { passes("measures_test.js"); }
 TEST_F(PageModules, LinesAreClippedBeforeTheEye) { passes("measures_test.js"); }
 TEST_F(PageModules, MeasuresHaveLabels) { passes("measures_test.js"); }
+TEST_F(PageModules, AnswersAreRead) { passes("measuring_test.js"); }
+TEST_F(PageModules, TapsBecomeMeasures) { passes("measuring_test.js"); }
+TEST_F(PageModules, ATapThatIsAnsweredAfterTheEndIsNone) { passes("measuring_test.js"); }
 TEST_F(PageModules, NotesAreTextWithoutControlCharacters) { passes("notes_test.js"); }
 TEST_F(PageModules, NotesHaveAHead) { passes("notes_test.js"); }
 TEST_F(PageModules, PlansAreRead) { passes("plan_test.js"); }

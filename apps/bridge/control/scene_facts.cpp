@@ -304,6 +304,7 @@ json statusJson(const ipc::Status& status) {
 }
 
 std::string withoutFolders(std::string_view text) {
+    constexpr std::string_view kLuminanceUnit = "cd/m2";
     std::string kept;
     std::size_t word = 0; // where the present one begins in `kept`
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -311,6 +312,11 @@ std::string withoutFolders(std::string_view text) {
         if (c == '/' && word == kept.size()) { // a whole path, whose folders may have blanks
             const std::string_view rest = text.substr(i, text.find_first_of(":\"'\n", i) - i);
             i += rest.rfind('/');
+            continue;
+        }
+        if (text.substr(i).starts_with(kLuminanceUnit) && word == kept.size()) { // no folder
+            kept += kLuminanceUnit;
+            i += kLuminanceUnit.size() - 1;
             continue;
         }
         const bool ends = c == ' ' || c == '"' || c == '\'' || c == '\n' || c == '(' || c == '=';

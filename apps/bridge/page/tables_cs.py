@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
-"""Makes the module with the Czech texts of settings, edits, lights, sky, materials and of what the server and the bridge say
-from the window's translations.
+"""Makes the modules with Czech texts from the window's translations: tables_cs.js for settings, edits, lights, sky and
+materials, sentences_cs.js for what the server and the bridge say.
 
-  tables_cs.py tables_cs.ts sentences_cs.ts gui_cs.ts MODULE.js... -o tables_cs.js
+  tables_cs.py tables_cs.ts sentences_cs.ts gui_cs.ts MODULE.js... -o FOLDER
 
-All of the contexts Settings, Edits, LightKinds, SectionsPanel and Server, and of other contexts what the modules ask for by of("Context", "text"). Fails when such
-a text has no translation.
+The tables have all of the contexts Settings, Edits, LightKinds and SectionsPanel, and of other contexts what the modules
+ask for by of("Context", "text"). Fails when such a text has no translation.
 """
 import json
+import os
 import re
 import sys
 import xml.etree.ElementTree as ET
 
-WHOLE = ("Settings", "Edits", "LightKinds", "SectionsPanel", "Server")
+WHOLE = ("Settings", "Edits", "LightKinds", "SectionsPanel")
+SENTENCES = "Server"
 ASKED = re.compile(r'\bof\("(\w+)", "((?:[^"\\]|\\.)*)"')
 
 
@@ -38,10 +40,17 @@ def asked_texts(modules):
     return sorted(found)
 
 
+def write(path, texts):
+    with open(path, "w", encoding="utf-8") as module:
+        module.write("/** Made by tables_cs.py from the translations of the window. */\nexport default ")
+        json.dump(texts, module, ensure_ascii=False, separators=(",", ":"))
+        module.write(";\n")
+
+
 def main(arguments):
     if len(arguments) < 4 or arguments[-2] != "-o":
         sys.exit(__doc__)
-    inputs, output = arguments[:-2], arguments[-1]
+    inputs, folder = arguments[:-2], arguments[-1]
     known = translations(name for name in inputs if name.endswith(".ts"))
     chosen = {context: known[context] for context in WHOLE}
     missing = 0
@@ -53,10 +62,8 @@ def main(arguments):
             chosen.setdefault(context, {})[text] = known[context][text]
     if missing:
         return 1
-    with open(output, "w", encoding="utf-8") as module:
-        module.write("/** Made by tables_cs.py from the translations of the window. */\nexport default ")
-        json.dump(chosen, module, ensure_ascii=False, separators=(",", ":"))
-        module.write(";\n")
+    write(os.path.join(folder, "tables_cs.js"), chosen)
+    write(os.path.join(folder, "sentences_cs.js"), known[SENTENCES])
     return 0
 
 

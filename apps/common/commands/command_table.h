@@ -272,7 +272,7 @@ enum class BrowserUse {
     Forbidden, ///< files, names, other people's keys, the server's life
     Own,       ///< the bridge itself sends it
     Look,      ///< a page may ask for it, of viewers too: it only tells
-    Move,      ///< the driver's page may: it changes the view, not the model
+    Move,      ///< the driver's page may: it changes the view or takes a while, not the model
     Edit,      ///< the driver's page may, unless edits are locked
 };
 

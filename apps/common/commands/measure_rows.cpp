@@ -11,6 +11,7 @@ std::vector<CommandSpec> measureCommands() {
          .name = "measure light",
          .arguments = {number("X", 0, 1), number("Y", 0, 1), maybe(whole("PATHS", 1, 1 << 19))},
          .effect = Waits,
+         .browser = BrowserUse::Move,
          .help =
              "print the light on the surface that is seen there, 0..1 from the left and from the top, and "
              "how bright it is",

@@ -79,6 +79,7 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "flight play",
                                                          "fly",
                                                          "focus",
+                                                         "measure light",
                                                          "note go",
                                                          "speed",
                                                          "storey go",

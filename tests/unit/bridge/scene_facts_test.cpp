@@ -158,6 +158,7 @@ TEST(Texts, LoseFoldersWithBlanksToo) {
               "load \"a b.cam\" (z)");
     EXPECT_EQ(bridge::withoutFolders("/"), "");
     EXPECT_EQ(bridge::withoutFolders("light 2 off"), "light 2 off");
+    EXPECT_EQ(bridge::withoutFolders("luminance 7 cd/m2, in abcd/m2"), "luminance 7 cd/m2, in m2");
 }
 
 TEST(PageSentences, AreThoseOfTheServerWithoutFolders) {

@@ -1,5 +1,6 @@
 import { equal, isTrue } from "./expect.js";
 import { editLabel, nameSettings, settingLabel } from "./setting_labels.js";
+import sentences from "./sentences_cs.js";
 import tables from "./tables_cs.js";
 import { counted, inWords, said } from "./texts.js";
 import czech from "./texts_cs.js";
@@ -15,12 +16,12 @@ export function eachTextIsInBothLanguages() {
     equal(tables.Settings.Shadows, "Stíny");
 }
 
-export function whatTheServerSaysIsTranslatedByItsForm() {
-    const words = (sentence) => inWords(tables.Server, sentence);
+export async function whatTheServerSaysIsTranslatedByItsForm() {
+    const words = (sentence) => inWords(sentences, sentence);
     equal(words(["there is no light {0}; the scene has {1}", "7", ["only number {0}", "3"]]), "světlo 7 tu není; scéna má jen číslo 3");
     equal(words(["{0}: {1}", "a {1} <b>.scn", ["the file is empty"]]), "a {1} <b>.scn: soubor je prázdný");
     equal(words(["a new thing {0} {1}", "x"]), "a new thing x {1}");
-    equal(said({ text: "there is no light 7", sentence: ["there is no light {0}", "7"] }), "there is no light 7");
+    equal(await said({ text: "there is no light 7", sentence: ["there is no light {0}", "7"] }), "there is no light 7");
 }
 
 export function pluralsAreRight() {

@@ -72,7 +72,7 @@ export class App {
 
     /** Tells why a request was refused; panels show the actual state again. */
     tellRefusal(answer) {
-        if (answer.text) this.notices.show("failed", said(answer), { warn: true });
+        if (answer.text) said(answer).then((text) => this.notices.show("failed", text, { warn: true }));
         this.panels.show();
         showFocusedAgain();
     }

@@ -99,7 +99,9 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         notices.show("server", t("busy"), { lasting: true, warn: true });
     }
 
-    on("server", (event) => {
+    let server = null; // the last of these events
+    on("server", async (event) => {
+        server = event;
         const { state } = event;
         const key = "server";
         showBusy(state === "busy");
@@ -113,10 +115,12 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
         app.letGo();
         app.speed = 1;
         if (state === "gone" && !around.seen) return around.showWaiting("noServer");
-        notices.show(key, state === "refused" ? t("refused", said(event)) : t(state), { lasting: true, warn: true });
+        const text = state === "refused" ? t("refused", await said(event)) : t(state);
+        if (event === server) notices.show(key, text, { lasting: true, warn: true });
     });
 
-    on("message", (message) => notices.show("message", said(message), { warn: message.kind === "warning" }));
+    on("message", async (message) => notices.show("message", await said(message),
+        { warn: message.kind === "warning" }));
 
     on("notice", (notice) => {
         const { code, back } = notice;
@@ -129,7 +133,7 @@ export function followBridge(app, { admission, asked, canvas, sendView }) {
             released: () => notices.show("released", t("released")),
         }[code];
         if (told) told();
-        else notices.show("notice", said(notice), { warn: true });
+        else said(notice).then((text) => notices.show("notice", text, { warn: true }));
     });
 
     on("lost", ({ code, reason, final }) => {

@@ -1,10 +1,10 @@
 /**
  * The measures of the scene over the image: lines and labels, by the camera of the last status. A driver may measure
- * a distance by two taps.
+ * by taps.
  */
 import { byId } from "./dom.js";
 import { imageIn } from "./scene_image.js";
-import { number, t } from "./texts.js";
+import { number, of, t } from "./texts.js";
 
 const SVG = "http://www.w3.org/2000/svg", POWERS = ["", "", "²", "³"];
 
@@ -36,11 +36,9 @@ export class Measures {
     constructor(app) {
         this.app = app;
         this.place = byId("measures");
-        this.first = null; // of two taps, while the view stays
-        this.firstView = null;
-        this.measuring = false;
+        this.tool = null; // measures by taps, once it was wanted
         this.place.addEventListener("click", (event) => this.tap(event));
-        addEventListener("keydown", (event) => event.key === "Escape" && this.measuring && this.stop());
+        addEventListener("keydown", (event) => event.key === "Escape" && this.stop());
         new ResizeObserver(() => this.show()).observe(byId("view"));
     }
 
@@ -52,62 +50,35 @@ export class Measures {
         return this.app.state.measures?.unit ?? "m";
     }
 
-    /** Two taps follow. */
-    start() {
+    /** Taps of that kind follow. */
+    async start(kind) {
         this.app.notes.stop();
-        this.measuring = true;
-        this.first = null;
-        this.place.classList.add("measuring");
-        this.app.notices.show("measure", t("measureTaps"), { lasting: true,
-            actions: [[t("measureStop"), () => this.stop()]] });
-        this.show();
+        const loaded = await import("./measuring.js").catch(() => null); // without a connection
+        if (loaded) this.tool ??= new loaded.Measuring(this.app, () => this.show(), { t, of, number });
+        this.tool?.start(kind);
     }
 
     stop() {
-        this.measuring = false;
-        this.first = null;
-        this.place.classList.remove("measuring");
-        this.app.notices.hide("measure");
-        this.show();
+        this.tool?.stop();
     }
 
     tap({ clientX, clientY }) {
         const at = this.app.picture.at(clientX, clientY);
-        if (!this.measuring || !at) return;
-        this.forgetOtherView();
-        if (!this.first) {
-            this.first = at;
-            this.firstView = this.view;
-            return this.show();
-        }
-        const from = this.first;
-        this.stop();
-        this.app.ask("measure keep seen", from.x, from.y, at.x, at.y);
-    }
-
-    get view() {
-        const { eye, forward, up, fov, orthographic } = this.app.status;
-        return JSON.stringify([eye, forward, up, fov, orthographic]);
-    }
-
-    /** A place of the image is another point of the model once the view has changed. */
-    forgetOtherView() {
-        if (this.first && this.view !== this.firstView) this.first = null;
+        if (at) this.tool?.tap(at);
     }
 
     /** Paints them anew. */
     show() {
-        this.forgetOtherView();
-        if (this.measuring && !this.app.mayEdit()) return this.stop();
-        const shown = (this.all.length > 0 || this.measuring) && imageIn(this.place, this.app);
+        const measuring = Boolean(this.tool?.kind);
+        if (measuring && !this.app.mayEdit()) return this.stop();
+        this.place.classList.toggle("measuring", measuring);
+        const shown = (this.all.length > 0 || measuring) && imageIn(this.place, this.app);
         if (!shown) return this.place.replaceChildren();
-        const { area, image } = shown;
+        const { image } = shown;
         const all = this.all.filter(({ cut }) => !cut); // no line over a label
         const marks = [...all.flatMap((one) => this.linesOf(one, image)),
             ...all.flatMap((one) => this.textsOf(one, image))];
-        if (this.first)
-            marks.push(shape("circle", { r: 5, cx: area.x + this.first.x * area.width,
-                cy: area.y + this.first.y * area.height }));
+        if (measuring) marks.push(...this.tool.marks(image, shape));
         this.place.replaceChildren(...marks);
     }
 

@@ -8,7 +8,9 @@ import { measureText } from "./measures.js";
 import { copyView } from "./share.js";
 import { counted, t } from "./texts.js";
 
-const SPEED_STEP = 1.5;
+const SPEED_STEP = 1.5, MEASURED = ["distance", "chain", "angle", "height", "area", "volume", "light"];
+/** measureDistance for "distance". */
+const kindText = (kind) => t("measure" + kind[0].toUpperCase() + kind.slice(1));
 /** The text of a side: sideThreeQuarter for "three-quarter". */
 const sideText = (side) => t(("side-" + side).replace(/-(\w)/g, (_, letter) => letter.toUpperCase()));
 
@@ -20,7 +22,7 @@ export function download(name, blob) {
 }
 
 export function viewsPanel(app) {
-    let motion, angle, speed, middle, own, here, name, plus, copy, reset, sides, measured, tap, last = "";
+    let motion, angle, speed, middle, own, here, name, plus, copy, reset, sides, measured, taps, last = "";
 
     const instance = () => app.welcome?.instance ?? "", scene = () => app.state.scene ?? "";
     const stored = () => load(instance(), scene());
@@ -75,8 +77,7 @@ export function viewsPanel(app) {
         onclick: () => app.ask("bookmark go", index + 1) }, text));
 
     const measureItem = (one, index) => {
-        const kind = t("measure" + one.kind[0].toUpperCase() + one.kind.slice(1));
-        const text = (one.name ? one.name + " " : "") + kind + " " + measureText(one, app.measures.unit);
+        const text = (one.name ? one.name + " " : "") + kindText(one.kind) + " " + measureText(one, app.measures.unit);
         const remove = button(t("measureRemove", text), () => app.ask("measure remove", index + 1), "close");
         remove.disabled = !app.mayEdit();
         return make("li", {}, make("span", { className: "name" }, text), remove);
@@ -84,13 +85,13 @@ export function viewsPanel(app) {
 
     function addMeasures(place) {
         measured = make("ul", { className: "list", id: "measured" });
-        tap = button(t("measureTwo"), () => app.measures.start());
-        place.append(make("h3", {}, t("measures")), measured, make("div", { className: "actions" }, tap));
+        taps = MEASURED.map((kind) => button(kindText(kind), () => app.measures.start(kind)));
+        place.append(make("h3", {}, t("measures")), measured, make("div", { className: "actions" }, ...taps));
     }
 
     function showMeasures() {
         const { all } = app.measures, rest = (app.state.measures?.count ?? 0) - all.length;
-        tap.disabled = !app.mayEdit();
+        for (const tap of taps) tap.disabled = !app.mayEdit();
         const items = all.map(measureItem);
         const word = rest > 0 ? t("measuresMore", rest) : all.length === 0 ? t("bookmarksNone") : "";
         if (word) items.push(make("li", {}, make("span", { className: "dim" }, word)));

@@ -1,5 +1,6 @@
 /**
- * The language of the page: its own texts (texts_en, texts_cs), and those that it shares with the window (tables_cs).
+ * The language of the page: its own texts (texts_en, texts_cs), those that it shares with the window (tables_cs), and
+ * what server and bridge say (sentences_cs), which is loaded when they first say something.
  */
 import english from "./texts_en.js";
 import { preference, setPreference } from "./storage.js";
@@ -42,7 +43,11 @@ export function inWords(table, part) {
 }
 
 /** The text of an event, in the page's language. @param {{text: string, sentence?: Array}} event */
-export const said = ({ text, sentence }) => (sentence && shared.Server ? inWords(shared.Server, sentence) : text);
+export async function said({ text, sentence }) {
+    if (!sentence || language !== "cs") return text;
+    const loaded = await import("./sentences_cs.js").catch(() => null); // without a connection
+    return loaded ? inWords(loaded.default, sentence) : text;
+}
 
 const formats = new Map();
 /** A number for people, with so many digits after the point. */
