@@ -148,7 +148,7 @@ void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
 void PictureMaker::shareLight(const FrameTask& task, const rtcore::RenderSettings& settings) {
     if (!SharedLight::lights(settings)) return sharedLight_.tellUnused();
     const rtcore::Scene lit = loaded_.scene;
-    const auto tracer = rtcore::shownTracer(surfaces_, lit);
+    const auto tracer = rtcore::shownTracer(surfaces_, lit, sections_);
     const bool byPaths = settings.integrator == rtcore::Integrator::Path;
     const rtcore::RenderSettings own = byPaths ? rtcore::steadySettings(settings) : settings;
     const auto kept = sharedLight_.of({lit, *tracer, own}, [&] {
@@ -196,7 +196,7 @@ std::vector<LightView> PictureMaker::viewsAllOver(const rtcore::RenderSettings& 
 void PictureMaker::makeLight(const std::filesystem::path& camera, const std::filesystem::path& path) {
     const Shot shot = prepare(list_.empty() ? camera : list_.front());
     const rtcore::Scene lit = loaded_.scene;
-    const auto tracer = rtcore::shownTracer(surfaces_, lit);
+    const auto tracer = rtcore::shownTracer(surfaces_, lit, sections_);
     std::vector<LightView> views;
     if (!list_.empty()) {
         views = viewsOfList(lit);
@@ -308,7 +308,7 @@ void PictureMaker::shareScale(const FrameTask& task, Shot& shot) {
         rtcore::RenderControl control{.threads = options_.threads};
         const app::ProgressScope scope(
             progress_, {"measuring the light", [&control] { return control.fraction(); }, &control.cancel});
-        const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene);
+        const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
         valueScale_ =
             valueScaleOf({loaded_.scene, *tracer, first.camera, first.settings}, unit_, control, images_);
         prepare(task.camera); // its lights, in place of those of the first
@@ -326,7 +326,7 @@ float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
     rtcore::RenderControl control{.threads = options_.threads};
     const app::ProgressScope scope(
         progress_, {"measuring the light", [&control] { return control.fraction(); }, &control.cancel});
-    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene);
+    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
     scale_ = exposureScale({loaded_.scene, *tracer, shot.camera, shot.settings}, control, images_);
     if (options_.verbose)
         progress_.print(fmt::format(
@@ -346,7 +346,7 @@ void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& s
     const rtcore::CameraRays view(camera, settings.width, settings.height);
     settings.depthOfField.on = true;
     settings.depthOfField.focus =
-        rtcore::FocusFinder().distance(*rtcore::shownTracer(surfaces_, loaded_.scene), view, x, y);
+        rtcore::FocusFinder().distance(*rtcore::shownTracer(surfaces_, loaded_.scene, sections_), view, x, y);
     if (!options_.verbose) return;
     const bool infinite = settings.depthOfField.focus >= rtcore::kInfiniteFocus;
     progress_.print("focused at " +
@@ -411,7 +411,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
     const rtcore::ImageRequest request{.aovs = options_.aovs || rtcore::effectsNeedAovs(settings),
                                        .guides = options_.aovs || rtcore::effectsNeedGuides(settings)};
-    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene);
+    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
     const rtcore::View view{loaded_.scene, *tracer, camera, settings};
     white_.reset();
     if (settings.exposure.mode == rtcore::ExposureMode::Incident) white_ = meter_.white(view, control);

@@ -15,6 +15,7 @@
 #include "rtcore/post/develop.h"
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/render/light_meter.h"
+#include "rtcore/render/section_tracer.h"
 #include "rtcore/sections/cap_painter.h"
 
 #include <filesystem>
@@ -144,6 +145,7 @@ class PictureMaker {
     bool toldOfOpenParts_ = false; ///< that sections cut
     rtcore::KdTree tree_;          ///< of what is shown
     std::shared_ptr<const rtcore::KdRayTracer> surfaces_;
+    rtcore::SectionSurfaces sections_; ///< of the image before, whose planes are mostly those of the next
     // Kept, so that their memory is reused.
     rtcore::ImageRenderers images_;
     rtcore::LightMeter meter_;

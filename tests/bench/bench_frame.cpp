@@ -2,12 +2,13 @@
 //   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames
 //   N]
 //               [--antialiasing N] [--no-shadows] [--setting NAME=VALUE]... [--shadow-maps]
-//               [--replay-only] [--section X,Y,Z,NX,NY,NZ]
+//               [--replay-only] [--section X,Y,Z,NX,NY,NZ [--rebuilt]]
 // SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that
 // name (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without
 // tracing` renders the same frame with the answers of the tracer played back, by one thread: the time that
 // no faster tracer can save. With --section: what it costs beside no section, and beside the same model whose
-// triangles the plane has cut, in N rounds in turns (sections/section_race.h), and nothing else.
+// triangles the plane has cut, in N rounds in turns (sections/section_race.h), and nothing else; --rebuilt:
+// also by a tree that is built of what the plane leaves.
 #include "bench/sections/section_race.h"
 
 #include "rtcore/io/scene_loader.h"
@@ -45,7 +46,7 @@ struct Options {
     std::optional<SectionPlane> section;
     int width = 1920, height = 1080, threads = 1, frames = 20, antialiasing = 1;
     float mirror = 0, specular = 0;
-    bool shadows = true, shadowMaps = false, replayOnly = false;
+    bool shadows = true, shadowMaps = false, replayOnly = false, rebuilt = false;
 };
 
 /// Processor time of all threads, so that other work on the machine does not count.
@@ -113,6 +114,8 @@ Options parse(int argc, char** argv) {
             o.shadowMaps = true;
         } else if (name == "--replay-only") {
             o.replayOnly = true;
+        } else if (name == "--rebuilt") {
+            o.rebuilt = true;
         } else if (name.substr(0, 2) != "--") {
             o.scene = name;
         } else if (i + 1 < argc) {
@@ -186,7 +189,8 @@ class Bench {
 
     void run() {
         if (options_.section)
-            return rtbench::raceSections(loaded_, settings_, *options_.section, options_.frames);
+            return rtbench::raceSections(loaded_, settings_, *options_.section, options_.frames,
+                                         options_.rebuilt);
         if (!options_.replayOnly) measureFrames();
         measureWithoutTracing();
     }
@@ -312,7 +316,7 @@ int main(int argc, char** argv) {
                      "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
                      "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows]\n"
                      "            [--setting NAME=VALUE]... [--shadow-maps] [--replay-only]\n"
-                     "            [--section X,Y,Z,NX,NY,NZ]\n");
+                     "            [--section X,Y,Z,NX,NY,NZ [--rebuilt]]\n");
         return 2;
     }
     try {

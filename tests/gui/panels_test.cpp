@@ -560,6 +560,29 @@ TEST_F(PanelsTest, ADoubleClickLooksThere) {
     EXPECT_TRUE(comes([&] { return camera() == before; }));
 }
 
+// Where rays are parallel, the direction says nothing of what is in the middle.
+TEST_F(PanelsTest, ADoubleClickInAParallelViewMovesThePointToTheMiddle) {
+    open();
+    ASSERT_TRUE(comes([&] { return action(ActionId::Orbit)->isChecked(); }));
+    action(ActionId::Orbit)->trigger();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera orthographic 0 1 6 0 0 -1 8")).done);
+    ASSERT_TRUE(comes([&] {
+        return window->session().status().view.parallelWidth == 8 && window->session().status().idle;
+    }));
+    const View view = window->session().status().view;
+    FrameView& shown = window->view();
+    const QPoint place(shown.width() * 5 / 8, shown.height() / 2);
+    const std::optional<QPointF> point = shown.inPicture(place);
+    ASSERT_TRUE(point.has_value());
+    QTest::mouseClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
+    QTest::mouseDClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
+    EXPECT_FALSE(shown.input().captured());
+    const float wanted = view.eye.x() + static_cast<float>(point->x()) * 4;
+    EXPECT_TRUE(comes([&] { return std::fabs(window->session().status().view.eye.x() - wanted) < 0.05F; }))
+        << window->session().status().view.eye.x() << " in place of " << wanted;
+    EXPECT_EQ(window->session().status().view.forward, view.forward);
+}
+
 TEST_F(PanelsTest, ADoubleClickWithCtrlFocusesThere) {
     open();
     const QString before = camera();

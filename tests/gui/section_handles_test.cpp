@@ -352,6 +352,24 @@ TEST_F(SectionHandlesTest, AKnobTurnsThePlaneAboutTheArrowsFootInOneStep) {
     EXPECT_EQ(state().edits, before_);
 }
 
+// The middle of what is seen of the plane is elsewhere by then.
+TEST_F(SectionHandlesTest, TheFootStaysWhereItIsAfterATurn) {
+    ASSERT_NO_FATAL_FAILURE(cut("camera look-at 3 3 8 0 0 0 60", kAboveHalf));
+    ASSERT_TRUE(handles().knob(1));
+    const QPointF before = *handles().place(1), from = *handles().knob(1),
+                  to = from + 0.4 * (*handles().tip(1) - from);
+    drag(from, to - from);
+    ASSERT_TRUE(comes([&] { return normal().y < 0.99F; }));
+    ASSERT_TRUE(edits(1));
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return status().idle; }));
+    EXPECT_LT(QLineF(*handles().place(1), before).length(), 1.5);
+    ASSERT_NO_FATAL_FAILURE(command("section plane 1 0 0.2 0 0 1 0"));
+    window->editor().refresh();
+    ASSERT_TRUE(turnsTo({0, 1, 0}));
+    EXPECT_TRUE(comes([&] { return handles().place(1)->y() > before.y() + 1.5; })) << "another plane";
+}
+
 TEST_F(SectionHandlesTest, ShiftKeepsTurnsToFifteenDegrees) {
     ASSERT_NO_FATAL_FAILURE(cut(kFromFront, kAboveHalf));
     ASSERT_NO_FATAL_FAILURE(turn(1, -50, Qt::ShiftModifier));
@@ -377,6 +395,7 @@ TEST_F(SectionHandlesTest, EscGivesADragUp) {
     EXPECT_TRUE(turnsTo({0, 1, 0}));
     release(*handles().place(1) + QPointF(80, 80));
     EXPECT_TRUE(comes([&] { return plane(1) == (rtcore::SectionPlane{{0, 0.5F, 0}, {0, 1, 0}}); }));
+    EXPECT_TRUE(edits(0)) << "nothing is left to take back";
     EXPECT_FALSE(window->view().input().captured());
     const QPointF tip = *handles().tip(1);
     press(tip);
@@ -385,6 +404,7 @@ TEST_F(SectionHandlesTest, EscGivesADragUp) {
     QTest::keyClick(&window->view(), Qt::Key_Escape);
     EXPECT_TRUE(comes([&] { return plane(1).point.y == 0.5F; })) << plane(1).point.y;
     release(tip);
+    EXPECT_TRUE(edits(0)) << state().edits - before_;
 }
 
 TEST_F(SectionHandlesTest, OfOneThatPointsAtTheEyeTurnItAboutBothAxes) {

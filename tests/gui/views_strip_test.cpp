@@ -116,6 +116,65 @@ TEST_F(ViewsStripTest, AViewIsReplacedByTheCurrentOne) {
     EXPECT_TRUE(isAt({1, 2, 5}));
 }
 
+// In the scene and in the window's own files.
+TEST_F(ViewsStripTest, WhatIsKeptTwiceIsOneStep) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
+    ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", 1));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("bookmark add \"Place 1\"")).done);
+    window->editor().refresh();
+    const auto inScene = [&](const QStringList& names) {
+        return comes([&] { return window->editor().state().bookmarks == names; });
+    };
+    BookmarkStore store;
+    store.setScene(file("room.obj"));
+    const QStringList one{QStringLiteral("Place 1")}, other{QStringLiteral("Altar")};
+    ASSERT_TRUE(inScene(one) && shows(one));
+    const int edits = window->editor().state().edits;
+    strip().list().item(0)->setText(other[0]);
+    ASSERT_TRUE(inScene(other) && shows(other));
+    EXPECT_EQ(store.list().front().name, other[0]);
+    strip().list().setCurrentRow(0);
+    emit window->findChild<BookmarksPanel*>()->deleteWanted(0);
+    ASSERT_TRUE(inScene({}) && shows({}));
+    EXPECT_TRUE(store.list().isEmpty());
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(inScene(other) && shows(other));
+    EXPECT_EQ(store.list().size(), 1);
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(inScene(one) && shows(one));
+    EXPECT_EQ(window->editor().state().edits, edits);
+    action(ActionId::Redo)->trigger();
+    ASSERT_TRUE(inScene(other) && shows(other));
+    EXPECT_EQ(store.list().front().name, other[0]);
+    action(ActionId::Redo)->trigger();
+    ASSERT_TRUE(inScene({}) && shows({}));
+    EXPECT_TRUE(store.list().isEmpty());
+}
+
+TEST_F(ViewsStripTest, BothOfAViewThatIsKeptTwiceAreReplacedInOneStep) {
+    ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
+    ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", 1));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("bookmark add \"Place 1\"")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set -2 2 5 1 0 -1")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    window->editor().refresh();
+    const auto view = [&] { return window->editor().state().bookmarkViews.value(0); };
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 3 && !view().isEmpty(); }));
+    BookmarkStore store;
+    store.setScene(file("room.obj"));
+    const QString seen = view();
+    const BookmarkFiles before = store.read(store.list().front());
+    strip().list().setCurrentRow(0);
+    entry("Replace by the current view")->trigger();
+    ASSERT_TRUE(comes([&] { return view() != seen; }));
+    EXPECT_NE(store.read(store.list().front()).camera, before.camera);
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 4; }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(comes([&] { return view() == seen; }));
+    EXPECT_EQ(store.read(store.list().front()).camera, before.camera);
+    EXPECT_EQ(window->editor().state().edits, 3);
+}
+
 TEST_F(ViewsStripTest, AViewThatWasReplacedAndRenamedComesBackOnce) {
     ASSERT_NO_FATAL_FAILURE(openWithStrip("room.obj"));
     ASSERT_NO_FATAL_FAILURE(keepView("camera set 1 2 5 0 0 -1", 1));

@@ -235,42 +235,56 @@ void BookmarkOperations::rename(int row, const QString& name) {
     const QList<Entry> all = entries();
     if (row >= 0 && row < all.size() && !name.trimmed().isEmpty()) {
         const Entry& entry = all[row];
-        if (entry.kept) renameKept(*entry.kept, name);
-        if (entry.ofScene)
-            context_.editor.edit(command::bookmarkRename(entry.name.toStdString(), name.toStdString()),
-                                 [this](const Answer& answer) {
-                                     if (!answer.done) tellTrouble(answer.text);
-                                     refill();
-                                 });
+        std::string line;
+        if (entry.ofScene) line = command::bookmarkRename(entry.name.toStdString(), name.toStdString());
+        const bool kept = entry.kept && renameKept(*entry.kept, name, line);
+        if (!kept && !line.empty())
+            context_.editor.edit(line, [this](const Answer& answer) {
+                if (!answer.done) tellTrouble(answer.text);
+                refill();
+            });
     }
     refill();
 }
 
-void BookmarkOperations::renameKept(const Bookmark& bookmark, const QString& name) {
+/// Together with the edit `line` of the scene, if any; false: it was not done, and told.
+bool BookmarkOperations::renameKept(const Bookmark& bookmark, const QString& name, const std::string& line) {
     const BookmarkFiles before = store_.read(bookmark), after = store_.renamed(bookmark, name);
-    if (after.file.isEmpty() || before.camera.isEmpty()) return; // no other name, or removed meanwhile
-    if (store_.has(after.file)) return tellTrouble(tr("There is a bookmark “%1” already.").arg(name));
-    change(tr("rename “%1”").arg(bookmark.name), {before}, {after});
+    if (after.file.isEmpty() || before.camera.isEmpty()) return false; // no other name, or removed meanwhile
+    if (store_.has(after.file)) {
+        tellTrouble(tr("There is a bookmark “%1” already.").arg(name));
+        return false;
+    }
+    change(tr("rename “%1”").arg(bookmark.name), {before}, {after}, line);
+    return true;
 }
 
 void BookmarkOperations::replace(int row) {
     const QList<Entry> all = entries();
     if (row < 0 || row >= all.size() || !context_.session.live()) return;
     pictures_.keep(all[row].view, pictureOf(all[row])); // for undo
-    if (all[row].ofScene) context_.editor.edit(command::bookmarkAdd(all[row].name.toStdString()));
+    if (all[row].ofScene && !all[row].kept)
+        context_.editor.edit(command::bookmarkAdd(all[row].name.toStdString()));
     takeView([this, entry = all[row]](const QByteArray& camera, const QImage& picture) {
+        if (entry.kept) replaceKept(entry, camera, picture);
         if (entry.ofScene) keepReplaced(entry, picture);
-        if (entry.kept) replaceKept(*entry.kept, camera, picture);
         context_.view.tell(tr("“%1” is the current view now.").arg(entry.name));
     });
 }
 
-void BookmarkOperations::replaceKept(const Bookmark& bookmark, const QByteArray& camera,
-                                     const QImage& picture) {
+// By the camera that the file has by then.
+void BookmarkOperations::replaceKept(const Entry& entry, const QByteArray& camera, const QImage& picture) {
+    const Bookmark& bookmark = *entry.kept;
     const BookmarkFiles before = store_.read(bookmark);
-    if (before.camera.isEmpty()) return refill(); // it was removed meanwhile
+    std::string line;
+    if (entry.ofScene)
+        line = command::bookmarkAdd(entry.name.toStdString(), store_.cameraPath(bookmark).toStdString());
+    if (before.camera.isEmpty()) { // it was removed meanwhile
+        if (entry.ofScene) context_.editor.edit(command::bookmarkAdd(entry.name.toStdString()));
+        return refill();
+    }
     change(tr("replace “%1”").arg(bookmark.name), {before},
-           {{bookmark.file, camera, picture.isNull() ? before.picture : pictureBytes(picture)}});
+           {{bookmark.file, camera, picture.isNull() ? before.picture : pictureBytes(picture)}}, line);
 }
 
 // The scene's own come first, and stay first.
@@ -296,19 +310,22 @@ void BookmarkOperations::moveKept(const Bookmark& bookmark, const Bookmark& othe
 }
 
 void BookmarkOperations::change(const QString& text, const QList<BookmarkFiles>& before,
-                                const QList<BookmarkFiles>& after) {
-    context_.editor.doOwn(new BookmarkFilesStep(text, store_, before, after, [this](const QString& trouble) {
+                                const QList<BookmarkFiles>& after, const std::string& line) {
+    auto* step = new BookmarkFilesStep(text, store_, before, after, [this](const QString& trouble) {
         tellTrouble(trouble);
         refill();
-    }));
+    });
+    line.empty() ? context_.editor.doOwn(step) : context_.editor.doBoth(step, line);
 }
 
 void BookmarkOperations::remove(int row) {
     const QList<Entry> all = entries();
     if (row < 0 || row >= all.size()) return;
     const Entry& entry = all[row];
-    if (entry.kept) change(tr("delete “%1”").arg(entry.name), {store_.read(*entry.kept)}, {});
-    if (entry.ofScene) context_.editor.edit(command::bookmarkRemove(entry.name.toStdString()));
+    std::string line;
+    if (entry.ofScene) line = command::bookmarkRemove(entry.name.toStdString());
+    if (entry.kept) return change(tr("delete “%1”").arg(entry.name), {store_.read(*entry.kept)}, {}, line);
+    context_.editor.edit(line);
 }
 
 } // namespace gui

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace gui {
 
@@ -54,13 +55,15 @@ class BookmarkOperations : public QObject {
     void takeReplaced();
     void go(int row);
     void rename(int row, const QString& name);
-    void renameKept(const Bookmark& bookmark, const QString& name);
+    bool renameKept(const Bookmark& bookmark, const QString& name, const std::string& line);
     void replace(int row);
-    void replaceKept(const Bookmark& bookmark, const QByteArray& camera, const QImage& picture);
+    void replaceKept(const Entry& entry, const QByteArray& camera, const QImage& picture);
     void move(int row, int by);
     void moveKept(const Bookmark& bookmark, const Bookmark& other);
     void remove(int row);
-    void change(const QString& text, const QList<BookmarkFiles>& before, const QList<BookmarkFiles>& after);
+    /// `line`: the edit of the scene that belongs to it; "": none.
+    void change(const QString& text, const QList<BookmarkFiles>& before, const QList<BookmarkFiles>& after,
+                const std::string& line = {});
     void refill();
     void tellTrouble(const QString& text);
 

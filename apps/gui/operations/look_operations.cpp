@@ -3,6 +3,7 @@
 #include "gui/dialogs/field_of_view_dialog.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/operations/to_middle.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
@@ -61,7 +62,11 @@ void LookOperations::reset() {
 void LookOperations::lookAt(const QPointF& position) {
     const std::optional<QPointF> point = context_.view.inPicture(position);
     const View& view = context_.session.status().view;
-    if (!point || !context_.session.live() || view.fieldOfView <= 0) return;
+    if (!point || !context_.session.live()) return;
+    if (view.fieldOfView <= 0) { // all rays are parallel: the direction says nothing of what is in the middle
+        context_.view.showLive();
+        return bringToMiddle(context_, position);
+    }
     const QSize size =
         context_.view.showsLive() ? context_.session.frame().size() : context_.view.picture().size();
     from_ = view.forward;

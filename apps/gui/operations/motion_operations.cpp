@@ -3,6 +3,7 @@
 #include "gui/models/bindings.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/operations/to_middle.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
@@ -78,7 +79,8 @@ void MotionOperations::bindOrbit() {
         takeHold(position);
         session.approach(std::pow(kNearer, steps));
     });
-    connect(&input, &InputCapture::centred, this, &MotionOperations::centre);
+    connect(&input, &InputCapture::centred, this,
+            [this](const QPointF& position) { bringToMiddle(context_, position); });
     context_.actions.on(ActionId::FitView, [this] { context_.editor.edit(command::cameraFit()); });
     for (const auto& [id, side] : kSides)
         context_.actions.on(id, [this, side] { context_.editor.edit(command::cameraView(side)); });
@@ -87,14 +89,6 @@ void MotionOperations::bindOrbit() {
 void MotionOperations::takeHold(const QPointF& position) {
     if (const auto place = context_.view.inPicture(position))
         context_.session.takeHold((place->x() + 1) / 2, (1 - place->y()) / 2);
-}
-
-void MotionOperations::centre(const QPointF& position) {
-    const auto place = context_.view.inPicture(position);
-    if (!place) return;
-    takeHold(position);
-    const QRectF area = context_.view.pictureArea();
-    context_.session.pan(-place->x() / 2, -place->y() / 2 * area.height() / area.width());
 }
 
 // Any program may change them.

@@ -18,7 +18,6 @@ class MotionOperations : public QObject {
     void changeSpeed(double steps);
     void bindOrbit();
     void takeHold(const QPointF& position);
-    void centre(const QPointF& position);
     void askForBindings();
 
     GuiContext context_;

@@ -106,30 +106,62 @@ void SceneEditor::chooseEnvironment(int environment) { edit(command::environment
 
 // --- Undo ---
 
-bool SceneEditor::ownIsLast() const { return own_.canUndo() && ownAt_[own_.index() - 1] >= state_.edits; }
-bool SceneEditor::ownIsNext() const { return own_.canRedo() && ownAt_[own_.index()] <= state_.edits; }
+bool SceneEditor::ownIsLast() const { return own_.canUndo() && owns_[own_.index() - 1].at >= state_.edits; }
+
+bool SceneEditor::ownIsNext() const {
+    if (!own_.canRedo()) return false;
+    const Own& next = owns_[own_.index()];
+    return next.at - (next.both ? 1 : 0) <= state_.edits;
+}
 
 void SceneEditor::undo() {
     edits_.endGesture();
-    ownIsLast() ? own_.undo() : edit(command::undo());
+    if (!ownIsLast()) return edit(command::undo());
+    // An edit that changed nothing, such as to a name that it had, is none.
+    const Own last = owns_[own_.index() - 1];
+    const bool both = last.both && (!follower_.isCurrent() || state_.edits >= last.at);
+    own_.undo();
+    if (both) edit(command::undo());
 }
 
 void SceneEditor::redo() {
     edits_.endGesture();
-    ownIsNext() ? own_.redo() : edit(command::redo());
+    if (!ownIsNext()) return edit(command::redo());
+    const bool both = owns_[own_.index()].both && (!follower_.isCurrent() || !state_.redo.isEmpty());
+    own_.redo();
+    if (both) edit(command::redo());
 }
 
 QString SceneEditor::undoText() const { return ownIsLast() ? own_.undoText() : editLabel(state_.undo); }
 QString SceneEditor::redoText() const { return ownIsNext() ? own_.redoText() : editLabel(state_.redo); }
 
-void SceneEditor::doOwn(QUndoCommand* step) {
-    ownAt_.resize(own_.index());
-    ownAt_.append(state_.edits);
+void SceneEditor::keepOwn(QUndoCommand* step, bool both) {
+    owns_.resize(own_.index());
+    owns_.append({++lastOwn_, state_.edits + (both ? 1 : 0), both});
     own_.push(step);
 }
 
+void SceneEditor::doOwn(QUndoCommand* step) { keepOwn(step, false); }
+
+void SceneEditor::doBoth(QUndoCommand* step, const std::string& line) {
+    keepOwn(step, true);
+    edit(line, [this, id = lastOwn_](const Answer& answer) {
+        if (!answer.done) part(id);
+        onRefusal(answer);
+    });
+}
+
+// Its edit was refused.
+void SceneEditor::part(int id) {
+    for (Own& own : owns_) {
+        if (own.id != id || !own.both) continue;
+        own.both = false;
+        --own.at;
+    }
+}
+
 void SceneEditor::forgetOwn() {
-    ownAt_.clear();
+    owns_.clear();
     own_.clear();
 }
 

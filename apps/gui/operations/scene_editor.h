@@ -54,6 +54,9 @@ class SceneEditor : public QObject {
     QString redoText() const;
     /// Does something of the window's own that can be taken back until another scene is shown.
     void doOwn(QUndoCommand* step);
+    /// The same together with an edit of the server: both are one step. A refusal of the edit is reported,
+    /// and leaves the window's own part.
+    void doBoth(QUndoCommand* step, const std::string& line);
 
   signals:
     /// A change of what is seen, by the user, is on its way.
@@ -75,13 +78,22 @@ class SceneEditor : public QObject {
     void onRefusal(const Answer& answer);
     bool ownIsLast() const;
     bool ownIsNext() const;
+    void keepOwn(QUndoCommand* step, bool both);
+    void part(int id);
     void forgetOwn();
 
     Session& session_;
     SceneState state_;
     QString scene_;
     QUndoStack own_;
-    QList<int> ownAt_; ///< after so many of the server's edits
+    /// Of a step of the window's own.
+    struct Own {
+        int id;    ///< another number for each
+        int at;    ///< after so many of the server's edits
+        bool both; ///< the last of which belongs to it
+    };
+    QList<Own> owns_;
+    int lastOwn_ = 0;
     app::StateFollower follower_;
     app::EditQueue edits_;
     bool live_ = false;

@@ -95,11 +95,27 @@ SectionMark SectionHandles::mark(int number) const {
     return markOf(state_.sections, static_cast<std::size_t>(number - 1), state_.bounds);
 }
 
+// While its plane stays as the drag has left it, and it is seen.
+std::optional<Vec3d> SectionHandles::keptFoot(int number, const SectionMark& at, const SceneImage& in) const {
+    constexpr double kRounded = 1e-4; // of the box, and of an angle
+    if (!foot_ || foot_->number != number) return std::nullopt;
+    const double off = std::fabs(dot(at.normal, foot_->hold - at.middle));
+    if (off > kRounded * double{state_.bounds.diagonal()}) return std::nullopt;
+    if (length(at.normal - foot_->normal) > kRounded) return std::nullopt;
+    const auto place = in.at(foot_->hold);
+    return place && view_.pictureArea().contains(*place) ? std::optional(foot_->hold) : std::nullopt;
+}
+
 // One that is held stays where it was taken.
+std::optional<Vec3d> SectionHandles::foot(int number, const SectionMark& at, const SceneImage& in) const {
+    if (drag_ && drag_->number == number) return drag_->handle.hold + at.normal * drag_->along;
+    const auto kept = keptFoot(number, at, in);
+    return kept ? kept : holdOf(at, in);
+}
+
 std::optional<SectionHandles::Handle> SectionHandles::handle(int number, const SceneImage& in) const {
     const SectionMark at = mark(number);
-    const bool held = drag_ && drag_->number == number;
-    const auto hold = held ? std::optional(drag_->handle.hold + at.normal * drag_->along) : holdOf(at, in);
+    const auto hold = foot(number, at, in);
     if (!hold) return std::nullopt;
     const auto place = in.at(*hold);
     const auto tip = in.at(*hold + at.normal * (kArrow * in.unitsPerPixel(*hold)));
@@ -293,6 +309,10 @@ void SectionHandles::takeBack() {
 }
 
 void SectionHandles::endDrag() {
+    if (drag_ && drag_->moves && drag_->number <= count()) {
+        const Vec3d normal = mark(drag_->number).normal;
+        foot_ = Foot{drag_->number, drag_->handle.hold + normal * drag_->along, normal};
+    }
     drag_.reset();
     view_.update();
 }

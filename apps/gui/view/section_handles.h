@@ -76,10 +76,18 @@ class SectionHandles : public QObject {
         bool over = false; ///< taken back, while the button is still down
     };
 
+    /// A foot that a drag has left.
+    struct Foot {
+        int number;
+        rtcore::Vec3d hold, normal; ///< scene units
+    };
+
     std::optional<SceneImage> image() const;
     int count() const { return static_cast<int>(state_.sections.planes.size()); }
     SectionMark mark(int number) const;
     std::optional<Handle> handle(int number, const SceneImage& in) const;
+    std::optional<rtcore::Vec3d> foot(int number, const SectionMark& at, const SceneImage& in) const;
+    std::optional<rtcore::Vec3d> keptFoot(int number, const SectionMark& at, const SceneImage& in) const;
     std::vector<SectionArc> arcs(const SceneImage& in) const;
     std::optional<SectionArc> arcAt(const QPointF& at) const;
     int handleAt(const QPointF& at) const;
@@ -105,6 +113,7 @@ class SectionHandles : public QObject {
     int hoveredArc_ = -1; ///< of the selected one; -1: none
     bool shown_ = false;
     std::optional<Drag> drag_;
+    std::optional<Foot> foot_; ///< of the last drag
 };
 
 } // namespace gui

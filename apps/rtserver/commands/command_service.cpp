@@ -122,9 +122,6 @@ void CommandService::answerBy(const ipc::Command& command, const Act& act) {
         services_.replies.answer(command, answer->text, answer->detail);
     } catch (const std::exception& error) {
         refuseFor(command, error);
-        if (!command.wantsAnswer)
-            messages_.complain(
-                rtcore::say("{0}: {1}", rtcore::inQuotes(command.text), rtcore::sentenceOf(error)));
     }
 }
 
@@ -162,6 +159,9 @@ void CommandService::refuseObstructing(const rtcore::Sentence& why) {
 void CommandService::refuseFor(const ipc::Command& command, const std::exception& error) {
     const Failure failure = failureOf(error);
     services_.replies.refuse(command, failure.code, failure.why);
+    if (!command.wantsAnswer)
+        messages_.complain(
+            rtcore::say("{0}: {1}", rtcore::inQuotes(command.text), rtcore::sentenceOf(error)));
 }
 
 void CommandService::refuseAll(const std::vector<ipc::Command>& commands, const rtcore::Sentence& why) {

@@ -37,6 +37,10 @@ rtcore::Changes changesBetween(const rtcore::Scene& before, const rtcore::Scene&
     return changes;
 }
 
+bool showAlike(const rtcore::Scene& before, const rtcore::Scene& after) {
+    return !changesBetween(before, after).any() && before.lights == after.lights;
+}
+
 } // namespace
 
 Document::Document(const Options& options, Reserve reserve, Messages& messages)
@@ -82,6 +86,11 @@ void Document::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore:
     if (follower_ != nullptr) follower_->treeReplaced();
 }
 
+void Document::useTreeWithin(const rtcore::KdRayTracer& built, const rtcore::HiddenParts& hidden,
+                             std::span<const rtcore::HalfSpace> halves) {
+    if (rtcore::sameParts(hidden, scene_->hiddenParts)) visible_.useWithin(built, halves, *scene_);
+}
+
 // --- Scene ---
 
 void Document::putScene(rtcore::Scene edited) {
@@ -97,8 +106,7 @@ void Document::imageScene() {
 
 void Document::publish(rtcore::Scene edited) {
     const rtcore::Changes changes = changesBetween(*scene_, edited);
-    const bool renamed = edited.lights != scene_->lights;
-    if (!changes.any() && !renamed) return;
+    if (showAlike(*scene_, edited)) return;
     const std::shared_ptr<const rtcore::Scene> before = scene_;
     putScene(std::move(edited));
     revisions_.note(changes);
@@ -271,8 +279,15 @@ rtcore::RenderSettings Document::frameSettings() const {
 
 // --- Steps ---
 
+// A gesture that has come back to where it began leaves no step: scenes are told apart by where they are.
 void Document::keepStep(std::string label, Snapshot before, const EditAuthor& by, bool goesOn) {
-    history_.add({std::move(label), std::move(before), snapshot(), by}, goesOn);
+    Snapshot after = snapshot();
+    const EditStep* const last = history_.last();
+    if (goesOn && last != nullptr && after.modelUnits.up == last->before.modelUnits.up &&
+        after.modelUnits.metresPerUnit == last->before.modelUnits.metresPerUnit &&
+        showAlike(*last->before.scene, *after.scene))
+        after.scene = last->before.scene;
+    history_.add({std::move(label), std::move(before), std::move(after), by}, goesOn);
 }
 
 // Windows change the size as well: it goes back only where it still is what the step made it.

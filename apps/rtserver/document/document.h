@@ -20,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,11 @@ class Document {
     /// One built of what is visible. The frames stay the same. Nothing where other parts are hidden by now.
     void useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
                         const rtcore::HiddenParts& hidden);
+
+    /// One built of what is left of that within `halves`. The frames stay the same. Nothing where other parts
+    /// are hidden by now, or sections leave something else.
+    void useTreeWithin(const rtcore::KdRayTracer& built, const rtcore::HiddenParts& hidden,
+                       std::span<const rtcore::HalfSpace> halves);
 
     /// What closes the solids that sections cut; safe from several threads.
     rtcore::CapPainter& caps() const { return *caps_; }

@@ -1,5 +1,6 @@
 #include "rtserver/document/visible_model.h"
 
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/render/shown_tracer.h"
 #include "rtcore/render/visible_scene.h"
 
@@ -11,6 +12,7 @@ void VisibleModel::prune(const World& world, const rtcore::Scene& scene) {
     tree_ = rtcore::visibleTree(world.loaded.tree, scene);
     pruned_ = scene.hiddenParts != nullptr;
     surfaces_ = pruned_ ? std::make_shared<const rtcore::KdRayTracer>(tree_, *world.tracer) : world.tracer;
+    built_ = false;
     take(scene);
 }
 
@@ -19,11 +21,25 @@ void VisibleModel::replace(rtcore::KdTree tree, std::shared_ptr<const rtcore::Kd
     tree_ = std::move(tree);
     pruned_ = false;
     surfaces_ = std::move(tracer);
+    built_ = false;
     take(scene);
 }
 
 void VisibleModel::take(const rtcore::Scene& scene) {
-    tracer_ = rtcore::shownTracer(surfaces_, scene, uncut_);
+    const rtcore::SectionClip clip(scene.sections, surfaces_->bounds());
+    if (!rtcore::sameHalves(clip.halves(), halves_)) {
+        halves_.assign(clip.halves().begin(), clip.halves().end());
+        built_ = false;
+    }
+    tracer_ = rtcore::shownTracer(surfaces_, scene, sections_);
+}
+
+void VisibleModel::useWithin(const rtcore::KdRayTracer& built, std::span<const rtcore::HalfSpace> halves,
+                             const rtcore::Scene& scene) {
+    if (halves_.empty() || !rtcore::sameHalves(halves, halves_)) return;
+    sections_.useLeft(surfaces_, halves_, built.within(halves_));
+    built_ = true;
+    take(scene);
 }
 
 } // namespace rtserver

@@ -69,7 +69,8 @@ SceneUpkeep::Pace FrameDrawing::pace() {
             .idle = idle(),
             .seconds = frames_.seconds(),
             .coarsest = schedule_.coarsest(),
-            .wanted = state_.frameSeconds};
+            .wanted = state_.frameSeconds,
+            .now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
 }
 
 // --- Drawing it ---

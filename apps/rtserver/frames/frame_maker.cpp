@@ -4,6 +4,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/post/false_colours.h"
 #include "rtcore/post/legend.h"
 #include "rtcore/shading/fog/fog.h"
 
@@ -247,22 +248,25 @@ void FrameMaker::noticeChanges(const Document& document) {
     keptFor_ = settings;
 }
 
-std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool live) {
+std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool live, int threads) {
     constexpr std::size_t kFrame = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
     const std::size_t effects = rtcore::effectBytesPerPixel(settings);
-    std::size_t pixel = kFrame + sizeof(rtcore::Rgba8) + effects;
+    constexpr std::size_t kImages = 3 * sizeof(rtcore::Rgba8); // with step_, and what CapPainter keeps
+    std::size_t pixel = kFrame + kImages + effects;
     if (live) {
         pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
         pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
         if (settings.indirect.mode == rtcore::IndirectMode::Live)
             pixel += sizeof(rtcore::SeenMatter) + rtcore::LiveRenderer::kMatterBytesPerPixel;
     }
-    return pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+    const std::size_t rows = settings.falseColours.on ? rtcore::falseColourBytes(settings.width, threads) : 0;
+    return rows +
+           pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
 }
 
-void FrameMaker::requireMemory(const rtcore::RenderSettings& settings, bool live) {
+void FrameMaker::requireMemory(const rtcore::RenderSettings& settings, bool live, int threads) {
     constexpr std::size_t kForClients = std::size_t{4} << 20U; // their channels are mapped as they come
-    void* trial = ::operator new(bytesOf(settings, live) + kForClients, std::nothrow);
+    void* trial = ::operator new(bytesOf(settings, live, threads) + kForClients, std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
     throw rtcore::FileError(

@@ -66,12 +66,13 @@ class FrameMaker {
     void develop(const Document& document);
     /// Whether develop() would give the same image again.
     bool settled() const { return adaptation_.settled(); }
-    /// Bytes for whole frames of such settings, with their image and effects; `live`, where there is a frame
+    /// Bytes for whole frames of such settings, by so many threads, with their image, its copies for caps and
+    /// legends, which may come at any time, and effects; `live`, where there is a frame
     /// time: also the least that coarse and live ones take. (docs/live.md)
-    static std::size_t bytesOf(const rtcore::RenderSettings& settings, bool live);
+    static std::size_t bytesOf(const rtcore::RenderSettings& settings, bool live, int threads);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames and for clients beside them,
     /// to whom the server would not answer otherwise, as far as one can tell.
-    static void requireMemory(const rtcore::RenderSettings& settings, bool live);
+    static void requireMemory(const rtcore::RenderSettings& settings, bool live, int threads);
     /// The light that walks learn; null: none yet.
     const rtcore::IndirectLight* walkLight() const { return walkLight_->known(); }
     /// Walks go on from what is kept of the light of the state.

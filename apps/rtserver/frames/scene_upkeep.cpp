@@ -7,12 +7,14 @@
 #include "rtcore/look/fill_lights.h"
 #include "rtcore/platform/file_waits.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/render/section_tracer.h"
 #include "rtcore/scene/up_axis.h"
 
 #include <fmt/format.h>
 
 #include <exception>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -111,6 +113,7 @@ void SceneUpkeep::noticeChanges() {
         giveUp(std::move(visible_));
         prunedOnly_ = false;
     }
+    noticeSections(changes.hasAny({Change::Scene, Change::Visibility}));
     tellFillLights();
     // Maps hold what stands where, and what light passes through it.
     const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
@@ -134,6 +137,7 @@ void SceneUpkeep::advance(const Pace& pace) {
     std::erase_if(leaving_, [](const auto& each) { return each->done(); });
     refineTree(pace);
     buildVisible(pace);
+    buildWithin(pace);
     mapShadows(pace);
 }
 
@@ -149,8 +153,8 @@ void SceneUpkeep::refineTree(const Pace& pace) {
         // After the first frame, which nothing should slow down.
         if (!document_.world().loaded.fastTree || treeless_ || !pace.complete) return;
         const rtcore::LoadedScene& loaded = document_.world().loaded;
-        refinement_ =
-            std::make_unique<TreeRefinement>(loaded.scene, nullptr, loaded.tree.bounds, options_.threads);
+        refinement_ = std::make_unique<TreeRefinement>(loaded.scene, TreeRefinement::Part(),
+                                                       loaded.tree.bounds, options_.threads);
     }
     if (!refinement_->done()) return;
     const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
@@ -170,17 +174,50 @@ void SceneUpkeep::buildVisible(const Pace& pace) {
         const bool needed = document_.visible().pruned() && !prunedOnly_;
         if (!needed || !pace.current || refinement_ != nullptr) return;
         const rtcore::Scene& scene = *document_.imagedScene();
-        visible_ = std::make_unique<TreeRefinement>(scene, scene.hiddenParts,
+        visible_ = std::make_unique<TreeRefinement>(scene, TreeRefinement::Part{scene.hiddenParts, {}},
                                                     document_.world().loaded.tree.bounds, options_.threads);
     }
     if (!visible_->done()) return;
     try {
         TreeRefinement::Result result = std::exchange(visible_, nullptr)->take();
-        document_.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
+        document_.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.part.hidden);
         Messages::print(rtcore::say("the kd-tree of the visible parts is in use; it took {0} s",
                                     shortNumber(result.seconds)));
     } catch (const std::bad_alloc&) {
         prunedOnly_ = true;
+    }
+}
+
+void SceneUpkeep::noticeSections(bool otherModel) {
+    const std::span<const rtcore::HalfSpace> now = document_.visible().halves();
+    if (!otherModel && rtcore::sameHalves(now, halves_)) return;
+    giveUp(std::move(within_));
+    halves_.assign(now.begin(), now.end());
+    restsSince_.reset();
+    reducedOnly_ = false;
+}
+
+// Once the planes rest: one that is moved has another tree in each frame. After the trees of which it is a
+// part.
+void SceneUpkeep::buildWithin(const Pace& pace) {
+    constexpr double kRest = 0.3;
+    if (!restsSince_) restsSince_ = pace.now;
+    if (within_ == nullptr) {
+        const VisibleModel& visible = document_.visible();
+        const bool needed = visible.reduced() && !reducedOnly_ && pace.now - *restsSince_ >= kRest;
+        const bool whole =
+            !document_.world().loaded.fastTree && !visible.pruned() && !refinement_ && !visible_;
+        if (!needed || !whole || !pace.current) return;
+        const rtcore::Scene& scene = *document_.imagedScene();
+        within_ = std::make_unique<TreeRefinement>(scene, TreeRefinement::Part{scene.hiddenParts, halves_},
+                                                   visible.surfaces()->bounds(), options_.threads);
+    }
+    if (!within_->done()) return;
+    try {
+        const TreeRefinement::Result result = std::exchange(within_, nullptr)->take();
+        document_.useTreeWithin(*result.tracer, result.part.hidden, result.part.halves);
+    } catch (const std::bad_alloc&) { // then the reduced one has to do
+        reducedOnly_ = true;
     }
 }
 

@@ -1,5 +1,5 @@
 /// Work beside the frames for the scene that is shown: loading another one, building the exact tree of a
-/// large one and the tree of its visible parts, making its shadow maps.
+/// large one, the tree of its visible parts and that of what sections leave, making its shadow maps.
 #pragma once
 
 #include "rtserver/document/document.h"
@@ -51,13 +51,14 @@ class SceneUpkeep {
         double seconds = 0;    ///< that it took
         double coarsest = 0;   ///< seconds of the coarsest ones; 0 = not known
         double wanted = 0;     ///< seconds that one may take while something moves; 0 = any time
+        double now = 0;        ///< seconds by a clock that goes on
     };
     /// Takes over what is done, and begins what helps: better trees, by which frames have the same bits and
     /// come faster, and shadow maps, by which coarse frames are quicker and less exact.
     void advance(const Pace& pace);
 
     /// Whether anything is under way.
-    bool works() const { return load_ || refinement_ || visible_ || mapping_; }
+    bool works() const { return load_ || refinement_ || visible_ || within_ || mapping_; }
     /// Those of the scene as it is now; null where there are none. Until the next call of any function.
     const rtcore::ShadowMaps* shadowMaps();
 
@@ -69,6 +70,8 @@ class SceneUpkeep {
     void giveUp(std::unique_ptr<TreeRefinement> refinement);
     void refineTree(const Pace& pace);
     void buildVisible(const Pace& pace);
+    void noticeSections(bool otherModel);
+    void buildWithin(const Pace& pace);
     void mapShadows(const Pace& pace);
 
     const Options& options_;
@@ -80,7 +83,11 @@ class SceneUpkeep {
     std::unique_ptr<TreeRefinement> refinement_;
     bool treeless_ = false; ///< there was no memory for the exact tree
     std::unique_ptr<TreeRefinement> visible_;
-    bool prunedOnly_ = false;                              ///< nor for that of what is visible
+    bool prunedOnly_ = false; ///< nor for that of what is visible
+    std::unique_ptr<TreeRefinement> within_;
+    std::vector<rtcore::HalfSpace> halves_; ///< which that one, or the next, is within
+    std::optional<double> restsSince_; ///< the time from which on they have been the same, once it is known
+    bool reducedOnly_ = false;         ///< there was no memory for it
     std::vector<std::unique_ptr<TreeRefinement>> leaving_; ///< given up, their threads not yet at their end
     std::unique_ptr<ShadowMapping> mapping_;
     std::unique_ptr<const rtcore::ShadowMaps> maps_;

@@ -4,10 +4,12 @@
 #include "rtcore/accel/builder.h"
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/math/half_space.h"
 #include "rtcore/scene/scene.h"
 
 #include <future>
 #include <memory>
+#include <vector>
 
 namespace rtserver {
 
@@ -15,9 +17,13 @@ namespace rtserver {
 /// the work up, and waits until its thread has noticed.
 class TreeRefinement {
   public:
-    /// The exact tree of what `hidden` leaves of the scene's model, with the bounds of all that is there.
-    TreeRefinement(const rtcore::Scene& scene, const rtcore::HiddenParts& hidden, const rtcore::Box3& bounds,
-                   int threads);
+    /// A part of the scene's model.
+    struct Part {
+        rtcore::HiddenParts hidden;            ///< lacks these
+        std::vector<rtcore::HalfSpace> halves; ///< and what is not partly within all of them
+    };
+    /// The exact tree of a part, with the bounds of all that is there.
+    TreeRefinement(const rtcore::Scene& scene, Part part, const rtcore::Box3& bounds, int threads);
     ~TreeRefinement();
     TreeRefinement(const TreeRefinement&) = delete;
     TreeRefinement& operator=(const TreeRefinement&) = delete;
@@ -29,7 +35,7 @@ class TreeRefinement {
     struct Result {
         rtcore::KdTree tree;
         std::shared_ptr<const rtcore::KdRayTracer> tracer; ///< of that tree
-        rtcore::HiddenParts hidden;
+        Part part;
         double seconds = 0;
     };
     /// Once, when done(). Throws std::bad_alloc: the other tree has to do then.

@@ -9,6 +9,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/raw_memory.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/platform/threads.h"
 #include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
@@ -41,7 +42,8 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
       state_(
           options,
           [this](const rtcore::RenderSettings& settings) {
-              FrameMaker::requireMemory(settings, state_.frameSeconds > 0);
+              FrameMaker::requireMemory(settings, state_.frameSeconds > 0,
+                                        rtcore::threadsFor(options_.threads));
               server_.reserveFrame(static_cast<std::uint32_t>(settings.width),
                                    static_cast<std::uint32_t>(settings.height));
           },

@@ -1,11 +1,14 @@
 #include "rtcore/accel/tree_within.h"
 
+#include "rtcore/accel/triangles_within.h"
 #include "rtcore/accel/uninitialized_array.h"
+#include "rtcore/accel/visible_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace rtcore {
 
@@ -78,6 +81,14 @@ KdTree treeWithin(const KdTree& tree, std::span<const HalfSpace> halves) {
     std::copy_n(tree.nodes.data(), count, nodes);
     Cutter(tree, halves, nodes).run();
     return {{nodes, count}, tree.references, tree.bounds, storage};
+}
+
+KdTree buildTreeWithin(const Mesh& mesh, std::span<const std::uint8_t> hidden,
+                       std::span<const HalfSpace> halves, const Box3& bounds, const BuildOptions& options,
+                       BuildProgress* progress) {
+    std::vector<std::uint8_t> gone = trianglesBeyond(mesh, halves, marginOf(bounds));
+    for (std::size_t i = 0; i < hidden.size(); ++i) gone[i] |= hidden[i];
+    return buildVisibleTree(mesh, gone, bounds, options, progress);
 }
 
 } // namespace rtcore

@@ -87,6 +87,12 @@ struct FalseColourPainter::Band {
     std::size_t row(int y) const { return static_cast<std::size_t>(y - first) * columns(); }
 };
 
+std::size_t falseColourBytes(int columns, int threads) {
+    constexpr std::size_t kRows = kFalseColourRows + 2 * (kSmoothRadius + 1), kArrays = 3;
+    return kArrays * kRows * sizeof(float) * static_cast<std::size_t>(columns) *
+           static_cast<std::size_t>(threads);
+}
+
 /// logs_ -> smooth_.
 void FalseColourPainter::smooth(const Band& band) {
     const int columns = band.part.columns;

@@ -5,6 +5,7 @@
 #include "rtcore/render/pixel_area.h"
 #include "rtcore/scene/image.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace rtcore {
@@ -41,6 +42,9 @@ class FalseColourPainter {
 
     std::vector<float> logs_, across_, smooth_;
 };
+
+/// Bytes that the painters of so many threads keep for images of so many columns.
+std::size_t falseColourBytes(int columns, int threads);
 
 /// All of a part by the calling thread.
 void paintFalseColours(const HdrImage& radiance, const FalseColours& how, const PixelArea& part,

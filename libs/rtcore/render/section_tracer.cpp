@@ -2,15 +2,25 @@
 
 #include "rtcore/kernels/section_clip.h"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace rtcore {
 
-SectionTracer::SectionTracer(std::shared_ptr<const RayTracer> surfaces, const SectionPlanes& sections,
-                             std::shared_ptr<const RayTracer> uncut)
-    : surfaces_(std::move(surfaces)),
-      left_(surfaces_->within(SectionClip(sections, surfaces_->bounds()).halves())), uncut_(std::move(uncut)),
-      all_(sections.light == SectionLight::Cut) {}
+namespace {
+
+bool isSame(const HalfSpace& a, const HalfSpace& b) { return a.normal == b.normal && a.offset == b.offset; }
+
+} // namespace
+
+SectionTracer::SectionTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const RayTracer> left,
+                             std::shared_ptr<const RayTracer> uncut, SectionLight light)
+    : surfaces_(std::move(surfaces)), left_(std::move(left)), uncut_(std::move(uncut)),
+      all_(light == SectionLight::Cut) {
+    if (surfaces_ == nullptr || left_ == nullptr)
+        throw std::invalid_argument("sections need a tracer of what they leave of surfaces");
+}
 
 bool SectionTracer::meetsLeft(RayKind kind) const {
     return all_ || kind == RayKind::Primary || kind == RayKind::Mirror || kind == RayKind::Refracted;
@@ -58,10 +68,28 @@ void SectionTracer::findObstacles(const RayWave& rays, std::span<const std::uint
         if (found[i] == Obstacle::None || whole[i] == Obstacle::Opaque) found[i] = whole[i];
 }
 
-std::shared_ptr<const RayTracer> UncutSurfaces::of(const std::shared_ptr<const RayTracer>& surfaces,
-                                                   const Scene& scene) {
+bool sameHalves(std::span<const HalfSpace> a, std::span<const HalfSpace> b) {
+    return std::ranges::equal(a, b, isSame);
+}
+
+std::shared_ptr<const RayTracer> SectionSurfaces::left(const std::shared_ptr<const RayTracer>& surfaces,
+                                                       std::span<const HalfSpace> halves) {
+    if (surfaces != cut_ || !sameHalves(halves, halves_)) useLeft(surfaces, halves, surfaces->within(halves));
+    return left_;
+}
+
+void SectionSurfaces::useLeft(std::shared_ptr<const RayTracer> surfaces, std::span<const HalfSpace> halves,
+                              std::shared_ptr<const RayTracer> left) {
+    cut_ = std::move(surfaces);
+    halves_.assign(halves.begin(), halves.end());
+    left_ = std::move(left);
+}
+
+std::shared_ptr<const RayTracer> SectionSurfaces::uncut(const std::shared_ptr<const RayTracer>& surfaces,
+                                                        const Scene& scene) {
     if (surfaces == surfaces_ && sameParts(scene.uncutParts, parts_)) return uncut_;
-    forget();
+    surfaces_ = uncut_ = nullptr;
+    parts_ = nullptr;
     if (scene.uncutParts == nullptr) return nullptr;
     std::vector<std::uint8_t> others = partTriangles(scene.model, scene.uncutParts);
     for (std::uint8_t& triangle : others) triangle = triangle == 0 ? 1 : 0;
@@ -72,13 +100,16 @@ std::shared_ptr<const RayTracer> UncutSurfaces::of(const std::shared_ptr<const R
 }
 
 std::shared_ptr<const RayTracer> withSections(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
-                                              UncutSurfaces& uncut) {
-    if (SectionClip(scene.sections, surfaces->bounds()).empty()) {
-        uncut.forget();
+                                              SectionSurfaces& known) {
+    const SectionClip clip(scene.sections, surfaces->bounds());
+    if (clip.empty()) {
+        known.forget();
         return surfaces;
     }
-    std::shared_ptr<const RayTracer> whole = uncut.of(surfaces, scene);
-    return std::make_shared<const SectionTracer>(std::move(surfaces), scene.sections, std::move(whole));
+    auto left = known.left(surfaces, clip.halves());
+    auto uncut = known.uncut(surfaces, scene);
+    return std::make_shared<const SectionTracer>(std::move(surfaces), std::move(left), std::move(uncut),
+                                                 scene.sections.light);
 }
 
 } // namespace rtcore

@@ -7,13 +7,13 @@
 namespace rtcore {
 
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
-                                             UncutSurfaces& uncut) {
-    return withGround(withSections(std::move(surfaces), scene, uncut), scene);
+                                             SectionSurfaces& known) {
+    return withGround(withSections(std::move(surfaces), scene, known), scene);
 }
 
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene) {
-    UncutSurfaces uncut;
-    return shownTracer(std::move(surfaces), scene, uncut);
+    SectionSurfaces known;
+    return shownTracer(std::move(surfaces), scene, known);
 }
 
 } // namespace rtcore

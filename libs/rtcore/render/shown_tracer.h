@@ -10,9 +10,9 @@
 namespace rtcore {
 
 /// `surfaces` as the scene's sections leave them, and the scene's ground, which no section cuts: `surfaces`
-/// itself where there is neither. `uncut`: what is known of scenes before.
+/// itself where there is neither. `known`: what is kept of scenes before.
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
-                                             UncutSurfaces& uncut);
+                                             SectionSurfaces& known);
 /// The same of a scene that does not change.
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene);
 

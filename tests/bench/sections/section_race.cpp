@@ -3,17 +3,20 @@
 #include "bench/sections/cut_model.h"
 
 #include "rtcore/accel/builder.h"
+#include "rtcore/accel/tree_within.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/kernels/section_clip.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/shown_tracer.h"
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/glass_solids.h"
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <deque>
 #include <memory>
 #include <string>
 #include <utility>
@@ -33,12 +36,19 @@ double processorSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+double wallSeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Of one scene, again and again.
 class Runner {
   public:
-    Runner(std::string name, Scene scene, std::shared_ptr<const RayTracer> surfaces)
+    Runner(std::string name, const Scene& scene, std::shared_ptr<const RayTracer> surfaces)
+        : Runner(std::move(name), scene, std::move(surfaces), SectionSurfaces()) {}
+    /// `known`: the tracers that its sections need, as far as they are there.
+    Runner(std::string name, Scene scene, std::shared_ptr<const RayTracer> surfaces, SectionSurfaces known)
         : name_(std::move(name)), scene_(std::move(scene)),
-          tracer_(shownTracer(std::move(surfaces), scene_)) {
+          tracer_(shownTracer(std::move(surfaces), scene_, known)) {
         control_.threads = 1;
     }
 
@@ -120,6 +130,20 @@ void print(const Runner& runner, const Runner& whole, const Runner& cut) {
                 minOf(runner) / minOf(whole), ratio(runner, cut), minOf(runner) / minOf(cut));
 }
 
+/// By a tree that is built of what the plane leaves.
+SectionSurfaces rebuilt(const Scene& scene, const std::shared_ptr<const RayTracer>& surfaces) {
+    const SectionClip clip(scene.sections, surfaces->bounds());
+    const double start = wallSeconds();
+    const KdTree tree = buildTreeWithin(scene.mesh(), {}, clip.halves(), surfaces->bounds());
+    const KdRayTracer built(tree, scene.mesh());
+    SectionSurfaces known;
+    known.useLeft(surfaces, clip.halves(), built.within(clip.halves()));
+    std::printf(
+        "the tree of what is left: built in %.0f ms, all threads; %zu references, %.2f MB with copies\n",
+        (wallSeconds() - start) * 1e3, tree.references.size(), static_cast<double>(built.memory()) / 1e6);
+    return known;
+}
+
 /// The fastest of some times that the tracer of a section was made, in milliseconds of the processor.
 double millisecondsOfTracer(const std::shared_ptr<const RayTracer>& surfaces, const Scene& scene) {
     constexpr int kTimes = 9;
@@ -135,20 +159,30 @@ double millisecondsOfTracer(const std::shared_ptr<const RayTracer>& surfaces, co
 } // namespace
 
 void raceSections(const LoadedScene& loaded, const RenderSettings& settings, const SectionPlane& plane,
-                  int rounds) {
+                  int rounds, bool withRebuilt) {
     Scene whole = loaded.scene;
     whole.sections = {};
     whole.ground = nullptr;
     const auto surfaces = std::make_shared<const KdRayTracer>(loaded.tree, whole.mesh());
     const CutScene cut(whole, plane);
     const SectionPlane missing = beyond(surfaces->bounds(), plane.normal);
-    std::array<Runner, 6> all{
-        {{"no section", whole, surfaces},
-         {"no section, once more", whole, surfaces},
-         {"a plane that misses", withPlane(whole, missing, SectionLight::Cut), surfaces},
-         {"a plane through, light falls in", withPlane(whole, plane, SectionLight::Cut), surfaces},
-         {"a plane through, rooms keep light", withPlane(whole, plane, SectionLight::Whole), surfaces},
-         {"triangles cut", cut.scene, cut.tracer}}};
+    std::deque<Runner> all; // which stay where they are
+    const auto add = [&](const char* name, const Scene& scene, const std::shared_ptr<const RayTracer>& of) {
+        all.emplace_back(name, scene, of);
+        return &all.back();
+    };
+    const Runner* const none = add("no section", whole, surfaces);
+    add("no section, once more", whole, surfaces);
+    add("a plane that misses", withPlane(whole, missing, SectionLight::Cut), surfaces);
+    const Runner* const through =
+        add("a plane through, light falls in", withPlane(whole, plane, SectionLight::Cut), surfaces);
+    const Scene cutOpen = withPlane(whole, plane, SectionLight::Cut);
+    if (withRebuilt)
+        all.emplace_back("the same, by a tree of what is left", cutOpen, surfaces,
+                         rebuilt(cutOpen, surfaces));
+    const Frame* const same = withRebuilt ? &all.back().frame() : nullptr;
+    add("a plane through, rooms keep light", withPlane(whole, plane, SectionLight::Whole), surfaces);
+    const Runner* const triangles = add("triangles cut", cut.scene, cut.tracer);
     for (Runner& runner : all) { // fetches memory
         runner.render(loaded.camera, settings);
         runner.forgetTimes();
@@ -159,12 +193,15 @@ void raceSections(const LoadedScene& loaded, const RenderSettings& settings, con
     std::printf("sections, %d x %d, one thread, %d rounds: %zu triangles, %zu when cut\n", settings.width,
                 settings.height, rounds, whole.mesh().triangles.size(), cut.scene.mesh().triangles.size());
     std::printf("  median and minimum: %28s, of no section, of the triangles cut\n", "frame");
-    for (const Runner& runner : all) print(runner, all.front(), all.back());
+    for (const Runner& runner : all) print(runner, *none, *triangles);
     std::printf("  the tracer of a plane through is made in %.2f ms, of %zu nodes\n",
                 millisecondsOfTracer(surfaces, withPlane(whole, plane, SectionLight::Cut)),
                 loaded.tree.nodes.size());
     std::printf("  pixels that differ, plane and triangles: %.3f %%\n",
-                differencePercent(all[3].frame(), all[5].frame()));
+                differencePercent(through->frame(), triangles->frame()));
+    if (same != nullptr)
+        std::printf("  bits of the image by the tree of what is left: %s\n",
+                    same->radiance.pixels == through->frame().radiance.pixels ? "the same" : "others");
 }
 
 } // namespace rtbench

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,76 @@ TEST(TreeWithin, IsHitAsTheWholeByClippedRays) {
     }
     EXPECT_GT(hits, 1000U);
     EXPECT_GT(misses, 1000U);
+}
+
+/// Also rays from so far away that rounding moves their ends.
+TEST(TreeWithin, IsHitWithTheSameBitsWhenItIsBuiltOfWhatIsLeft) {
+    CutSoup soup;
+    const test::InstructionSetGuard guard;
+    const KdRayTracer whole(soup.tree, soup.mesh);
+    const std::vector<std::uint8_t> none(soup.mesh.triangles.size());
+    std::vector<std::uint8_t> hidden = none;
+    for (std::size_t i = 0; i < hidden.size(); i += 3) hidden[i] = 1;
+    std::size_t hits = 0;
+    for (const std::vector<HalfSpace>& halves : sections(soup.random)) {
+        for (const std::vector<std::uint8_t>& without : {none, hidden}) {
+            const KdTree tree = buildTreeWithin(soup.mesh, without, halves, soup.tree.bounds);
+            EXPECT_EQ(tree.bounds, soup.tree.bounds);
+            EXPECT_LT(tree.references.size(), soup.tree.references.size());
+            const auto left = KdRayTracer(tree, soup.mesh).within(halves);
+            const auto reduced = whole.without(without)->within(halves);
+            RayWave far = test::camera(40, soup.random);
+            for (std::size_t i = 0; i < far.size(); ++i) {
+                far.ox[i] += 300 * far.dx[i];
+                far.oy[i] += 300 * far.dy[i];
+                far.oz[i] += 300 * far.dz[i];
+                far.dx[i] = -far.dx[i];
+                far.dy[i] = -far.dy[i];
+                far.dz[i] = -far.dz[i];
+                far.tMin[i] = 0;
+                far.tMax[i] = 1e6F;
+            }
+            for (const RayWave& wave :
+                 {test::scattered(900, soup.random), test::image(32, soup.random), far}) {
+                for (const std::string& set : rtcore::instructionSets()) {
+                    ASSERT_TRUE(rtcore::useInstructionSet(set));
+                    const test::WaveAnswer expected = test::byWave(*reduced, wave);
+                    hits += expected.hitCount();
+                    EXPECT_EQ(test::difference(test::byWave(*left, wave), expected, wave), "") << set;
+                }
+            }
+        }
+    }
+    EXPECT_GT(hits, 1000U);
+}
+
+/// Of triangles that each plane leaves a part of, but not all planes together.
+TEST(TreeWithin, IsBuiltOfTrianglesThatArePartlyWithinAllPlanes) {
+    test::SampleMesh sample;
+    const auto corner = [&](float x, float y) { sample.vertices.push_back({x, y, 0}); };
+    const auto triangle = [&](float x, float y) {
+        const auto first = static_cast<std::uint32_t>(sample.vertices.size());
+        corner(x - 1, y);
+        corner(x + 1, y);
+        corner(x, y + 1);
+        sample.triangles.push_back({{first, first + 1, first + 2}});
+    };
+    triangle(0, -0.5F); // within
+    triangle(0, 3);     // beyond one
+    const auto last = static_cast<std::uint32_t>(sample.vertices.size());
+    corner(-3, 2);
+    corner(2, -3);
+    corner(2, 2);
+    sample.triangles.push_back({{last, last + 1, last + 2}});
+    const std::vector<HalfSpace> halves{{{1, 0, 0}, -0.6F}, {{0, 1, 0}, -0.6F}}, right{{{1, 0, 0}, -0.6F}};
+    const auto counted = [&](const std::vector<HalfSpace>& planes) {
+        const rtcore::Mesh mesh = sample.view();
+        const KdTree tree = buildTreeWithin(mesh, {}, planes, mesh.bounds());
+        return std::set<std::uint32_t>(tree.references.begin(), tree.references.end());
+    };
+    EXPECT_EQ(counted(right), (std::set<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(counted({{{0, 1, 0}, -0.4F}}), (std::set<std::uint32_t>{0, 2}));
+    EXPECT_EQ(counted(halves), std::set<std::uint32_t>{}) << "each plane leaves a part of the last one";
 }
 
 TEST(TreeWithin, OfATracerOfAPartIsWithinBoth) {

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -270,9 +271,10 @@ class CountingTracer final : public RayTracer {
         return tracer_.without(left);
     }
     std::shared_ptr<const RayTracer> within(std::span<const HalfSpace> halves) const override {
+        ++cut;
         return tracer_.within(halves);
     }
-    mutable int made = 0;
+    mutable int made = 0, cut = 0;
 
   private:
     const RayTracer& tracer_;
@@ -284,21 +286,55 @@ TEST(Sections, KeepTheTreeOfUncutPartsWhileTheyAreTheSame) {
     level.planes = {{{0, 0, 0}, {0, 1, 0}}};
     test::TracedScene s = soup(random, level, true);
     const auto surfaces = std::make_shared<const CountingTracer>(s.tracer);
-    UncutSurfaces uncut;
-    const auto kept = shownTracer(surfaces, s.scene, uncut);
+    SectionSurfaces known;
+    const auto kept = shownTracer(surfaces, s.scene, known);
     s.scene.sections.planes[0].point.y = 0.5F;
     s.scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(*s.scene.uncutParts);
-    shownTracer(surfaces, s.scene, uncut);
+    shownTracer(surfaces, s.scene, known);
     EXPECT_EQ(surfaces->made, 1) << "a plane moves, the parts are the same";
     s.scene.uncutParts = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 1});
-    shownTracer(surfaces, s.scene, uncut);
+    shownTracer(surfaces, s.scene, known);
     EXPECT_EQ(surfaces->made, 2) << "other parts";
     const auto others = std::make_shared<const CountingTracer>(s.tracer);
-    shownTracer(others, s.scene, uncut);
+    shownTracer(others, s.scene, known);
     EXPECT_EQ(others->made, 1) << "other surfaces";
     s.scene.sections.planes.clear();
-    EXPECT_EQ(shownTracer(others, s.scene, uncut), others);
+    EXPECT_EQ(shownTracer(others, s.scene, known), others);
     EXPECT_EQ(others.use_count(), 1) << "nothing is kept without a section";
+}
+
+TEST(Sections, KeepTheTracerOfWhatIsLeftWhilePlanesAreTheSame) {
+    test::Random random(3);
+    SectionPlanes level;
+    level.planes = {{{0, 0, 0}, {0, 1, 0}}};
+    test::TracedScene s = soup(random, level, false);
+    const auto surfaces = std::make_shared<const CountingTracer>(s.tracer);
+    SectionSurfaces known;
+    shownTracer(surfaces, s.scene, known);
+    s.scene.sections.light = SectionLight::Cut;
+    shownTracer(surfaces, s.scene, known);
+    EXPECT_EQ(surfaces->cut, 1) << "planes are the same";
+    s.scene.sections.planes[0].point.y = 0.5F;
+    shownTracer(surfaces, s.scene, known);
+    EXPECT_EQ(surfaces->cut, 2) << "another plane";
+    const auto others = std::make_shared<const CountingTracer>(s.tracer);
+    shownTracer(others, s.scene, known);
+    EXPECT_EQ(others->cut, 1) << "other surfaces";
+}
+
+/// Knows no tracer within half-spaces.
+class UncuttableTracer final : public RayTracer {
+  public:
+    void intersect(RayKind /*kind*/, const RayWave& /*rays*/, HitWave& /*hits*/) const override {}
+    void occluded(RayKind /*kind*/, const RayWave& /*rays*/,
+                  std::vector<std::uint8_t>& /*occluded*/) const override {}
+    Box3 bounds() const override { return {{-1, -1, -1}, {1, 1, 1}}; }
+};
+
+TEST(Sections, NeedSurfacesThatCanBeCut) {
+    Scene scene;
+    scene.sections.planes = {{{0, 0, 0}, {0, 1, 0}}};
+    EXPECT_THROW(shownTracer(std::make_shared<const UncuttableTracer>(), scene), std::invalid_argument);
 }
 
 /// A face in a plane stays, whichever way rays come.

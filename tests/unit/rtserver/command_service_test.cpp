@@ -81,6 +81,15 @@ TEST_F(CommandServiceTest, WhatIsInNoImageIsKeptDuringAFrame) {
     EXPECT_EQ(told.take().size(), 2U);
 }
 
+TEST_F(CommandServiceTest, FailuresDuringAFrameAreMessagesWhereNoAnswerIsWanted) {
+    during("note remove 7");
+    EXPECT_EQ(messages.count(), 0U) << "its client is told";
+    service.addDuringFrame({commandOf("note remove 7", 1, false)});
+    const std::string said = messages.since(0);
+    EXPECT_NE(said.find("note remove 7"), std::string::npos) << said;
+    EXPECT_NE(said.find("warning"), std::string::npos) << said;
+}
+
 TEST_F(CommandServiceTest, OutlinesForManyTakeOneThread) {
     for (int i = 0; i < 100; ++i) during("plan outline");
     for (int i = 0; i < 2000 && told.lines.size() < 100; ++i) {

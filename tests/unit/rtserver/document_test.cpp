@@ -283,6 +283,26 @@ TEST_F(DocumentTest, IsEditedWithoutAFollower) {
     EXPECT_EQ(other.tracer(), other.world().tracer);
 }
 
+TEST_F(DocumentTest, AGestureThatComesBackToWhereItBeganLeavesNoStep) {
+    const auto cutAt = [&](float height, bool goesOn) {
+        const Snapshot before = document.snapshot();
+        rtcore::SectionPlanes sections;
+        sections.planes = {{{0, height, 0}, {0, 1, 0}}};
+        cutOpen(document, sections);
+        document.keepStep("section plane 1", before, {}, goesOn);
+    };
+    cutAt(0.5F, false);
+    const std::uint64_t begun = document.history().state();
+    cutAt(0.6F, false);
+    cutAt(0.7F, true);
+    EXPECT_NE(document.history().state(), begun);
+    cutAt(0.5F, true);
+    EXPECT_EQ(document.history().state(), begun);
+    document.undo();
+    EXPECT_TRUE(document.scene()->sections.empty()) << "the step before";
+    EXPECT_EQ(document.history().last(), nullptr);
+}
+
 TEST_F(DocumentTest, HasThePlayedExposureInFramesAlone) {
     document.setPlayedExposure(3);
     EXPECT_EQ(changes(), Changes{Change::Setting});

@@ -3,6 +3,7 @@
 #include "shown_room.h"
 
 #include "rtcore/post/effects.h"
+#include "rtcore/post/false_colours.h"
 
 #include <gtest/gtest.h>
 
@@ -28,24 +29,33 @@ RenderSettings hundredPixels() {
 }
 
 TEST(FrameMaker, CountsTheMemoryOfTheListOfEffects) {
-    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true), 20'600U) << "as docs/live.md says";
+    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true, 2), 21'400U) << "as docs/live.md says";
     RenderSettings bloom = hundredPixels(), denoised = hundredPixels();
     bloom.bloom.radius = 4;
     denoised.denoise.passes = 1;
     for (const bool live : {false, true}) {
-        const std::size_t plain = rtserver::FrameMaker::bytesOf(hundredPixels(), live);
+        const std::size_t plain = rtserver::FrameMaker::bytesOf(hundredPixels(), live, 2);
         for (const RenderSettings& settings : {bloom, denoised}) {
             const std::size_t effects = 100 * rtcore::effectBytesPerPixel(settings);
             EXPECT_GT(effects, 0U);
-            EXPECT_EQ(rtserver::FrameMaker::bytesOf(settings, live), plain + (live ? 2 : 1) * effects)
+            EXPECT_EQ(rtserver::FrameMaker::bytesOf(settings, live, 2), plain + (live ? 2 : 1) * effects)
                 << "what is seen while a whole frame is rendered has effects of its own";
         }
     }
 }
 
+TEST(FrameMaker, CountsTheRowsOfFalseColoursOfEachThread) {
+    RenderSettings coloured = hundredPixels();
+    coloured.falseColours.on = true;
+    const auto bytes = [&](int threads) { return rtserver::FrameMaker::bytesOf(coloured, false, threads); };
+    const std::size_t rows = bytes(2) - bytes(1);
+    EXPECT_GE(rows, 3 * sizeof(float) * 20 * rtcore::kFalseColourRows) << "three lists of rows";
+    EXPECT_EQ(bytes(1) - rows, rtserver::FrameMaker::bytesOf(hundredPixels(), false, 1));
+}
+
 TEST(FrameMaker, HasMemoryForASmallFrame) {
     for (const bool live : {false, true})
-        EXPECT_NO_THROW(rtserver::FrameMaker::requireMemory(hundredPixels(), live));
+        EXPECT_NO_THROW(rtserver::FrameMaker::requireMemory(hundredPixels(), live, 2));
 }
 
 class FramesOfAState : public test::ShownRoom {

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -21,6 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 using rtcore::Change;
 using rtcore::Changes;
+using rtcore::SectionPlanes;
 
 class SceneUpkeepTest : public test::ShownRoom {
   protected:
@@ -175,6 +177,92 @@ TEST_F(SceneUpkeepTest, TheExactTreeLeavesThatOfWhatIsVisible) {
     advance({.current = true, .complete = true, .idle = false, .seconds = 0, .coarsest = 0});
     EXPECT_FALSE(document.world().loaded.fastTree);
     EXPECT_EQ(document.tracer(), visible);
+}
+
+SectionPlanes levelAt(float height) {
+    SectionPlanes sections;
+    sections.planes = {{{0, height, 0}, {0, 1, 0}}};
+    return sections;
+}
+
+std::vector<rtcore::HalfSpace> halvesOf(const Document& document) {
+    const std::span<const rtcore::HalfSpace> halves = document.visible().halves();
+    return {halves.begin(), halves.end()};
+}
+
+SceneUpkeep::Pace paceAt(double seconds) {
+    SceneUpkeep::Pace pace;
+    pace.current = true;
+    pace.now = seconds;
+    return pace;
+}
+
+TEST_F(SceneUpkeepTest, ATreeOfWhatSectionsLeaveFollowsTheReducedOneOnceTheyRest) {
+    const rtcore::Box3 bounds = document.tracer()->bounds();
+    cutOpen(document, levelAt(bounds.centre().y));
+    EXPECT_TRUE(document.visible().reduced());
+    upkeep.advance(paceAt(10));
+    upkeep.advance(paceAt(10.1));
+    EXPECT_FALSE(upkeep.works()) << "it may be moved on";
+    cutOpen(document, levelAt(bounds.centre().y + 0.01F));
+    upkeep.advance(paceAt(20));
+    EXPECT_FALSE(upkeep.works()) << "it was";
+    const auto reduced = document.tracer();
+    test::FakeHost host;
+    test::draw(host.maker, state);
+    const auto before = host.maker.image().pixels;
+    changes();
+    advance(paceAt(30));
+    EXPECT_FALSE(document.visible().reduced());
+    EXPECT_NE(document.tracer(), reduced);
+    EXPECT_EQ(document.tracer()->bounds(), bounds);
+    EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
+    test::draw(host.maker, state);
+    EXPECT_EQ(host.maker.image().pixels, before);
+    SectionPlanes same = document.scene()->sections;
+    same.light = rtcore::SectionLight::Cut;
+    cutOpen(document, same);
+    EXPECT_FALSE(document.visible().reduced()) << "the same planes leave the same";
+    cutOpen(document, levelAt(bounds.centre().y));
+    EXPECT_TRUE(document.visible().reduced()) << "at once";
+    cutOpen(document, {});
+    EXPECT_FALSE(document.visible().reduced());
+    EXPECT_EQ(document.tracer(), document.world().tracer);
+}
+
+TEST_F(SceneUpkeepTest, ATreeOfWhatSectionsLeftIsNotUsed) {
+    const float middle = document.tracer()->bounds().centre().y;
+    cutOpen(document, levelAt(middle));
+    upkeep.advance(paceAt(0));
+    upkeep.advance(paceAt(1));
+    EXPECT_TRUE(upkeep.works() || !document.visible().reduced()) << "it is being built, or is there already";
+    const std::vector<rtcore::HalfSpace> before = halvesOf(document);
+    cutOpen(document, levelAt(middle - 0.1F));
+    upkeep.advance(paceAt(1));
+    EXPECT_FALSE(upkeep.works());
+    const rtcore::KdRayTracer& built = *document.world().tracer;
+    document.useTreeWithin(built, nullptr, before);
+    EXPECT_TRUE(document.visible().reduced()) << "other planes";
+    document.useTreeWithin(built, boxHidden(), halvesOf(document));
+    EXPECT_TRUE(document.visible().reduced()) << "other parts";
+    document.useTreeWithin(built, nullptr, halvesOf(document));
+    EXPECT_FALSE(document.visible().reduced());
+}
+
+TEST_F(SceneUpkeepTest, ATreeOfWhatSectionsLeaveLacksHiddenParts) {
+    cutOpen(document, levelAt(document.tracer()->bounds().centre().y));
+    hideParts(document, boxHidden());
+    test::FakeHost host;
+    test::draw(host.maker, state);
+    const auto before = host.maker.image().pixels;
+    upkeep.advance(paceAt(0));
+    advance(paceAt(1));
+    advance(paceAt(2));
+    EXPECT_FALSE(document.visible().pruned() || document.visible().reduced());
+    test::draw(host.maker, state);
+    EXPECT_EQ(host.maker.image().pixels, before);
+    hideParts(document, nullptr);
+    EXPECT_TRUE(document.visible().reduced());
 }
 
 TEST_F(SceneUpkeepTest, ShadowMapsAreMadeWhereFramesTakeLong) {
