@@ -27,6 +27,7 @@ rtcore::RenderSettings smallSettings(const rtcore::RenderSettings& whole, rtcore
     return small;
 }
 
+/// `view` has the settings of a small image.
 void render(const rtcore::View& view, rtcore::RenderControl& control, rtcore::ImageRenderers& images,
             rtcore::Frame& frame) {
     if (!images.of(view.settings.integrator).render(view, control, {}, frame))
@@ -45,18 +46,27 @@ double meanLuminance(const rtcore::HdrImage& image) {
 
 } // namespace
 
+bool saysExposure(std::span<const rtcore::SettingAssignment> commandLine) {
+    return std::any_of(commandLine.begin(), commandLine.end(), [](const auto& each) {
+        return each.name == "exposure.mode" || each.name == "exposure.value";
+    });
+}
+
 bool hasRecordedExposure(const rtcore::CameraFile& camera,
                          std::span<const rtcore::SettingAssignment> commandLine) {
-    return camera.exposure && std::none_of(commandLine.begin(), commandLine.end(), [](const auto& each) {
-               return each.name == "exposure.mode" || each.name == "exposure.value";
-           });
+    return camera.exposure && !saysExposure(commandLine);
+}
+
+void renderSmall(const rtcore::View& view, rtcore::RenderControl& control, rtcore::ImageRenderers& images,
+                 rtcore::Frame& frame) {
+    const rtcore::RenderSettings small = smallSettings(view.settings, view.settings.integrator);
+    render({view.scene, view.tracer, view.camera, small}, control, images, frame);
 }
 
 rtcore::ValueScale valueScaleOf(const rtcore::View& view, const rtcore::LuminanceUnit& unit,
                                 rtcore::RenderControl& control, rtcore::ImageRenderers& images) {
-    const rtcore::RenderSettings small = smallSettings(view.settings, view.settings.integrator);
     rtcore::Frame frame;
-    render({view.scene, view.tracer, view.camera, small}, control, images, frame);
+    renderSmall(view, control, images, frame);
     return rtcore::ScaleChoice().choose(frame.radiance, view.settings.falseColours, unit, false);
 }
 

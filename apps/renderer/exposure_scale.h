@@ -11,6 +11,13 @@
 
 namespace renderer {
 
+/// Whether the command line has an exposure, which counts for all images.
+bool saysExposure(std::span<const rtcore::SettingAssignment> commandLine);
+
+/// A small image of the view, without effects. The same everywhere, with the same exception as below.
+void renderSmall(const rtcore::View& view, rtcore::RenderControl& control, rtcore::ImageRenderers& images,
+                 rtcore::Frame& frame);
+
 /// Whether an image of `camera` has the exposure that is recorded there, and not one of `commandLine`.
 bool hasRecordedExposure(const rtcore::CameraFile& camera,
                          std::span<const rtcore::SettingAssignment> commandLine);

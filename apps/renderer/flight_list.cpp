@@ -6,6 +6,7 @@
 #include "common/flights/flight_recording.h"
 
 #include "rtcore/io/recording/camera_list.h"
+#include "rtcore/io/recording/path_recorder.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/platform/error.h"
@@ -86,6 +87,24 @@ app::FilmOfFlight filmOf(const RendererOptions& options, const rtcore::LoadedSce
     return {rtcore::FlightCourse(flight, loaded.scene.up), rateOf(options), common};
 }
 
+/// Unless the film has one, or its images are to find theirs.
+void measureExposure(int frames, PictureMaker& maker, app::FilmOfFlight& film) {
+    if (film.common.exposure || film.course.at(0).exposure || !maker.findsExposures()) return;
+    const rtcore::TemporaryFolder folder("rtsuite-exposure-");
+    const std::filesystem::path list = folder.path() / "measured.lst";
+    rtcore::PathRecorder recorder(list);
+    std::vector<double> times;
+    for (const int frame : app::framesToMeasure(film.course, frames)) {
+        recorder.add(app::flightCamera(film, frame));
+        times.push_back(film.course.timeOfFrame(frame, film.perSecond));
+    }
+    recorder.finish();
+    const std::vector<float> found = maker.findExposures(rtcore::readCameraList(list));
+    std::vector<app::MeasuredExposure> measured;
+    for (std::size_t i = 0; i < found.size(); ++i) measured.push_back({times[i], found[i]});
+    film.exposure.emplace(measured, film.course);
+}
+
 } // namespace
 
 int framesOfFlight(const RendererOptions& options) {
@@ -98,18 +117,18 @@ int framesOfFlight(const RendererOptions& options) {
     return framesOf({flight, scene->up}, options);
 }
 
-FlightList::FlightList(const RendererOptions& options, const rtcore::LoadedScene& loaded)
-    : folder_("rtsuite-flight-") {
+FlightList::FlightList(const RendererOptions& options, PictureMaker& maker) : folder_("rtsuite-flight-") {
     const std::filesystem::path list = folder_.path() / "flight.lst";
-    const app::FilmOfFlight film = filmOf(options, loaded);
-    framesOf(film.course, options);
+    app::FilmOfFlight film = filmOf(options, maker.loaded());
+    measureExposure(framesOf(film.course, options), maker, film);
     app::recordFlight(list, film);
     cameras_ = rtcore::readCameraList(list);
 }
 
-void makeList(const RendererOptions& options, const rtcore::LoadedScene& loaded, app::Progress& progress) {
-    const app::FilmOfFlight film = filmOf(options, loaded);
+void makeList(const RendererOptions& options, PictureMaker& maker, app::Progress& progress) {
+    app::FilmOfFlight film = filmOf(options, maker.loaded());
     const int frames = framesOf(film.course, options);
+    measureExposure(frames, maker, film);
     app::recordFlight(*options.makeList, film);
     progress.print("wrote " + options.makeList->string() + " with " + std::to_string(frames) + " cameras");
 }

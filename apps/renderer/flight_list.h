@@ -1,9 +1,10 @@
-/// The frames of a flight or a turntable, as a list of cameras like any other.
+/// The frames of a flight or a turntable, as a list of cameras like any other. Where no key frame has an
+/// exposure, and images would find theirs one by one, that of the film is measured beforehand.
 #pragma once
 
+#include "renderer/picture_maker.h"
 #include "renderer/renderer_options.h"
 
-#include "rtcore/io/scene_loader.h"
 #include "rtcore/platform/temporary_folder.h"
 
 #include <filesystem>
@@ -20,7 +21,7 @@ int framesOfFlight(const RendererOptions& options);
 class FlightList {
   public:
     /// Of options.flight. Throws FileError: the same, and CannotWrite, Stopped.
-    FlightList(const RendererOptions& options, const rtcore::LoadedScene& loaded);
+    FlightList(const RendererOptions& options, PictureMaker& maker);
     const std::vector<std::filesystem::path>& cameras() const { return cameras_; }
 
   private:
@@ -29,6 +30,6 @@ class FlightList {
 };
 
 /// Writes options.makeList. Throws the same; the list must not be there yet.
-void makeList(const RendererOptions& options, const rtcore::LoadedScene& loaded, app::Progress& progress);
+void makeList(const RendererOptions& options, PictureMaker& maker, app::Progress& progress);
 
 } // namespace renderer

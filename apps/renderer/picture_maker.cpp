@@ -336,6 +336,42 @@ float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
     return *scale_;
 }
 
+bool PictureMaker::findsExposures() const {
+    const rtcore::ExposureSettings exposure = ownSettings().exposure;
+    return exposure.mode != rtcore::ExposureMode::Fixed && !saysExposure(options_.settings) &&
+           exposure.recorded != rtcore::RecordedExposure::Automatic;
+}
+
+std::vector<float> PictureMaker::findExposures(const std::vector<std::filesystem::path>& cameras) {
+    const bool scaled = ownSettings().exposure.recorded == rtcore::RecordedExposure::Scaled &&
+                        ownSettings().integrator != rtcore::Integrator::Whitted;
+    std::vector<float> found;
+    float scale = 1;
+    for (const std::filesystem::path& camera : cameras) {
+        app::throwIfStopped();
+        rtcore::RenderControl control{.threads = options_.threads};
+        const app::ProgressScope scope(
+            progress_, {"measuring the exposure", [&control] { return control.fraction(); }, &control.cancel},
+            static_cast<int>(found.size()) + 1, static_cast<int>(cameras.size()));
+        const Shot shot = prepare(camera);
+        if (scaled && found.empty()) {
+            const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
+            scale = exposureScale({loaded_.scene, *tracer, shot.camera, shot.settings}, control, images_);
+        }
+        found.push_back(findExposure(shot, control) / scale);
+    }
+    return found;
+}
+
+float PictureMaker::findExposure(const Shot& shot, rtcore::RenderControl& control) {
+    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
+    const rtcore::View view{loaded_.scene, *tracer, shot.camera, shot.settings};
+    std::optional<float> white;
+    if (shot.settings.exposure.mode == rtcore::ExposureMode::Incident) white = meter_.white(view, control);
+    if (!white) renderSmall(view, control, images_, frame_);
+    return developer_.exposure(frame_, shot.settings, white, options_.threads);
+}
+
 void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings) {
     if (!options_.focusAt) return;
     const auto [x, y] = *options_.focusAt;

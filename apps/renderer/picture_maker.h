@@ -50,6 +50,13 @@ class PictureMaker {
     /// The first camera of a list that still grows.
     void setFirstOfList(const std::filesystem::path& camera) { firstOfList_ = camera; }
 
+    /// Whether each image finds its exposure by itself: it is neither fixed nor said by an option, and those
+    /// of .cam files count.
+    bool findsExposures() const;
+    /// What suits the images of these cameras, of one film, found by small ones, and brought to the light of
+    /// Whitted's rays as recorded exposures are: the first camera is that of the film. Throws as make() does.
+    std::vector<float> findExposures(const std::vector<std::filesystem::path>& cameras);
+
     /// makeLight() of the views of the list; without one, of that .cam file, or, if it is "", of views from
     /// all over the model.
     void makeLight(const std::filesystem::path& camera, const std::filesystem::path& path);
@@ -98,6 +105,7 @@ class PictureMaker {
     rtcore::ExposureMode measured() const;
     /// The factor by which recorded exposures are scaled, for images of that camera or of its list.
     float recordedScale(const std::filesystem::path& cameraFile);
+    float findExposure(const Shot& shot, rtcore::RenderControl& control);
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     /// Reads the net that the settings ask for, before any light is traced, which would be lost where there

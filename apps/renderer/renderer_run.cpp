@@ -79,18 +79,18 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     if (options.standBy) return standBy(options, settingsFile, *preview, progress);
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
+    const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
+    if (options.aovs && !options.makeList) checkAovs(patterns);
+    const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
+    const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
+    PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.makeList) {
-        makeList(options, loaded, progress);
+        makeList(options, maker, progress);
         return app::ExitCode::Done;
     }
     std::optional<FlightList> flight;
-    if (options.flight) cameras = flight.emplace(options, loaded).cameras();
-    const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
-    if (options.aovs) checkAovs(patterns);
-    const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
-    const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
-    const app::InputFiles inputs = inputsOf(options, loaded, cameras);
-    PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
+    if (options.flight) cameras = flight.emplace(options, maker).cameras();
+    const app::InputFiles inputs = inputsOf(options, maker.loaded(), cameras);
     if (options.plan) {
         makePlan(*options.plan, maker, inputs, progress);
         return app::ExitCode::Done;

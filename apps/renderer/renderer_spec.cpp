@@ -103,15 +103,20 @@ OptionGroup sequenceOptions() {
           .help = "render the frames of a flight that the .scn keeps, as those of a list",
           .more =
               "A [[flight]] ([formats.md](formats.md)) goes through key frames; the window and the commands "
-              "`flight ...` make them. As many frames per second as `--fps` says"},
+              "`flight ...` make them. As many frames per second as `--fps` says. Where no key frame has an "
+              "exposure, that of the film is measured beforehand, about once a second of it, and adapts over "
+              "some seconds; with `exposure.mode` or `exposure.value` on the command line, or "
+              "`exposure.recorded=automatic`, it is not"},
          {.name = "turntable",
           .value = ValueKind::Number,
           .argument = "S",
           .help =
               "go once around the model in S seconds, from the scene's view or that of --camera on, as by "
               "a flight",
-          .more = "Around the upright axis through the middle of what the model is of, without ground and "
-                  "surroundings; the film can be shown over and over",
+          .more =
+              "Around the upright axis through the middle of what the model is of, without ground and "
+              "surroundings; the film can be shown over and over. All of it has one exposure, as `--flight` "
+              "measures it",
           .minimum = 0.01,
           .maximum = rtcore::kMaxFlightSeconds},
          {.name = "turns",

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,54 @@ TEST_F(FlightFilms, OfATurntableGoOnceAround) {
     const auto reversed = rtcore::readCameraList(folder / "back.lst");
     ASSERT_EQ(reversed.size(), 9U);
     EXPECT_LT(length(rtcore::readCameraFile(reversed[8]).camera.eye - half), 1e-4F);
+}
+
+TEST_F(FlightFilms, HaveTheExposureOfTheWholeInEachPart) {
+    const auto exposures = [&](const std::string& list) {
+        std::vector<std::optional<float>> all;
+        for (const auto& camera : rtcore::readCameraList(folder / list))
+            all.push_back(rtcore::readCameraFile(camera).exposure);
+        return all;
+    };
+    const Names table{"room.obj", "--turntable=2", "--fps=4"};
+    const auto with = [&](Names words) {
+        words.insert(words.begin(), table.begin(), table.end());
+        const test::ProgramResult result = render(words);
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+    };
+    with({"--make-list=table.lst"});
+    const auto around = exposures("table.lst");
+    ASSERT_EQ(around.size(), 8U);
+    ASSERT_TRUE(around[0]);
+    EXPECT_EQ(std::count(around.begin(), around.end(), around[0]), 8) << "it flickers";
+    with({"--make-list=one.lst", "--threads=1"});
+    EXPECT_EQ(exposures("one.lst"), around);
+    with({"--make-list=paths.lst", "--setting=integrator=path"});
+    EXPECT_TRUE(exposures("paths.lst")[0]);
+    // Unless each image is to find its own.
+    with({"--make-list=each.lst", "--setting=exposure.mode=automatic"});
+    EXPECT_FALSE(exposures("each.lst")[0]);
+    with({"--make-list=anew.lst", "--setting=exposure.recorded=automatic"});
+    EXPECT_FALSE(exposures("anew.lst")[0]);
+
+    test::writeText(folder / "free.scn",
+                    "version = 2\nmodel = \"room.obj\"\n[[flight]]\nname = \"in\"\nseconds = 1\n"
+                    "[[flight.key]]\neye = [-1, 1, 2]\nforward = [0, 0, -1]\n"
+                    "[[flight.key]]\neye = [1, 1, 2]\nforward = [0, 0, 1]\n");
+    const Names film{"free.scn", "--flight=in", "--fps=5", "--setting=integrator=path",
+                     "--setting=path.samples=4"};
+    const auto filmed = [&](Names words) {
+        words.insert(words.begin(), film.begin(), film.end());
+        const test::ProgramResult result = render(words);
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+    };
+    filmed({"-o", "a#.png"});
+    filmed({"-o", "b#.png", "--chunk=2/2", "--threads=1"});
+    EXPECT_EQ(bytes("b6.png"), bytes("a6.png"));
+    filmed({"--make-list=free.lst"});
+    ASSERT_EQ(render({"free.scn", "-l", "free.lst", "-o", "l#.png", film[3], film[4]}).exitCode, 0);
+    for (const char* const frame : {"1", "4", "6"})
+        EXPECT_EQ(bytes(std::string("a") + frame + ".png"), bytes(std::string("l") + frame + ".png"));
 }
 
 TEST_F(FlightFilms, OfOddOrdersAreRefused) {

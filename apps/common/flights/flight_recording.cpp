@@ -24,6 +24,7 @@ rtcore::CameraFile flightCamera(const FilmOfFlight& film, int frame) {
     rtcore::CameraFile file = film.common;
     file.camera = view.camera;
     if (view.exposure) file.exposure = view.exposure;
+    if (!file.exposure && film.exposure) file.exposure = film.exposure->at(time);
     file.time = time;
     return file;
 }

@@ -1,11 +1,14 @@
 /// Flights as lists of cameras, which every program reads.
 #pragma once
 
+#include "common/flights/film_exposure.h"
+
 #include "rtcore/io/text/cam.h"
 #include "rtcore/motion/flight_course.h"
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 
 namespace app {
 
@@ -22,6 +25,8 @@ struct FilmOfFlight {
     /// What its cameras have in common; of `camera` and `time` nothing counts. Its exposure is that of views
     /// without one.
     rtcore::CameraFile common = {};
+    /// That of views where `common` has none, either; absent: each image finds its own.
+    std::optional<FilmExposure> exposure = {};
 };
 
 /// A frame, counted from 0, with its time.

@@ -41,6 +41,8 @@ class FlightCourse {
 
     /// Whether the end is the beginning again, at the same speed: a film of it is shown over and over.
     bool goesRound() const { return goesRound_; }
+    /// Around one axis.
+    bool isTurntable() const { return flight_.turns != 0; }
     /// Frames of a film, from the beginning to the end; of what goes round without the end. At least one.
     int frames(double perSecond) const;
     /// When the frame is, counted from 0: what goes round is divided among its frames.
