@@ -4,6 +4,7 @@
 #include "common/cli/isa_option.h"
 #include "common/cli/parent_option.h"
 #include "common/cli/threads_option.h"
+#include "common/settings/image_size.h"
 #include "common/settings/lighting_options.h"
 #include "common/settings/setting_option.h"
 
@@ -73,10 +74,20 @@ std::pair<std::string, std::string> netAndDigest(const std::string& value) {
     return {net, digest};
 }
 
+void addSize(const std::string& text, std::vector<rtcore::SettingAssignment>& settings) {
+    const std::optional<app::ImageSize> size = app::imageSizeOf(text);
+    if (!size)
+        throw app::UsageError("option '--size': '" + text + "' is no size; there are " +
+                              app::imageSizeNames());
+    settings.push_back(app::settingOf("size", "width", std::to_string(size->width)));
+    settings.push_back(app::settingOf("size", "height", std::to_string(size->height)));
+}
+
 std::vector<rtcore::SettingAssignment> readSettings(const app::Arguments& arguments) {
     std::vector<rtcore::SettingAssignment> settings;
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "setting") settings.push_back(app::settingOf(given.value));
+        if (given.name == "size") addSize(given.value, settings);
         for (const SettingOption& row : settingOptions()) {
             if (given.name != row.option) continue;
             for (const auto& [name, value] : row.assignments) {
@@ -224,12 +235,21 @@ void checkPanorama(const RendererOptions& options, const app::Arguments& argumen
     }
 }
 
+void checkSize(const app::Arguments& arguments) {
+    if (!arguments.has("size")) return;
+    for (const char* other : {"width", "height", "panorama"}) {
+        if (arguments.has(other))
+            throw app::UsageError("--size is width and height; leave out --" + std::string(other));
+    }
+}
+
 void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
     }
     checkFlight(options, arguments);
     checkPanorama(options, arguments);
+    checkSize(arguments);
     for (const char* ofFrames : {"frames", "chunk", "verify", "video"}) {
         if (!options.hasFrames() && arguments.has(ofFrames))
             throw app::UsageError("--" + std::string(ofFrames) + " needs --list, --flight or --turntable");

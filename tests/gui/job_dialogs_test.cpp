@@ -101,6 +101,10 @@ TEST_F(JobDialogsTest, RenderDialogShowsTheCommandAndWhatIsWrong) {
     EXPECT_FALSE(acceptable()) << "the table says: a number";
     field<QLineEdit>(dialog, "Turns")->setText(QString());
     EXPECT_TRUE(acceptable());
+    field<QComboBox>(dialog, "Resolution")->setCurrentText(QStringLiteral("4K"));
+    EXPECT_TRUE(command->text().contains(QStringLiteral("--width=3840 --height=2160")));
+    field<QComboBox>(dialog, "Resolution")->setCurrentText(QStringLiteral("A4 upright"));
+    EXPECT_TRUE(command->text().contains(QStringLiteral("--width=2480 --height=3508")));
     QSignalSpy wanted(&dialog, &RenderDialog::wanted);
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     dialog.show();

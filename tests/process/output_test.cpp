@@ -178,6 +178,21 @@ TEST_F(Outputs, OneSideAloneKeepsTheAspect) {
     test::writeCamera(folder / "wide.cam", 0, "width = 400\nheight = 100\n");
     EXPECT_EQ(size({"--camera=wide.cam", "-w", "40"}), (test::PictureSize{40, 10}));
     EXPECT_EQ(size({"--camera=wide.cam", "-w", "40", "-h", "40"}), (test::PictureSize{40, 40}));
+    EXPECT_EQ(size({"--camera=wide.cam", "--size=a4-upright@5"}), (test::PictureSize{41, 58}));
+}
+
+TEST_F(Outputs, ASizeIsNamedOnceAndExists) {
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& part) {
+        std::vector<std::string> all{"room.obj", "-o", "size.png"};
+        all.insert(all.end(), words.begin(), words.end());
+        const test::ProgramResult result = test::renderer(all, {.folder = folder.path()});
+        EXPECT_EQ(result.exitCode, 2) << result.error;
+        EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
+    };
+    refused({"--size=a9"}, "'a9' is no size; there are hd, fullhd");
+    refused({"--size=hd", "-w", "40"}, "leave out --width");
+    refused({"--size=hd", "--panorama=64"}, "leave out --panorama");
+    refused({"--size=90000x90000"}, "width");
 }
 
 } // namespace

@@ -12,6 +12,8 @@
 #include "gui/processes/programs.h"
 #include "gui/session/server_sentence.h"
 
+#include "common/settings/image_size.h"
+
 #include "renderer/film_format.h"
 #include "renderer/renderer_spec.h"
 
@@ -42,7 +44,7 @@ QStringList ownOptions() {
                                              "progress",     "parent",      "requeue",
                                              "verify",       "debug-scene", "make-light",
                                              "light-time",   "light-size",  "flight",
-                                             "fps",          "make-list"};
+                                             "fps",          "make-list",   "size"};
     QStringList names;
     for (const char* name : kNames) names.append(QLatin1String(name));
     return names;
@@ -130,6 +132,7 @@ void RenderDialog::makeFields(const RenderContext& context) {
     const QSize size = context.size.isEmpty() ? kUsual : context.size;
     size_ = new QComboBox;
     size_->addItems({tr("from scene"), tr("custom")});
+    addNamedSizes();
     size_->setAccessibleName(tr("Resolution"));
     size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
     width_ = numberField(1, maxOf("width"), size.width(), tr("Width"));
@@ -237,8 +240,26 @@ void RenderDialog::listen() {
     enableFields();
 }
 
+// Some of those of the Renderer's --size; their pixels stand beside them.
+void RenderDialog::addNamedSizes() {
+    const auto add = [this](const QString& name, const app::ImageSize& size) {
+        size_->addItem(name, QSize(size.width, size.height));
+    };
+    for (const app::NamedSize& screen : app::kScreenSizes)
+        add(QString::fromLatin1(screen.title.data(), std::ssize(screen.title)), screen.size);
+    for (const char* paper : {"A4", "A3"}) {
+        if (const auto lying = app::imageSizeOf(paper)) add(QLatin1String(paper), *lying);
+        if (const auto upright = app::imageSizeOf(std::string(paper) + "-upright"))
+            add(tr("%1 upright").arg(QLatin1String(paper)), *upright);
+    }
+}
+
 // Fields that an integrator does not use are disabled, and keep their values for the other one.
 void RenderDialog::enableFields() {
+    if (const QSize named = size_->currentData().toSize(); named.isValid()) {
+        width_->setValue(named.width());
+        height_->setValue(named.height());
+    }
     width_->setEnabled(size_->currentIndex() == Fixed);
     height_->setEnabled(size_->currentIndex() == Fixed);
     samples_->setEnabled(byPaths());
@@ -339,7 +360,7 @@ QStringList RenderDialog::qualityArguments() const {
     const auto number = [&words](const char* name, int value) {
         words.append(QStringLiteral("--%1=%2").arg(QLatin1String(name)).arg(value));
     };
-    if (size_->currentIndex() == Fixed) {
+    if (size_->currentIndex() != AsTheScene) {
         number("width", width_->value());
         number("height", height_->value());
     }

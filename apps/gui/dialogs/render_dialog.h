@@ -72,6 +72,7 @@ class RenderDialog : public JobDialog {
     QStringList denoisingArguments() const;
     QStringList occlusionArguments() const;
     bool byPaths() const;
+    void addNamedSizes();
     void enableFields();
 
     const bool live_;

@@ -3939,6 +3939,10 @@ Alt+%2</translation>
         <source>as recorded, else 25</source>
         <translation>podle záznamu, jinak 25</translation>
     </message>
+    <message>
+        <source>%1 upright</source>
+        <translation>%1 na výšku</translation>
+    </message>
 </context>
 <context>
     <name>gui::RenderOperations</name>

@@ -873,6 +873,14 @@
         <translation>počet pixelů shora dolů; sám zachová poměr stran</translation>
     </message>
     <message>
+        <source>Size</source>
+        <translation>Rozměr</translation>
+    </message>
+    <message>
+        <source>width and height at once: hd, fullhd, qhd, 4k, 8k, a4 ... a0 or 1200x800</source>
+        <translation>šířka a výška najednou: hd, fullhd, qhd, 4k, 8k, a4 ... a0 nebo 1200x800</translation>
+    </message>
+    <message>
         <source>Panorama</source>
         <translation>Panorama</translation>
     </message>
