@@ -1,5 +1,7 @@
 #include "rtcore/accel/triangles_within.h"
 
+#include "rtcore/platform/task_errors.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -71,8 +73,11 @@ std::uint8_t isTriangleBeyond(const Mesh& mesh, std::uint32_t triangle, std::spa
 std::vector<std::uint8_t> trianglesBeyond(const Mesh& mesh, std::span<const HalfSpace> halves, float margin) {
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
     std::vector<std::uint8_t> beyond(count);
+    TaskErrors errors;
 #pragma omp parallel for schedule(static)
-    for (std::uint32_t i = 0; i < count; ++i) beyond[i] = isTriangleBeyond(mesh, i, halves, margin);
+    for (std::uint32_t i = 0; i < count; ++i)
+        errors.guard([&] { beyond[i] = isTriangleBeyond(mesh, i, halves, margin); });
+    errors.rethrow();
     return beyond;
 }
 

@@ -11,7 +11,7 @@
 namespace rtcore {
 
 /// One value for each triangle: 1 where no part of it is within all of `halves`, moved outwards by `margin`,
-/// else 0. Sutherland and Hodgman 1974, in double. All threads.
+/// else 0. Sutherland and Hodgman 1974, in double. All threads. Throws std::bad_alloc.
 std::vector<std::uint8_t> trianglesBeyond(const Mesh& mesh, std::span<const HalfSpace> halves, float margin);
 
 } // namespace rtcore
