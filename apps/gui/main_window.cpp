@@ -22,6 +22,7 @@
 #include "gui/operations/note_operations.h"
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/plan_operations.h"
+#include "gui/operations/recording_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/operations/save_operations.h"
 #include "gui/operations/section_operations.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new MeasureOperations(context, this);
     new NoteOperations(context, this);
     auto* flights = new FlightOperations(context, this);
+    new RecordingOperations(context, this);
     auto* plans = new PlanOperations(context, this);
     new CornerPlanOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);

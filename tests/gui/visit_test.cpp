@@ -7,6 +7,7 @@
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/statistics_dialog.h"
 #include "gui/session/preview_reader.h"
+#include "gui/view/recording_mark.h"
 #include "support/other_version.h"
 
 #include <QLabel>
@@ -170,6 +171,30 @@ TEST_F(VisitTest, AWalkIsRecordedAndPlayed) {
     };
     playedBy([&] { ASSERT_TRUE(comes([&] { return test::press(*dialog, "Play"); })); });
     playedBy([&] { window->open(file("walk-0001.lst")); });
+}
+
+TEST_F(VisitTest, OneKeyRecordsTheWalk) {
+    openAndRest();
+    auto* mark = window->findChild<RecordingMark*>();
+    ASSERT_NE(mark, nullptr);
+    EXPECT_FALSE(mark->isVisible());
+    press(Qt::Key_W);
+    QTest::keyClick(&window->view(), Qt::Key_F3);
+    ASSERT_TRUE(comes([&] { return status().recording && mark->isVisible(); }));
+    EXPECT_TRUE(action(ActionId::RecordWalk)->isChecked());
+    EXPECT_TRUE(mark->time().startsWith(QStringLiteral("0:0"))) << mark->time().toStdString();
+    ASSERT_TRUE(comes([&] { return mark->time() != QStringLiteral("0:00"); })) << "it counts";
+    QTest::keyClick(&window->view(), Qt::Key_F3);
+    release(Qt::Key_W);
+    ASSERT_TRUE(comes([&] { return !status().recording && !mark->isVisible(); }));
+    EXPECT_FALSE(action(ActionId::RecordWalk)->isChecked());
+    EXPECT_TRUE(QFileInfo::exists(file("walk-0001.lst")));
+    // The next one is another.
+    QTest::keyClick(&window->view(), Qt::Key_F3);
+    ASSERT_TRUE(comes([&] { return status().recording; }));
+    QTest::keyClick(&window->view(), Qt::Key_F3);
+    ASSERT_TRUE(comes([&] { return !status().recording; }));
+    EXPECT_TRUE(QFileInfo::exists(file("walk-0002.lst")));
 }
 
 TEST_F(VisitTest, AServerOfAnotherVersionIsExplained) {

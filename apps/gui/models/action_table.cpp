@@ -109,8 +109,11 @@ constexpr ActionRow kRows[]{
               TEXT("Look through a .cam file"), "Ctrl+I", NeedsServer},
     ActionRow{ActionId::ExportCamera, MenuId::Camera, TEXT("&Export camera…"),
               TEXT("Write the camera to a .cam file"), "Ctrl+E", NeedsServer},
+    ActionRow{ActionId::RecordWalk, MenuId::Camera, TEXT("Record the &walk"),
+              TEXT("Record the camera from now on, or end that; also while walking"), "F3",
+              SeparatorBefore | NeedsServer | Checkable},
     ActionRow{ActionId::Recording, MenuId::Camera, TEXT("&Recording…"),
-              TEXT("Record the camera, 30 times a second"), "Ctrl+Shift+R", SeparatorBefore | NeedsServer},
+              TEXT("Record the camera, 30 times a second"), "Ctrl+Shift+R", NeedsServer},
 
     ActionRow{ActionId::LookSky, MenuId::Light, TEXT("&Sky and sun"),
               TEXT("Light the scene by a sky with a sun, in place of its lights"), "", NeedsServer},

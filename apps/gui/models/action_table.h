@@ -23,6 +23,7 @@ enum class ActionId {
     ServerLog,
     ExportCamera,
     Recording,
+    RecordWalk,
     QuickRender,
     Render,
     BuildTree,

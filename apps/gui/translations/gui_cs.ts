@@ -1243,6 +1243,14 @@
         <source>Paths of the camera by key frames, and films of them</source>
         <translation>Dráhy kamery podle klíčových snímků a filmy z nich</translation>
     </message>
+    <message>
+        <source>Record the &amp;walk</source>
+        <translation>Nahrávat &amp;průchod</translation>
+    </message>
+    <message>
+        <source>Record the camera from now on, or end that; also while walking</source>
+        <translation>Od této chvíle nahrávat kameru, nebo to ukončit; i při chůzi</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -3635,6 +3643,20 @@ Alt+%2</translation>
     <message>
         <source>Recording %1 for %2 s.</source>
         <translation>Záznam %1 trvá %2 s.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::RecordingMark</name>
+    <message>
+        <source>Recording, %1</source>
+        <translation>Nahrávání, %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::RecordingOperations</name>
+    <message>
+        <source>The walk was recorded in %1.</source>
+        <translation>Průchod byl nahrán do %1.</translation>
     </message>
 </context>
 <context>
