@@ -234,7 +234,9 @@ void FrameMaker::noticeChanges(const Document& document) {
     const rtcore::Changes changes = kept_.take(document.revisions());
     const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = document.frameSettings();
-    if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_)) {
+    const bool seesWhite = settings.falseColours.seesWhite();
+    if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_) ||
+        seesWhite != keptFor_.falseColours.seesWhite()) {
         live_->forget();
         unkept_ = {};
     } else if (changes.has(rtcore::Change::Light)) {
@@ -251,6 +253,7 @@ std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool liv
     constexpr std::size_t kFrame = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
     const std::size_t effects = rtcore::effectBytesPerPixel(settings);
     std::size_t pixel = kFrame + sizeof(rtcore::Rgba8) + effects;
+    if (settings.falseColours.seesWhite()) pixel += sizeof(rtcore::Colour); // PictureDeveloper::finish()
     if (live) {
         pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
         pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
