@@ -2852,8 +2852,8 @@
         <translation>světlo jeho okolí</translation>
     </message>
     <message>
-        <source>the light of this scene has no absolute unit ({0}), so that false colours tell what is brighter than what, but no cd/m2</source>
-        <translation>světlo této scény nemá absolutní jednotku ({0}), takže nepravé barvy říkají, co je jasnější než co, ale žádné cd/m2</translation>
+        <source>the light of this scene has no absolute unit ({0}), so that false colours tell what is brighter than what, but no cd/m2 or lux</source>
+        <translation>světlo této scény nemá absolutní jednotku ({0}), takže nepravé barvy říkají, co je jasnější než co, ale žádné cd/m2 ani luxy</translation>
     </message>
     <message>
         <source>the light output ratio</source>

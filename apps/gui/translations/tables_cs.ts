@@ -576,8 +576,20 @@
         <translation>Nepravé barvy</translation>
     </message>
     <message>
-        <source>luminance is shown by the colours of a scale, dark to bright, in place of the image; without bloom and local exposure</source>
-        <translation>místo obrazu se ukáže jas barvami stupnice, od tmavé po světlou; bez záře a místní expozice</translation>
+        <source>light is shown by the colours of a scale, dark to bright, in place of the image; without bloom and local exposure</source>
+        <translation>místo obrazu se ukáže světlo barvami stupnice, od tmavé po světlou; bez záře a místní expozice</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Veličina</translation>
+    </message>
+    <message>
+        <source>luminance is how bright things look, in cd/m2; illuminance how much light arrives at the surface that is seen first, in lux</source>
+        <translation>jas je, jak světlé věci se jeví, v cd/m²; osvětlenost, kolik světla dopadá na plochu, která je vidět první, v luxech</translation>
+    </message>
+    <message>
+        <source>Illuminance</source>
+        <translation>Osvětlenost</translation>
     </message>
     <message>
         <source>From</source>
@@ -588,8 +600,8 @@
         <translation>dolní konec stupnice; automaticky: podle toho, co je vidět</translation>
     </message>
     <message>
-        <source>cd/m2</source>
-        <translation>cd/m²</translation>
+        <source>cd/m2 or lux</source>
+        <translation>cd/m² nebo lx</translation>
     </message>
     <message>
         <source>To</source>
@@ -604,8 +616,8 @@
         <translation>Izočáry</translation>
     </message>
     <message>
-        <source>lines of equal luminance at 1, 2, 5, 10, 20 and so on</source>
-        <translation>čáry stejného jasu u 1, 2, 5, 10, 20 a tak dále</translation>
+        <source>lines of equal light at 1, 2, 5, 10, 20 and so on</source>
+        <translation>čáry stejného světla u 1, 2, 5, 10, 20 a tak dále</translation>
     </message>
     <message>
         <source>Legend</source>

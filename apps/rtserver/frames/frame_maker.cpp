@@ -235,7 +235,9 @@ void FrameMaker::noticeChanges(const Document& document) {
     const rtcore::Changes changes = kept_.take(document.revisions());
     const std::shared_ptr<const rtcore::Scene> scene = document.imagedScene();
     const rtcore::RenderSettings settings = document.frameSettings();
-    if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_)) {
+    const bool seesWhite = settings.falseColours.seesWhite();
+    if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_) ||
+        seesWhite != keptFor_.falseColours.seesWhite()) {
         live_->forget();
         unkept_ = {};
     } else if (changes.has(rtcore::Change::Light)) {
@@ -253,6 +255,7 @@ std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool liv
     const std::size_t effects = rtcore::effectBytesPerPixel(settings);
     constexpr std::size_t kImages = 3 * sizeof(rtcore::Rgba8); // with step_, and what CapPainter keeps
     std::size_t pixel = kFrame + kImages + effects;
+    if (settings.falseColours.seesWhite()) pixel += sizeof(rtcore::Colour); // PictureDeveloper::finish()
     if (live) {
         pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
         pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;

@@ -198,7 +198,7 @@ Sentence unitWarning(const UnitlessLight& light) {
     if (light.what.empty()) return {};
     if (light.all)
         return say("the light of this scene has no absolute unit ({0}), so that false colours tell what is "
-                   "brighter than what, but no cd/m2",
+                   "brighter than what, but no cd/m2 or lux",
                    light.what.front());
     return say(
         "some of the light of this scene has no absolute unit ({0}), so that false colours are true of "

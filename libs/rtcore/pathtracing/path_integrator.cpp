@@ -32,6 +32,7 @@ void PathIntegrator::begin(const PathFrame& frame) {
     rows_ = frame.lights.rows();
     limits_ = frame.settings.path;
     strategy_ = frame.strategy;
+    white_ = frame.white;
     statistics_ = {};
     clock_.start(false);
     fog_.begin(fogMedium(frame.scene, settings_));
@@ -204,9 +205,10 @@ PathNames PathIntegrator::names() const {
 void PathIntegrator::shade(std::size_t first, std::size_t count) {
     wave_.hits.take(hits_, first, count);
     wave_.surfaces.fill(frame_.scene->mesh(), *frame_.materials, *wave_.rays, wave_.hits);
+    if (seesWhite()) wave_.surfaces.whiten(*frame_.materials);
     onward_ = &next_.roomFor(count);
     setWeights();
-    if (fog_.on()) {
+    if (fog_.on() && !seesWhite()) {
         fog_.enter(*wave_.rays, wave_.hits, wave_.surfaces.traits, wave_.paths);
         fogLighting_.addFog(frame_, wave_, sums_);
         fog_.dimWeights(wave_.surfaces);
@@ -233,7 +235,7 @@ void PathIntegrator::setWeights() {
     SurfaceWave& surfaces = wave_.surfaces;
     if (paths_ == nullptr) {
         sums_.startPart({}, wave_);
-        absorbFromStart(wave_);
+        if (!white_) absorbFromStart(wave_);
         return;
     }
     const PathQueue& queue = paths_->queue;
@@ -255,8 +257,10 @@ void PathIntegrator::addFound() {
             if (!isBlack(met)) addTo(i, met);
         }
     }
-    addSurroundings();
-    addDiscs();
+    if (!seesWhite()) {
+        addSurroundings();
+        addDiscs();
+    }
     if (paths_ != nullptr) addMirrored();
     points_.complete({frame_, names(), limits_.caustics, paths_}, wave_, sums_, *onward_);
     addEmission();

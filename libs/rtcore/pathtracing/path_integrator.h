@@ -42,6 +42,9 @@ struct PathFrame {
     const MaterialTable& materials; ///< prepared for the scene without ambient light
     const LightSet& lights;
     SamplingStrategy strategy = SamplingStrategy::Both;
+    /// Rays of the camera see white matte paper on all surfaces, glass and mirrors too, and neither fog nor
+    /// anything beyond: their radiance times pi is the illuminance there.
+    bool white = false;
 };
 
 /// One for each thread; reuses its memory. The result for a sample depends on nothing but the sample: not on
@@ -81,6 +84,7 @@ class PathIntegrator {
     void startWhite(std::span<const WhitePoint> points);
     void tracePaths();
     void traceOnward();
+    bool seesWhite() const { return white_ && paths_ == nullptr; }
     bool leavesLightsOut(std::size_t ray) const;
     bool leavesDiscsOut(std::size_t ray) const;
     void takeSeen(std::span<const PathBatch> batches);
@@ -113,6 +117,7 @@ class PathIntegrator {
     LightRows rows_;
     PathSettings limits_;
     SamplingStrategy strategy_ = SamplingStrategy::Both;
+    bool white_ = false;
     RayStatistics statistics_;
     StageClock clock_;
 

@@ -94,13 +94,25 @@ const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSetting
                                          const std::atomic<bool>* stop, std::atomic<float>* netFraction) {
     netReport_ = {};
     netErrors_.clear();
-    return effects_.apply(frame, {.settings = settings,
-                                  .threads = threads,
-                                  .net = net_,
-                                  .stop = stop,
-                                  .netReport = &netReport_,
-                                  .netErrors = &netErrors_,
-                                  .netFraction = netFraction});
+    const HdrImage& finished = effects_.apply(frame, {.settings = settings,
+                                                      .threads = threads,
+                                                      .net = net_,
+                                                      .stop = stop,
+                                                      .netReport = &netReport_,
+                                                      .netErrors = &netErrors_,
+                                                      .netFraction = netFraction});
+    return settings.falseColours.seesWhite() ? onSurfaces(frame, finished) : finished;
+}
+
+/// Below 0 beside all surfaces, whatever effects have spread there; means of what surfaces cover alone.
+const HdrImage& PictureDeveloper::onSurfaces(const Frame& frame, const HdrImage& finished) {
+    onSurfaces_ = finished;
+    for (std::size_t i = 0; i < onSurfaces_.pixels.size() && i < frame.covered.size(); ++i) {
+        Colour& pixel = onSurfaces_.pixels[i];
+        const float covered = static_cast<float>(frame.covered[i]);
+        pixel = covered > 0 ? pixel * (255 / covered) : kWhite * -1.0F;
+    }
+    return onSurfaces_;
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
@@ -137,9 +149,12 @@ void PictureDeveloper::paintFalseColours(const HdrImage& radiance, const RenderS
                                          [[maybe_unused]] int threads, LdrImage& image) {
     const FalseColourSettings& wanted = settings.falseColours;
     falseColours_ = {.scale = scale_.choose(radiance, wanted, unit_, holdsScale_),
-                     .unit = unit_,
+                     .quantity = wanted.quantity,
+                     .unit = shownUnit(unit_, wanted.quantity),
                      .isolines = wanted.isolines,
                      .legend = wanted.legend};
+    FalseColours marked = *falseColours_; // parts of images that are under way are not
+    marked.marked = true;
     const int team = threadsFor(threads);
     painters_.resize(std::max(painters_.size(), static_cast<std::size_t>(team)));
     const PixelArea all{0, 0, radiance.width, radiance.height};
@@ -149,8 +164,8 @@ void PictureDeveloper::paintFalseColours(const HdrImage& radiance, const RenderS
     for (int i = 0; i < bands; ++i) {
         const int first = i * kFalseColourRows, last = std::min(first + kFalseColourRows, radiance.height);
         errors.guard([&] {
-            painters_[static_cast<std::size_t>(threadNumber())].paint(radiance, *falseColours_, all, first,
-                                                                      last, image);
+            painters_[static_cast<std::size_t>(threadNumber())].paint(radiance, marked, all, first, last,
+                                                                      image);
         });
     }
     errors.rethrow();

@@ -36,8 +36,9 @@ class PictureDeveloper {
 
     /// The frame with the effects of EffectStage::Radiance. frame.radiance itself when there are none; else
     /// valid until the next call. A frame that is larger or smaller than the settings say gets effects in
-    /// proportion. Returns soon, with an image that is undefined, when `stop` (may be null) becomes true.
-    /// `netFraction` (may be null) gets how far a net is, 0..1.
+    /// proportion. Of illuminance it is below 0 where no surface is seen at all, and not darker where one is
+    /// seen in a part of a pixel. Returns soon, with an image that is undefined, when `stop` (may be null)
+    /// becomes true. `netFraction` (may be null) gets how far a net is, 0..1.
     const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads,
                            const std::atomic<bool>* stop = nullptr,
                            std::atomic<float>* netFraction = nullptr);
@@ -68,6 +69,7 @@ class PictureDeveloper {
   private:
     void paintFalseColours(const HdrImage& radiance, const RenderSettings& settings, int threads,
                            LdrImage& image);
+    const HdrImage& onSurfaces(const Frame& frame, const HdrImage& finished);
     std::optional<float> average(const Frame& frame, bool background, int threads);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
@@ -79,6 +81,7 @@ class PictureDeveloper {
     LuminanceUnit unit_;
     bool holdsScale_ = false;
     ScaleChoice scale_;
+    HdrImage onSurfaces_;
     std::optional<FalseColours> falseColours_;
     std::vector<FalseColourPainter> painters_; ///< by thread
 };

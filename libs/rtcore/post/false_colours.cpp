@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace rtcore {
 
@@ -65,6 +66,10 @@ class IsolineSet {
     float low_, high_;
     bool decades_;
 };
+
+bool measured(const FalseColours& how, float value) {
+    return how.quantity == LightQuantity::Luminance || (how.marked ? value >= 0 : value > 0);
+}
 
 Rgba8 withLine(Rgba8 colour, const Isoline& isoline) {
     constexpr float kOpacity = 0.85F;
@@ -140,6 +145,10 @@ void FalseColourPainter::paint(const HdrImage& radiance, const FalseColours& how
         float* const to = &logs_[band.row(y)];
         for (std::size_t x = 0; x < band.columns(); ++x) {
             const float value = luminance(from[x]) * how.unit.ofOne;
+            if (!measured(how, value)) {
+                to[x] = std::numeric_limits<float>::quiet_NaN(); // as all becomes that is smoothed with it
+                continue;
+            }
             to[x] = quickLog2(value > min ? std::min(value, max) : min);
         }
     }
@@ -156,12 +165,13 @@ void FalseColourPainter::paint(const HdrImage& radiance, const FalseColours& how
         Rgba8* const to = &image.at(part.left, y);
         for (int x = 0; x < part.columns; ++x) {
             const float value = (logs[x] - low) * times;
-            to[x] = valueColour(value);
-            if (!how.isolines) continue;
+            to[x] = std::isnan(value) ? kNoValue : valueColour(value);
+            if (!how.isolines || std::isnan(here[x])) continue;
             const int left = std::max(x - 1, 0), right = std::min(x + 1, part.columns - 1);
             const float dx =
                 kLog10Of2 * (here[right] - here[left]) / static_cast<float>(std::max(right - left, 1));
             const float dy = down * (below[x] - above[x]);
+            if (std::isnan(dx + dy)) continue;
             const Isoline line = lines.at(kLog10Of2 * here[x], dx * dx + dy * dy);
             if (line.coverage > 0) to[x] = withLine(to[x], line);
         }

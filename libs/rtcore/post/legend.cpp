@@ -57,18 +57,22 @@ void paintLegend(const FalseColours& how, int height, LdrImage& image) {
     if (static_cast<long>(image.width) * height < static_cast<long>(kMinWidth) * image.height) return;
     const LegendLayout at(height, image);
     const StrokeStyle style{.height = at.letters, .weight = std::max(at.letters / 8, 0.5F)};
-    const std::string unit = how.unit.absolute ? "cd/m^2" : "relative";
+    const bool lux = how.quantity == LightQuantity::Illuminance;
+    const std::string unit = !how.unit.absolute ? "relative" : lux ? "lux" : "cd/m^2";
+    const std::string name = lux ? "illuminance" : "";
     const std::vector<float> values = isovalues(how.scale);
     float texts = 0;
     for (const float value : values) texts = std::max(texts, strokeTextWidth(legendText(value), style));
-    const float inner = std::max(texts + at.tick + at.gap / 2 + at.bar, strokeTextWidth(unit, style));
+    const float inner = std::max({texts + at.tick + at.gap / 2 + at.bar, strokeTextWidth(unit, style),
+                                  lux ? strokeTextWidth(name, style) : 0.0F});
 
     const float left = 2 * at.gap, middle = static_cast<float>(image.height) / 2;
     const float barTop = middle - 0.3F * static_cast<float>(image.height), barBottom = 2 * middle - barTop;
     const float title = barTop - 1.2F * at.letters;
-    fillArea(image,
-             {left - at.gap, title - at.letters - at.gap, left + inner + at.gap, barBottom + at.letters},
+    const float top = lux ? title - 1.6F * at.letters : title;
+    fillArea(image, {left - at.gap, top - at.letters - at.gap, left + inner + at.gap, barBottom + at.letters},
              [](Rgba8& pixel, float) { darken(pixel); });
+    if (lux) strokeText(image, name, style, left, top);
     strokeText(image, unit, style, left, title);
 
     const float right = left + at.bar;

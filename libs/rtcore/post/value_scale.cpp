@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace rtcore {
 
@@ -50,6 +51,12 @@ int roundIndex(float value, bool up) {
 
 } // namespace
 
+LuminanceUnit shownUnit(const LuminanceUnit& unit, LightQuantity quantity) {
+    constexpr float pi = std::numbers::pi_v<float>;
+    return {.ofOne = quantity == LightQuantity::Illuminance ? pi * unit.ofOne : unit.ofOne,
+            .absolute = unit.absolute};
+}
+
 float roundValue(float value, bool up) { return roundNumber(roundIndex(value, up)); }
 
 bool isWide(const ValueScale& scale) { return scale.to > scale.from * (kMaxRange * (1 + kRoundTolerance)); }
@@ -91,7 +98,8 @@ std::optional<ValueScale> ScaleChoice::ofImage(const HdrImage& radiance, const L
 }
 
 ValueScale ScaleChoice::choose(const HdrImage& radiance, const FalseColourSettings& settings,
-                               const LuminanceUnit& unit, bool hold) {
+                               const LuminanceUnit& ofLuminance, bool hold) {
+    const LuminanceUnit unit = shownUnit(ofLuminance, settings.quantity);
     const float from = boundedEnd(settings.from), to = boundedEnd(settings.to);
     if (from > 0 && to > from) return {from, to};
     ValueScale scale = ofImage(radiance, unit, hold).value_or(ValueScale{});

@@ -1,4 +1,4 @@
-/// The scale of false colours: which luminance has which colour.
+/// The scale of false colours: which luminance or illuminance has which colour.
 #pragma once
 
 #include "rtcore/scene/image.h"
@@ -15,6 +15,9 @@ struct ValueScale {
     float from = 1, to = 10;
     friend bool operator==(const ValueScale&, const ValueScale&) = default;
 };
+
+/// `unit`, or for illuminance pi times as much: that of white matte paper of that luminance.
+LuminanceUnit shownUnit(const LuminanceUnit& unit, LightQuantity quantity);
 
 /// Whether it has more than four powers of ten, and round numbers are these alone.
 bool isWide(const ValueScale& scale);
@@ -33,7 +36,8 @@ class ScaleChoice {
     /// The scale that the settings ask for. An end that they leave open is a round number that 99 of 100
     /// pixels of the image do not exceed: the lower one likewise; one to four powers of ten apart; black and
     /// what is not finite does not count. With `hold`, it is the one before as long as that suits the image
-    /// roughly: for images that move. The same for any number of threads and on every processor.
+    /// roughly: for images that move. `unit` of luminance, whatever is shown. The same for any number of
+    /// threads and on every processor.
     ValueScale choose(const HdrImage& radiance, const FalseColourSettings& settings,
                       const LuminanceUnit& unit, bool hold);
 

@@ -144,6 +144,15 @@ void PathRenderer::begin(const View& view, int surveyed, int threads, const std:
     hits_.assign(view.settings.width * static_cast<std::size_t>(view.settings.height), 0);
 }
 
+PathFrame PathRenderer::frame() const {
+    return {.scene = view_->scene,
+            .tracer = view_->tracer,
+            .settings = view_->settings,
+            .materials = materials_,
+            .lights = lights_,
+            .white = view_->settings.falseColours.seesWhite()};
+}
+
 void PathRenderer::aim(const View& view) {
     aimSamples(view, focus_, samples_);
     samples_.pathSeed = static_cast<std::uint32_t>(view.settings.path.seed);
@@ -186,7 +195,7 @@ void PathRenderer::measure() {
     const RenderSettings small = aimSmall(64, samples);
     const std::atomic<bool> never{false};
     Worker& worker = workerOfThread(0);
-    worker.begin({view_->scene, view_->tracer, view_->settings, materials_, lights_}, samples, nullptr);
+    worker.begin(frame(), samples, nullptr);
     std::vector<double> seen;
     const Cut cut = cutOf(small.width, small.height, 1, 0);
     for (int task = 0; task < cut.count(); ++task) {
@@ -239,7 +248,7 @@ bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
     const int tasks = cut.count();
     workers_.resize(std::max(workers_.size(), static_cast<std::size_t>(team)));
     TaskErrors errors;
-    const PathFrame frame{view_->scene, view_->tracer, settings, materials_, lights_};
+    const PathFrame frame = this->frame();
 #pragma omp parallel num_threads(team)
     errors.guard([&] {
         Worker& worker = workerOfThread(threadNumber());

@@ -3,6 +3,7 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/pathtracing/light_set.h"
+#include "rtcore/pathtracing/path_integrator.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/image_sums.h"
@@ -64,6 +65,7 @@ class PathRenderer {
   private:
     class Worker;
     void begin(const View& view, int surveyed, int threads, const std::atomic<bool>* stop);
+    PathFrame frame() const;
     void aim(const View& view);
     RenderSettings aimSmall(int width, SampleView& samples);
     void lookAround(int maxWidth, int threads, const std::atomic<bool>* stop);

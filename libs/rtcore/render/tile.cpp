@@ -115,6 +115,7 @@ void TileRenderer::begin(const FrameTask& task) {
     integrator_.collectTaps(indirect_ != nullptr, pixelSizeOf(task.samples.camera));
     integrator_.begin(view.scene, view.tracer, view.settings, task.materials, task.measureStages);
     integrator_.takeShadowsFrom(task.shadowMaps);
+    integrator_.seeWhite(view.settings.falseColours.seesWhite());
     integrator_.stopWhen(&task.cancel);
     aovs_ = task.aovs;
     seen_ = task.seen;

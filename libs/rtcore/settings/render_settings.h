@@ -19,6 +19,10 @@ enum class ExposureMode { Automatic, Fixed, Incident };
 /// The use of the exposure in a .cam file, which suits Whitted's image: paths find more light. Scaled:
 /// multiplied by the mean by paths over that by Whitted, both of the list's first frame.
 enum class RecordedExposure { Scaled, Exact, Automatic };
+enum class LightQuantity {
+    Luminance,
+    Illuminance ///< of the surface that a ray of the camera meets first, on the side that is seen
+};
 /// Luminance keeps hue and saturation (bright colours fade to white only at the very top), Channels maps each
 /// of red, green and blue by itself; AgX (Sobotka 2022) is like film, with soft and pale lights, Neutral
 /// (Khronos PBR Neutral, 2024) keeps the colours of all but the brightest.
@@ -131,15 +135,18 @@ struct ExposureSettings {
     friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };
 
-/// Luminance by the colours of a scale, in place of tone mapping, bloom and local exposure. Ends of the scale
-/// are in cd/m^2 where the light has an absolute unit, else radiance.
+/// Luminance or illuminance by the colours of a scale, in place of tone mapping, bloom and local exposure.
+/// Ends of the scale are in cd/m^2 or lux where the light has an absolute unit, else radiance or irradiance.
 struct FalseColourSettings {
     bool on = false;
+    LightQuantity quantity = LightQuantity::Luminance;
     float from = 0; ///< 0 = by what is seen; so is an end that leaves less than the other one
     float to = 0;
     bool isolines = true;
     bool legend = true;
 
+    /// Whether rays of the camera see white matte paper on all surfaces.
+    bool seesWhite() const { return on && quantity == LightQuantity::Illuminance; }
     friend bool operator==(const FalseColourSettings&, const FalseColourSettings&) = default;
 };
 

@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 3> kEmitterLights{"automatic", "on", "off
 constexpr std::array<std::string_view, 2> kIndirectModes{"off", "live"};
 constexpr std::array<std::string_view, 3> kExposureModes{"automatic", "fixed", "incident"};
 constexpr std::array<std::string_view, 3> kRecordedExposures{"scaled", "exact", "automatic"};
+constexpr std::array<std::string_view, 2> kLightQuantities{"luminance", "illuminance"};
 constexpr std::array<std::string_view, 4> kToneMappings{"luminance", "channels", "agx", "neutral"};
 constexpr std::array<std::string_view, 2> kTexelFilters{"bilinear", "nearest"};
 constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "jittered", "rotated",
@@ -50,6 +51,7 @@ Choices choicesOf() {
     if constexpr (std::is_same_v<Enum, IndirectMode>) return kIndirectModes;
     if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
     if constexpr (std::is_same_v<Enum, RecordedExposure>) return kRecordedExposures;
+    if constexpr (std::is_same_v<Enum, LightQuantity>) return kLightQuantities;
     if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
     if constexpr (std::is_same_v<Enum, TexelFilter>) return kTexelFilters;
     if constexpr (std::is_same_v<Enum, SamplingPattern>) return kSamplingPatterns;
@@ -391,19 +393,23 @@ std::vector<Setting> makeTable() {
         row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients")
             .changing(SettingChange::Display),
         row<&S::falseColours, &False::on>("falseColours.on",
-                                          "luminance is shown by the colours of a scale, dark to bright, in "
+                                          "light is shown by the colours of a scale, dark to bright, in "
                                           "place of the image; without bloom and local exposure")
             .changing(SettingChange::Display),
-        row<&S::falseColours, &False::from>("falseColours.from", {0, 1e30}, "cd/m2",
+        row<&S::falseColours, &False::quantity>(
+            "falseColours.quantity", "luminance is how bright things look, in cd/m2; illuminance how much "
+                                     "light arrives at the surface that is seen first, in lux")
+            .changing(SettingChange::Display),
+        row<&S::falseColours, &False::from>("falseColours.from", {0, 1e30}, "cd/m2 or lux",
                                             "lower end of the scale; automatic: by what is seen")
             .zeroIs("automatic")
             .changing(SettingChange::Display),
-        row<&S::falseColours, &False::to>("falseColours.to", {0, 1e30}, "cd/m2",
+        row<&S::falseColours, &False::to>("falseColours.to", {0, 1e30}, "cd/m2 or lux",
                                           "upper end of the scale; automatic: by what is seen")
             .zeroIs("automatic")
             .changing(SettingChange::Display),
         row<&S::falseColours, &False::isolines>("falseColours.isolines",
-                                                "lines of equal luminance at 1, 2, 5, 10, 20 and so on")
+                                                "lines of equal light at 1, 2, 5, 10, 20 and so on")
             .changing(SettingChange::Display),
         row<&S::falseColours, &False::legend>("falseColours.legend", "the scale is painted into the image")
             .changing(SettingChange::Display),

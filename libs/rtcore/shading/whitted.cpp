@@ -84,20 +84,21 @@ void WhittedIntegrator::traceWave() {
     frame_.tracer->intersect(wave_.kind, *wave_.rays, wave_.hits);
     clock_.lap(Stage::Trace);
     wave_.surfaces.fill(frame_.scene->mesh(), *frame_.materials, *wave_.rays, wave_.hits);
+    if (seesWhite()) wave_.surfaces.whiten(*frame_.materials);
     setWeights();
-    if (fog_.on()) {
+    if (fog_.on() && !seesWhite()) {
         fog_.enter(*wave_.rays, wave_.hits, wave_.surfaces.traits, wave_.paths);
         fog_.dimWeights(wave_.surfaces);
     }
-    addBackground();
-    if (frame_.discs) addDiscs();
+    if (!seesWhite()) addBackground();
+    if (frame_.discs && !seesWhite()) addDiscs();
     if (mirroredLights_ && !wave_.paths.primary()) addMirrored();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     divideLight(findEmission());
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh(), *frame_.materials);
     if (collectsNormals_) normals_.add(wave_);
     clock_.lap(Stage::Surfaces);
-    if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
+    if (fog_.on() && !seesWhite()) lighting_.addFog(frame_, wave_, sums_);
     if (frame_.indirectTaps != nullptr) addTaps();
     lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.takeSurfaceLight(wave_, sums_);
@@ -131,9 +132,9 @@ void WhittedIntegrator::addAlongLobes(std::span<const Colour> radiance) {
 void WhittedIntegrator::setWeights() {
     SurfaceWave& surfaces = wave_.surfaces;
     if (wave_.paths.primary()) {
-        const bool plain = frame_.scene->environment() == nullptr && !fog_.on();
+        const bool plain = frame_.scene->environment() == nullptr && !fog_.on() && !white_;
         sums_.start(plain ? frame_.scene->background : Colour{}, wave_);
-        absorbFromStart(wave_);
+        if (!white_) absorbFromStart(wave_);
         return;
     }
     const PathQueue& queue = *wave_.paths.queue();

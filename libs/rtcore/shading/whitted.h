@@ -53,6 +53,9 @@ class WhittedIntegrator {
     void collectPrimaryHits(PrimaryHitParts parts) { hitParts_ = parts; }
     std::span<const PrimaryHit> primaryHits() const { return primaryHits_.hits(); }
 
+    /// Whether primary rays of the next waves see white matte paper on all surfaces, as those of PathFrame.
+    void seeWhite(bool on) { white_ = on; }
+
     /// Whether the next waves record normals(): those of the last wave, of sample i at i.
     void collectNormals(bool on) { collectsNormals_ = on; }
     std::span<const Vec3> normals() const { return normals_.normals(); }
@@ -93,6 +96,7 @@ class WhittedIntegrator {
 
   private:
     void traceWave();
+    bool seesWhite() const { return white_ && wave_.paths.primary(); }
     void setWeights();
     void addTaps();
     void addBackground();
@@ -102,8 +106,9 @@ class WhittedIntegrator {
     void divideLight(const ArraysOf3* emitted);
 
     FrameContext frame_;
-    MaterialTable ownMaterials_;  ///< when no frame shares its table
-    Colour ambient_;              ///< that nothing occludes
+    MaterialTable ownMaterials_; ///< when no frame shares its table
+    Colour ambient_;             ///< that nothing occludes
+    bool white_ = false;
     bool mirroredLights_ = false; ///< a light that is on is seen in mirrors
     RayStatistics statistics_;
     StageClock clock_;

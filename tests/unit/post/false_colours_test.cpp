@@ -197,6 +197,56 @@ TEST(FalseColours, HaveNoBunchOfIsolinesAtAnEdge) {
     for (int x = 0; x < 60; ++x) EXPECT_FALSE(isLine(shown, x < 30 ? 1.3F : 700.0F, x, 30)) << x;
 }
 
+RenderSettings illuminance(float from = 0, float to = 0) {
+    RenderSettings settings = shownFalse(from, to);
+    settings.falseColours.quantity = LightQuantity::Illuminance;
+    return settings;
+}
+
+TEST(FalseColours, OfIlluminanceShowPiTimesTheLuminanceOfWhitePaper) {
+    const LuminanceUnit unit{.ofOne = 683, .absolute = true};
+    const Frame even = frameOf(20, 30, [](int, int) { return kWhite * 2.0F; });
+    const Shown shown = show(even, illuminance(1000, 10000), unit);
+    const Rgba8 expected = valueColour(std::log10(2 * 683 * 3.14159265F / 1000));
+    for (const Rgba8& pixel : shown.image.pixels) {
+        ASSERT_NEAR(pixel.r, expected.r, 1);
+        ASSERT_NEAR(pixel.g, expected.g, 1);
+        ASSERT_NEAR(pixel.b, expected.b, 1);
+    }
+    EXPECT_EQ(show(even, illuminance(), unit).how.scale, (ValueScale{1000, 10000})) << "4291 lx";
+    EXPECT_EQ(show(even, shownFalse(), unit).how.scale, (ValueScale{500, 5000})) << "1366 cd/m2";
+}
+
+// Denoising has spread light to the right, where no surface is.
+TEST(FalseColours, OfIlluminanceAreGreyWithoutLinesWhereNoSurfaceIs) {
+    const auto ramp = [](int x, int y) {
+        return kWhite * (x < 52 ? std::pow(10.0F, 0.03F * float(y)) : 50.0F);
+    };
+    Frame half = frameOf(100, 100, ramp);
+    for (std::size_t i = 0; i < half.covered.size(); ++i) half.covered[i] = i % 100 < 50 ? 255 : 0;
+    Frame all = half;
+    all.covered.assign(all.covered.size(), 255);
+    const Shown shown = show(half, illuminance(1, 10000)), whole = show(all, illuminance(1, 10000));
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 50; x < 100; ++x) ASSERT_EQ(shown.image.at(x, y), kNoValue) << x << " " << y;
+        for (int x = 0; x < 46; ++x) ASSERT_EQ(shown.image.at(x, y), whole.image.at(x, y)) << x << " " << y;
+    }
+    const auto grey = [](const Rgba8& pixel) { return pixel == kNoValue; };
+    EXPECT_EQ(std::ranges::count_if(whole.image.pixels, grey), 0);
+    const Frame black = frameOf(9, 9, [](int, int) { return Colour{}; });
+    const Shown dark = show(black, illuminance());
+    EXPECT_EQ(dark.image.at(4, 4), valueColour(0)) << "a surface without light";
+    LdrImage part(9, 9);
+    Development how;
+    how.falseColours = &dark.how;
+    developPart(black.radiance, how, {}, {0, 0, 9, 9}, part);
+    EXPECT_EQ(std::ranges::count_if(part.pixels, grey), 81) << "of an image that is under way";
+    how.falseColours = nullptr;
+    Frame none = black;
+    none.covered.assign(81, 0);
+    EXPECT_EQ(std::ranges::count_if(show(none, shownFalse()).image.pixels, grey), 0) << "of luminance";
+}
+
 Frame varied() {
     return frameOf(333, 211, [](int x, int y) {
         return Colour{1 + std::abs(float(x % 97) - 40), 0.3F * float(y), 0.01F * float(x) * float(y)};
@@ -274,6 +324,13 @@ TEST(Legend, TellsTheUnitAndTheNumbers) {
     const auto absolute = legend({.scale = {1, 100}, .unit = {.absolute = true}});
     EXPECT_NE(absolute, legend({.scale = {1, 100}, .unit = {}}));
     EXPECT_NE(absolute, legend({.scale = {2, 200}, .unit = {.absolute = true}}));
+    const FalseColours lux{
+        .scale = {1, 100}, .quantity = LightQuantity::Illuminance, .unit = {.absolute = true}};
+    EXPECT_NE(absolute, legend(lux));
+    FalseColours relative = lux;
+    relative.unit.absolute = false;
+    EXPECT_NE(legend(lux), legend(relative));
+    EXPECT_NE(legend({.scale = {1, 100}, .unit = {}}), legend(relative)) << "which names the quantity";
     EXPECT_EQ(legend({.scale = {1, 100}, .unit = {}, .legend = false}), LdrImage(640, 480).pixels);
 }
 

@@ -5,6 +5,7 @@
 
 #include "sample_view.h"
 #include "support/one_frame.h"
+#include "support/random_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -6,17 +6,30 @@
 
 namespace rtcore {
 
+namespace {
+
+MaterialRow whiteRow(const Mesh& mesh, const RenderSettings& settings, Colour ambientLight) {
+    Material white;
+    white.diffuse = kWhite;
+    MaterialRow row = rowOf(white, mesh, settings, ambientLight);
+    row.traits = traits::kPoint;
+    return row;
+}
+
+} // namespace
+
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
     prepare(scene, settings, unoccludedAmbient(scene, settings));
 }
 
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, Colour ambientLight) {
-    rows_.resize(scene.materials.size() + (scene.ground ? 1 : 0));
-    clear_.resize(rows_.size());
+    const std::size_t count = scene.materials.size() + (scene.ground ? 1 : 0);
+    rows_.resize(count + 1);
+    clear_.resize(count);
     traits_ = 0;
     anyEmission_ = tintedShadows_ = anyTint_ = false;
     const Mesh& mesh = scene.mesh();
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const Material& m = scene.material(static_cast<std::uint32_t>(i));
         const MaterialRow& row = rows_[i] = rowOf(m, mesh, settings, ambientLight);
         traits_ |= row.traits;
@@ -29,6 +42,8 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, 
         clear_[i] = clear ? 1 : 0;
         tintedShadows_ = tintedShadows_ || clear;
     }
+    rows_[count] = whiteRow(mesh, settings, ambientLight);
+    anyEmission_ = anyEmission_ || (settings.falseColours.seesWhite() && !isBlack(ambientLight));
 }
 
 } // namespace rtcore

@@ -18,6 +18,8 @@ class MaterialTable {
     void prepare(const Scene& scene, const RenderSettings& settings, Colour ambientLight);
 
     const MaterialRow* rows() const { return rows_.data(); }
+    /// The index of one more row: matte, of an albedo of 1.
+    std::uint32_t white() const { return static_cast<std::uint32_t>(rows_.size()) - 1; }
     bool anyEmission() const { return anyEmission_; }
     bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
     bool anyMetallic() const { return (traits_ & traits::kMetallic) != 0; }
@@ -37,7 +39,7 @@ class MaterialTable {
     }
 
   private:
-    std::vector<MaterialRow> rows_; ///< by index of the material
+    std::vector<MaterialRow> rows_; ///< by index of the material; the last is white
     std::uint32_t traits_ = 0;      ///< of any
     std::vector<std::uint8_t> clear_;
     bool anyEmission_ = false, tintedShadows_ = false, anyTint_ = false;

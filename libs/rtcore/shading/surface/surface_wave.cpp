@@ -248,6 +248,18 @@ void SurfaceWave::fillWhite(std::span<const WhitePoint> points, const MaterialTa
     std::fill_n(material, points.size() + kWaveBlock, 0U);
 }
 
+void SurfaceWave::whiten(const MaterialTable& materials) {
+    notPlainCount_ = 0;
+    const Vec3 brdf = Vec3{1, 1, 1} * std::numbers::inv_pi_v<float>;
+    for (std::size_t i = 0; i < size_; ++i) {
+        if (traits[i] == 0) continue;
+        traits[i] = traits::kPoint;
+        material[i] = materials.white();
+        shadingNormal.set(i, geometricNormal.at(i));
+        diffuseBrdf.set(i, brdf);
+    }
+}
+
 void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays,
                        const HitWave& hits) {
     resize(rays.size(), materials);

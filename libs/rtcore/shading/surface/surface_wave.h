@@ -33,6 +33,8 @@ class SurfaceWave {
     /// The same of points of white matte paper, of an albedo of 1, in place of hits: each is seen straight
     /// on.
     void fillWhite(std::span<const WhitePoint> points, const MaterialTable& materials);
+    /// After fill(): all that was hit is such paper, flat and on the side of the viewer.
+    void whiten(const MaterialTable& materials);
 
     /// The points of another wave at these indices, without the list of those that are not plain, and without
     /// `specular` and `contribution`.
