@@ -2,7 +2,7 @@
  * Measuring by taps. Loaded when it is first wanted, so it imports nothing. The server catches corners and edges, and
  * what is caught is a point of the model: the view may change between two taps.
  */
-const MAX_CHAIN = 64, MIN_CHAIN = 3, LIGHT_PATHS = 16384;
+const MAX_CHAIN = 64, MIN_CHAIN = 3, LIGHT_PATHS = 10000;
 
 /** How many points a kind is measured by; the others are asked for by where the image was tapped. */
 const POINTS = { distance: 2, chain: MAX_CHAIN, angle: 3, height: 1 };
