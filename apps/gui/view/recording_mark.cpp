@@ -1,6 +1,7 @@
 #include "gui/view/recording_mark.h"
 
 #include "gui/view/frame_view.h"
+#include "gui/view/overlay.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -13,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kMargin = 10, kPadding = 7, kDot = 12; ///< widget pixels
+constexpr int kPadding = 7, kDot = 12; ///< widget pixels
 constexpr auto kTick = 200ms;
 const QColor kRed(224, 49, 49);
 
@@ -64,7 +65,8 @@ bool RecordingMark::eventFilter(QObject* watched, QEvent* event) {
 
 void RecordingMark::fit() {
     const int wide = kDot + 3 * kPadding + fontMetrics().horizontalAdvance(time());
-    setGeometry((parentWidget()->width() - wide) / 2, kMargin, wide, fontMetrics().height() + kPadding);
+    setGeometry((parentWidget()->width() - wide) / 2, overlayHeight(fontMetrics()), wide,
+                fontMetrics().height() + kPadding);
     setAccessibleName(tr("Recording, %1").arg(time()));
     update();
 }

@@ -9,7 +9,7 @@ namespace gui {
 
 class FrameView;
 
-/// In the middle of the upper edge of its view, for whom the mouse goes through it.
+/// In the middle of its view, below the line of the overlay; the mouse goes through it.
 class RecordingMark : public QWidget {
     Q_OBJECT
 
