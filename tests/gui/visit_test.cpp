@@ -182,6 +182,7 @@ TEST_F(VisitTest, OneKeyRecordsTheWalk) {
     QTest::keyClick(&window->view(), Qt::Key_F3);
     ASSERT_TRUE(comes([&] { return status().recording && mark->isVisible(); }));
     EXPECT_TRUE(action(ActionId::RecordWalk)->isChecked());
+    EXPECT_FALSE(action(ActionId::RecordWalk)->autoRepeat()) << "a held key would start and stop it";
     EXPECT_TRUE(mark->time().startsWith(QStringLiteral("0:0"))) << mark->time().toStdString();
     ASSERT_TRUE(comes([&] { return mark->time() != QStringLiteral("0:00"); })) << "it counts";
     QTest::keyClick(&window->view(), Qt::Key_F3);

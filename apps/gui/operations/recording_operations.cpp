@@ -15,6 +15,7 @@ namespace gui {
 RecordingOperations::RecordingOperations(const GuiContext& context, QObject* parent)
     : QObject(parent), context_(context), mark_(new RecordingMark(context.view)) {
     context_.actions.on(ActionId::RecordWalk, [this] { toggle(); });
+    context_.actions[ActionId::RecordWalk]->setAutoRepeat(false); // a key that is held is pressed once
     connect(&context_.session, &Session::statusChanged, this, &RecordingOperations::onStatus);
     connect(&context_.session, &Session::stateChanged, this, &RecordingOperations::onStatus);
 }
@@ -23,7 +24,9 @@ RecordingOperations::RecordingOperations(const GuiContext& context, QObject* par
 void RecordingOperations::toggle() {
     context_.actions[ActionId::RecordWalk]->setChecked(recording_);
     const auto tell = [this](const Answer& answer) {
-        if (!answer.done) context_.notice.explain(answer.text, {});
+        if (answer.done) return;
+        byKey_ = false;
+        context_.notice.explain(answer.text, {});
     };
     if (recording_) return context_.session.send(command::exportVideoStop(), this, tell);
     byKey_ = true;
