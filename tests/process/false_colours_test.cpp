@@ -1,5 +1,7 @@
-/// Luminance as colours, by the Renderer.
+/// Luminance and illuminance as colours, by the Renderer.
 #include "process/sample_scene.h"
+
+#include "rtcore/io/images/image_file.h"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,29 @@ TEST_F(PanelOfLight, HasALegendAtTheLeft) {
 TEST_F(PanelOfLight, BesideASkyHasTheSameColour) {
     writeScene("sky.scn", "[sky]\n");
     EXPECT_EQ(pixel(picture({"from=6.83", "to=6830000"}, "sky.scn"), 140, 60), (Pixel{0x31, 0x68, 0x8E}));
+}
+
+// Under an even sky of radiance 1, white paper has that radiance, whatever the panel is: black, and it
+// shines.
+TEST_F(PanelOfLight, HoldsTheLightThatArrivesInFilesOfRadiance) {
+    test::writeText(folder / "half.scn", "version = 2\nmodel = \"panel.obj\"\ndefaultLight = false\n"
+                                         "background = [1, 1, 1]\n[camera]\neye = [5, 0, 3]\n"
+                                         "forward = [0, 0, -1]\nfov = 40\n"
+                                         "[[material]]\nname = \"light\"\nemission = [9, 9, 9]\n");
+    for (const char* format : {"pfm", "exr", "hdr"}) {
+        const std::string file = std::string("a.") + format;
+        const test::ProgramResult result = test::renderer(
+            {"half.scn", "-w", "40", "-h", "30", "-o", file, "--integrator=path", "--samples=16",
+             "--setting=falseColours.on=true", "--setting=falseColours.quantity=illuminance"},
+            {.folder = folder.path()});
+        ASSERT_EQ(result.exitCode, 0) << result.error;
+        const rtcore::HdrImage image = rtcore::readHdrImage(folder / file);
+        float sum = 0;
+        for (int y = 0; y < 30; ++y)
+            for (int x = 0; x < 18; ++x) sum += image.at(x, y).g;
+        EXPECT_NEAR(sum / (30 * 18), 1, 0.005F) << format;
+        EXPECT_EQ(image.at(35, 15).g, std::string(format) == "hdr" ? 0.0F : -1.0F) << "nothing is there";
+    }
 }
 
 TEST_F(PanelOfLight, WithoutAUnitIsToldOnce) {
