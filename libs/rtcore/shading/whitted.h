@@ -33,6 +33,7 @@ class WhittedIntegrator {
     WhittedIntegrator() = default;
     /// Ready for waves of one frame; the arguments must outlive it.
     WhittedIntegrator(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+    WhittedIntegrator(const Scene&, const RayTracer&, RenderSettings&&) = delete; // would not outlive it
 
     /// Starts a frame, during which the arguments must live; `materials` was prepared for the same scene and
     /// settings. Resets the statistics.

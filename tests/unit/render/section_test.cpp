@@ -435,7 +435,8 @@ TEST(Sections, AreSeenInMirrors) {
     const auto tracer = tracerOf(s);
     RayWave down;
     down.push({{0.3F, 5, 0.2F}, 0, {0, -1, 0}, kFar});
-    WhittedIntegrator whitted(s.scene, *tracer, test::exactSettings());
+    const RenderSettings settings = test::exactSettings();
+    WhittedIntegrator whitted(s.scene, *tracer, settings);
     whitted.trace(down, std::vector<SampleId>{{0, 0, 0}});
     EXPECT_FLOAT_EQ(whitted.radiance().colourAt(0).g, 1);
 }
