@@ -6,6 +6,7 @@
 #include "gui/operations/bar_operations.h"
 #include "gui/operations/bookmark_operations.h"
 #include "gui/operations/camera_operations.h"
+#include "gui/operations/comparison_operations.h"
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/corner_plan_operations.h"
 #include "gui/operations/display_operations.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new ModeOperations(context, this);
     new MessageOperations(context, this);
     new RenderOperations(context, this);
+    new ComparisonOperations(context, this);
     new LookOperations(context, this);
     new UpAndUnitOperations(context, this);
     new PanelOperations(context, this);

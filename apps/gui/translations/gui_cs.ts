@@ -1251,6 +1251,38 @@
         <source>Record the camera from now on, or end that; also while walking</source>
         <translation>Od této chvíle nahrávat kameru, nebo to ukončit; i při chůzi</translation>
     </message>
+    <message>
+        <source>Compare &amp;with this image</source>
+        <translation>&amp;Porovnávat s tímto obrazem</translation>
+    </message>
+    <message>
+        <source>Keep the image that is shown, to compare others with it</source>
+        <translation>Uchovat zobrazený obraz, aby se s ním daly porovnat jiné</translation>
+    </message>
+    <message>
+        <source>Compare: &amp;divider</source>
+        <translation>Porovnat: &amp;dělicí čára</translation>
+    </message>
+    <message>
+        <source>The kept image left of a divider that can be dragged</source>
+        <translation>Uchovaný obraz vlevo od čáry, kterou lze táhnout</translation>
+    </message>
+    <message>
+        <source>Compare: &amp;in turns</source>
+        <translation>Porovnat: &amp;střídavě</translation>
+    </message>
+    <message>
+        <source>The kept image and the one that is shown, one after the other</source>
+        <translation>Uchovaný a zobrazený obraz, jeden po druhém</translation>
+    </message>
+    <message>
+        <source>Compare: diff&amp;erence</source>
+        <translation>Porovnat: rozdí&amp;l</translation>
+    </message>
+    <message>
+        <source>How much the image differs from the kept one, brightened, with figures</source>
+        <translation>Jak moc se obraz liší od uchovaného, zesvětleně a s čísly</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1553,6 +1585,32 @@ Alt+%2</translation>
     <message>
         <source>The image was copied (%1).</source>
         <translation>Obraz byl zkopírován (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>gui::Comparison</name>
+    <message>
+        <source>kept</source>
+        <translation>uchovaný</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nyní</translation>
+    </message>
+    <message>
+        <source>Difference: mean %1, largest %2 of 255; shown %3 times as bright</source>
+        <translation>Rozdíl: průměrný %1, největší %2 z 255; zobrazen %3× jasněji</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ComparisonOperations</name>
+    <message>
+        <source>This image is kept. The menu Render compares others with it.</source>
+        <translation>Tento obraz je uchován. Nabídka Vykreslit s ním porovná jiné.</translation>
+    </message>
+    <message>
+        <source>Nothing is kept to compare with: press %1 first.</source>
+        <translation>Není uchováno nic k porovnání: nejdřív stiskněte %1.</translation>
     </message>
 </context>
 <context>

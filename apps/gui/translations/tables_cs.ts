@@ -869,6 +869,30 @@
         <translation>výstupy s příponou .exr obsahují také vrstvy AOV: hloubku, normálu, odrazivost, přímé světlo a zastínění povrchů okolím</translation>
     </message>
     <message>
+        <source>Alpha</source>
+        <translation>Průhlednost</translation>
+    </message>
+    <message>
+        <source>leave the background out: outputs are transparent there; .png, .tif, .tga, .webp and .exr can hold that</source>
+        <translation>vynechat pozadí: výstupy jsou tam průhledné; umějí to .png, .tif, .tga, .webp a .exr</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Podklad</translation>
+    </message>
+    <message>
+        <source>show this in place of the background: a colour #rrggbb, two of them for a gradient from top to bottom (#rrggbb,#rrggbb), or an image file</source>
+        <translation>ukázat místo pozadí toto: barvu #rrggbb, dvě pro přechod shora dolů (#rrggbb,#rrggbb), nebo soubor s obrazem</translation>
+    </message>
+    <message>
+        <source>Ground shadow</source>
+        <translation>Stín na zemi</translation>
+    </message>
+    <message>
+        <source>with --alpha or --backdrop: the model casts its shadow on a ground below it that is not seen itself</source>
+        <translation>s --alpha nebo --backdrop: model vrhá stín na zem pod sebou, která sama není vidět</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Šířka</translation>
     </message>
