@@ -1,6 +1,7 @@
 #include "rtcore/plans/storeys.h"
 
 #include "rtcore/scene/part_list.h"
+#include "rtcore/sections/cut_plane.h"
 
 #include <algorithm>
 #include <cmath>
