@@ -1,6 +1,7 @@
 #include "renderer/aov_file.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/post/straight_alpha.h"
 
 #include <vector>
 
@@ -50,13 +51,32 @@ void addImage(const std::string& layer, const rtcore::HdrImage& image, Channels&
                                      {layer + "B", &first.b, stepOf<rtcore::Colour>()}});
 }
 
+/// Channels, and what they need that is nowhere else.
+struct Layers {
+    Channels channels;
+    std::vector<float> alphas;
+
+    Layers(const rtcore::HdrImage& radiance, const rtcore::Frame& frame) {
+        addImage("", radiance, channels);
+        if (!frame.hidesBackground()) return;
+        alphas = rtcore::alphasOf(frame.transmitted);
+        channels.push_back({"A", alphas.data(), 1});
+    }
+};
+
 } // namespace
+
+void writeExr(const std::filesystem::path& path, const rtcore::HdrImage& radiance, const rtcore::Frame& frame,
+              std::span<const rtcore::ImageText> texts) {
+    const Layers layers(radiance, frame);
+    rtcore::writeExrChannels(path, radiance.width, radiance.height, layers.channels, texts);
+}
 
 void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance,
                const rtcore::Frame& frame, const std::vector<float>& errors,
                std::span<const rtcore::ImageText> texts) {
-    Channels channels;
-    addImage("", radiance, channels);
+    Layers layers(radiance, frame);
+    Channels& channels = layers.channels;
     addAovs(frame.aovs, channels);
     if (!frame.guides.empty()) addGuides(frame.guides, channels);
     if (&radiance != &frame.radiance) addImage("sampled.", frame.radiance, channels);

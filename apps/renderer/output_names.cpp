@@ -98,6 +98,25 @@ void checkAovs(std::span<const std::filesystem::path> patterns) {
     }
 }
 
+void checkAlpha(std::span<const std::filesystem::path> patterns, const std::string& standard) {
+    for (const std::filesystem::path& pattern : patterns) {
+        const std::filesystem::path name =
+            isStandardOutput(pattern) ? std::filesystem::path("-." + standard) : pattern;
+        if (!rtcore::keepsAlpha(name))
+            throw app::UsageError(
+                "--alpha: " + name.string() +
+                " cannot hold it; give an output that ends in .png, .tif, .tga, .webp or .exr");
+    }
+}
+
+void checkBackdrop(std::span<const std::filesystem::path> patterns) {
+    for (const std::filesystem::path& pattern : patterns) {
+        if (!isStandardOutput(pattern) && rtcore::isHdrFormat(pattern))
+            throw app::UsageError("--backdrop is of what a display shows, and " + pattern.string() +
+                                  " holds radiance; give --alpha with an .exr in its place");
+    }
+}
+
 void checkFilm(const std::filesystem::path& film) {
     if (!isFilm(film)) {
         throw app::UsageError(film.string() + ": cannot write films with this extension, only " +

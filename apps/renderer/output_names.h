@@ -54,6 +54,11 @@ bool makeFolder(const std::filesystem::path& folder);
 /// Throws app::UsageError when none of the patterns names a file that can hold AOVs.
 void checkAovs(std::span<const std::filesystem::path> patterns);
 
+/// The same when one of the patterns names a file that cannot hold alpha, or, with a backdrop, one of
+/// radiance. `standard`: the format of standard output.
+void checkAlpha(std::span<const std::filesystem::path> patterns, const std::string& standard);
+void checkBackdrop(std::span<const std::filesystem::path> patterns);
+
 /// The same for a film: app::UsageError when no kind of film goes by the extension.
 void checkFilm(const std::filesystem::path& film);
 

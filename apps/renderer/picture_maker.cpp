@@ -4,6 +4,7 @@
 #include "common/settings/settings_merge.h"
 #include "renderer/aov_file.h"
 #include "renderer/exposure_scale.h"
+#include "renderer/ground_shadow.h"
 #include "renderer/light_making.h"
 #include "renderer/load_phases.h"
 #include "renderer/unused_settings.h"
@@ -20,6 +21,7 @@
 #include "rtcore/look/walk_grid.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/post/background.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/post/legend.h"
 #include "rtcore/post/net_denoise.h"
@@ -89,7 +91,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
       sharedLight_(options, progress), tree_(visibleTreeOf(loaded_, options)),
       surfaces_(std::make_shared<const rtcore::KdRayTracer>(tree_, loaded_.scene.model.mesh,
                                                             chooseLeafRecords(tree_, knownRays(options)))),
-      nets_(options.nets) {}
+      nets_(options.nets), backdrop_(options.backdrop) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     Shot shot = prepare(task);
@@ -103,9 +105,11 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
         .width = settings.width, .height = settings.height, .rays = {}, .net = {}, .settings = settings};
     auto start = std::chrono::steady_clock::now();
     render(camera, settings, index, count);
+    if (options_.groundShadow) addGroundShadow(camera, settings, index, count);
     report.renderSeconds = app::secondsSince(start);
     report.rays = frame_.statistics;
-    if (rtcore::samplesAdaptively(settings)) report.samples = allSamples(settings);
+    if (rtcore::samplesAdaptively(settings) && !options_.hidesBackground())
+        report.samples = allSamples(settings);
 
     start = std::chrono::steady_clock::now();
     const rtcore::HdrImage& radiance = finish(settings, index, count);
@@ -446,11 +450,19 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     const auto fraction = [&images, &control] { return images.fraction(control); };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
     const rtcore::ImageRequest request{.aovs = options_.aovs || rtcore::effectsNeedAovs(settings),
-                                       .guides = options_.aovs || rtcore::effectsNeedGuides(settings)};
-    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
-    const rtcore::View view{loaded_.scene, *tracer, camera, settings};
+                                       .guides = options_.aovs || rtcore::effectsNeedGuides(settings),
+                                       .background = options_.hidesBackground() ? rtcore::Background::Hidden
+                                                     : rtcore::rendersApart(settings)
+                                                         ? rtcore::Background::Apart
+                                                         : rtcore::Background::Shown};
     white_.reset();
-    if (settings.exposure.mode == rtcore::ExposureMode::Incident) white_ = meter_.white(view, control);
+    if (settings.exposure.mode == rtcore::ExposureMode::Incident) {
+        const auto all = rtcore::shownTracer(surfaces_, loaded_.scene, sections_);
+        white_ = meter_.white({loaded_.scene, *all, camera, settings}, control);
+    }
+    const auto role = options_.hidesBackground() ? rtcore::GroundRole::Mirrored : rtcore::GroundRole::Seen;
+    const auto tracer = rtcore::shownTracer(surfaces_, loaded_.scene, sections_, role);
+    const rtcore::View view{loaded_.scene, *tracer, camera, settings};
     if (preview_ != nullptr) preview_->meter(white_);
     const bool whole = preview_ == nullptr
                            ? images.render(view, control, request, frame_)
@@ -459,6 +471,23 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
     tell(images.remarks());
+    app::throwIfStopped();
+}
+
+void PictureMaker::addGroundShadow(const rtcore::Camera& camera, const rtcore::RenderSettings& settings,
+                                   int index, int count) {
+    rtcore::RenderControl control{.threads = options_.threads};
+    const auto fraction = [&control] { return control.fraction(); };
+    const app::ProgressScope scope(progress_, {"rendering the shadow", fraction, &control.cancel}, index,
+                                   count);
+    const auto surfaces = rtcore::withSections(surfaces_, loaded_.scene, sections_);
+    const rtcore::HdrImage left =
+        groundShadow({loaded_.scene, surfaces, camera, settings, images_, developer_, control});
+    if (left.empty()) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+    for (std::size_t i = 0; i < left.pixels.size(); ++i) {
+        rtcore::Colour& seen = frame_.transmitted.pixels[i];
+        seen = seen * left.pixels[i];
+    }
     app::throwIfStopped();
 }
 
@@ -501,8 +530,9 @@ float PictureMaker::develop(const FrameTask& task, const Shot& shot, const rtcor
     });
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings, white_, options_.threads);
-    developer_.develop(radiance, settings, exposure, options_.threads, developed_);
+    developer_.developFinished(radiance, frame_, settings, exposure, options_.threads, developed_);
     caps_.paint(loaded_.scene, shot.camera, developed_);
+    if (backdrop_) backdrop_->paintBehind(developed_);
     if (developer_.falseColours() != nullptr)
         rtcore::paintLegend(*developer_.falseColours(), developed_.height, developed_);
     if (shot.camera.kind != rtcore::CameraKind::Panorama) tellOfOpenParts();
@@ -523,6 +553,8 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat, notes)));
         } else if (options_.aovs && rtcore::isExr(output)) {
             writeAovs(output, radiance, frame_, developer_.netErrors(), texts);
+        } else if (options_.alpha && rtcore::isExr(output)) {
+            writeExr(output, radiance, frame_, texts);
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance, texts);
         } else {

@@ -120,6 +120,8 @@ class PictureMaker {
     void shareLight(const FrameTask& task, const rtcore::RenderSettings& settings);
     std::vector<LightView> viewsOfList(const rtcore::Scene& lit);
     std::vector<LightView> viewsAllOver(const rtcore::RenderSettings& settings) const;
+    void addGroundShadow(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index,
+                         int count);
     /// The frame with its effects, which take long where a net is among them.
     const rtcore::HdrImage& finish(const rtcore::RenderSettings& settings, int index, int count);
     void tell(const std::vector<rtcore::ImageRemark>& remarks);
@@ -161,6 +163,7 @@ class PictureMaker {
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;
+    std::optional<rtcore::Backdrop> backdrop_;
     rtcore::CapPainter caps_;
 };
 

@@ -54,6 +54,7 @@ void Preview::setRun(std::uint64_t run) {
 }
 
 bool Preview::render(const Work& work, rtcore::ImageRequest request) {
+    hides_ = request.background == rtcore::Background::Hidden;
     begin(work);
     try {
         request.show = [this](const rtcore::ImagePass& pass) { showPass(pass); };
@@ -100,6 +101,7 @@ void Preview::finish(const rtcore::LdrImage& picture, float exposure, const Pict
     status_.frameSeconds = app::secondsSince(begun_);
     status_.exposure = exposure;
     picture_ = picture;
+    if (hides_) backdrop_.paintBehind(picture_);
     mark(errors);
     publish(ipc::kPreviewDone, picture_);
     status_.progress = 1;
@@ -133,6 +135,7 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
                        {.settings = settings, .threads = threads, .exposure = status_.exposure});
     if (block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
+        if (hides_) backdrop_.paintBehind(small_);
         const auto side = static_cast<float>(block);
         rtcore::upsample(small_, {side, side}, threads, picture_);
         // What has no sample of its own yet shows what was there before, unless it is better than that.
@@ -140,6 +143,7 @@ void Preview::showPass(const rtcore::ImagePass& pass) {
         for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = opaque;
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
+        if (hides_) backdrop_.paintBehind(picture_);
         info_.samples = pass.samples;
         mark({filter_.report(), filter_.errors()});
     }
@@ -153,7 +157,7 @@ void Preview::showTiles() {
     const Clock::time_point start = Clock::now();
     if (!pace_.due(start)) return;
     const std::vector<rtcore::PixelArea> tiles = work_->images.takeFinishedTiles();
-    if (tiles.empty()) return;
+    if (tiles.empty() || hides_) return;
     rtcore::Development how = rtcore::developmentOf(work_->view.settings, status_.exposure);
     how.falseColours = developer_.falseColours();
     for (const rtcore::PixelArea& tile : tiles) {

@@ -9,6 +9,7 @@
 #include "ipc/endpoint/server.h"
 #include "ipc/layout/frame_info.h"
 
+#include "rtcore/post/backdrop.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/image_renderer.h"
 #include "rtcore/sections/cap_painter.h"
@@ -50,6 +51,9 @@ class Preview {
     /// The light on what images to come show, by rtcore::LightMeter.
     void meter(std::optional<float> white) { white_ = white; }
 
+    /// Behind images to come whose background is hidden; chequers unless told.
+    void useBackdrop(const rtcore::Backdrop& backdrop) { backdrop_ = backdrop; }
+
     /// For images to come whose settings ask for it; null: the filter.
     void useNet(std::shared_ptr<const rtcore::UNet> net) { filter_.useNet(std::move(net)); }
 
@@ -66,8 +70,8 @@ class Preview {
     /// the instance was lost.
     bool render(const Work& work, rtcore::ImageRequest request);
 
-    /// Shows the image that render() gave, developed with `exposure`: the last one of the run, when its
-    /// files stand.
+    /// Shows the image that render() gave, developed with `exposure`, before the backdrop where it is
+    /// transparent: the last one of the run, when its files stand.
     void finish(const rtcore::LdrImage& picture, float exposure, const PictureErrors& errors);
     /// Until viewers had time to find the last frame, or a signal asks to stop.
     void linger();
@@ -93,6 +97,8 @@ class Preview {
     std::optional<float> white_;
     PreviewFilter filter_;
     rtcore::LdrImage small_;
+    rtcore::Backdrop backdrop_ = rtcore::Backdrop::chequers();
+    bool hides_ = false; ///< the background of the image at hand
 
     std::mutex mutex_; ///< guards all below
     std::condition_variable_any wake_;

@@ -44,6 +44,8 @@ const rtcore::Frame* PreviewFilter::apply(const rtcore::ImagePass& pass,
     const float noisy =
         finallyFiltered ? 0 : static_cast<float>(pass.samples) / static_cast<float>(settings.path.samples);
     filtered_.covered = frame.covered;
+    filtered_.transmitted = frame.transmitted;
+    filtered_.behind = frame.behind;
     filtered_.radiance = smooth;
     for (std::size_t i = 0; i < smooth.pixels.size(); ++i) {
         rtcore::Colour& pixel = filtered_.radiance.pixels[i];

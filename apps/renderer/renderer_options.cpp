@@ -9,6 +9,7 @@
 #include "common/settings/setting_option.h"
 
 #include "rtcore/io/drawings/drawing_file.h"
+#include "rtcore/io/images/image_file.h"
 #include "rtcore/neural/net_files.h"
 
 #include <algorithm>
@@ -243,12 +244,45 @@ void checkSize(const app::Arguments& arguments) {
     }
 }
 
+/// Colours, or the name of an image, which is read: throws what rtcore::readLdrImage() throws.
+void readBackdrop(const app::Arguments& arguments, RendererOptions& options) {
+    options.alpha = arguments.has("alpha");
+    options.groundShadow = arguments.has("ground-shadow");
+    if (options.groundShadow && !options.alpha && !arguments.has("backdrop"))
+        throw app::UsageError("--ground-shadow needs --alpha or --backdrop: it falls on what is transparent");
+    const auto text = arguments.text("backdrop");
+    if (!text) return;
+    if (options.alpha)
+        throw app::UsageError("--backdrop fills what --alpha leaves open; leave one of them out");
+    options.backdrop = rtcore::parseBackdropColours(*text);
+    if (options.backdrop) return;
+    if (text->starts_with('#'))
+        throw app::UsageError("option '--backdrop': '" + *text +
+                              "' is neither a colour such as #8090a0 nor two such as #ffffff,#8090a0");
+    options.backdropFile = *text;
+    options.backdrop.emplace(rtcore::readLdrImage(*text));
+}
+
+void checkBackground(const RendererOptions& options, const app::Arguments& arguments) {
+    const char* const own = options.alpha ? "--alpha" : options.backdrop ? "--backdrop" : nullptr;
+    if (own == nullptr) return;
+    for (const char* ofOthers : {"plan", "make-light", "make-list", "debug-scene", "verify"}) {
+        if (arguments.has(ofOthers))
+            throw app::UsageError(std::string(own) + " is of images that are rendered; leave out --" +
+                                  ofOthers);
+    }
+    if (options.alpha && options.video)
+        throw app::UsageError(
+            "films have no alpha: give --backdrop in place of --alpha, or leave out --video");
+}
+
 void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
     }
     checkFlight(options, arguments);
     checkPanorama(options, arguments);
+    checkBackground(options, arguments);
     checkSize(arguments);
     for (const char* ofFrames : {"frames", "chunk", "verify", "video"}) {
         if (!options.hasFrames() && arguments.has(ofFrames))
@@ -339,6 +373,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.selection = app::readSelection(arguments);
     options.nets = readPath(arguments, "nets").value_or("");
     options.aovs = arguments.has("aovs");
+    readBackdrop(arguments, options);
     options.verbose = arguments.has("verbose");
     options.report = readPath(arguments, "report");
     options.debugScene = readPath(arguments, "debug-scene");

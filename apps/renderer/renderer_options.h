@@ -13,6 +13,7 @@
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
+#include "rtcore/post/backdrop.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <cstdint>
@@ -63,7 +64,12 @@ struct RendererOptions {
     app::Selection selection;
     std::filesystem::path nets; ///< the folder of their weights; empty: where they are looked for by default
     std::string netDigest;      ///< what the SHA-256 of the net's weights begins with; empty: any
-    bool aovs = false;          ///< .exr outputs hold what is known of surfaces as well
+    bool alpha = false;         ///< outputs have the background hidden
+    /// What is shown in its place; excludes alpha.
+    std::optional<rtcore::Backdrop> backdrop;
+    std::optional<std::filesystem::path> backdropFile; ///< that it was read from
+    bool groundShadow = false;                         ///< falls on what is transparent
+    bool aovs = false; ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
     std::optional<std::filesystem::path> report;     ///< what was made, for programs
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
@@ -73,6 +79,7 @@ struct RendererOptions {
     std::optional<app::PlanOrder> plan;              ///< a drawing to make; nothing is rendered
     app::ProgressStyle progress = app::ProgressStyle::None;
 
+    bool hidesBackground() const { return alpha || backdrop.has_value(); }
     /// It renders the frames of a list or a flight.
     bool hasFrames() const { return list || flight; }
     /// Frames of a list may go into a folder that is not there yet.

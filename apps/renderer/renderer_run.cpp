@@ -44,7 +44,8 @@ app::InputFiles inputsOf(const RendererOptions& options, const rtcore::LoadedSce
     app::InputFiles inputs;
     inputs.add(loaded.files);
     inputs.add(cameras);
-    for (const auto& named : {options.camera, options.list, options.settingsFile, options.light}) {
+    for (const auto& named :
+         {options.camera, options.list, options.settingsFile, options.light, options.backdropFile}) {
         if (named) inputs.add(*named);
     }
     return inputs;
@@ -76,11 +77,14 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     const auto ffmpeg = findFilmMaker(options);
     std::optional<Preview> preview;
     if (options.preview) preview.emplace(*options.preview);
+    if (preview && options.backdrop) preview->useBackdrop(*options.backdrop);
     if (options.standBy) return standBy(options, settingsFile, *preview, progress);
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
     const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
     if (options.aovs && !options.makeList) checkAovs(patterns);
+    if (options.alpha) checkAlpha(patterns, options.standardOutputFormat);
+    if (options.backdrop) checkBackdrop(patterns);
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);

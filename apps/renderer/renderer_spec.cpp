@@ -52,6 +52,22 @@ OptionGroup outputOptions() {
           .help = "outputs with the extension .exr also hold AOVs: depth, normal, albedo, direct light "
                   "and ambient occlusion of the surfaces",
           .more = "See [post.md](post.md#aovs)"},
+         {.name = "alpha",
+          .help = "leave the background out: outputs are transparent there; .png, .tif, .tga, .webp and .exr "
+                  "can hold that",
+          .more = "It lights the model all the same, and mirrors show it. See "
+                  "[post.md](post.md#without-a-background)"},
+         {.name = "backdrop",
+          .value = ValueKind::Text,
+          .argument = "WHAT",
+          .help =
+              "show this in place of the background: a colour #rrggbb, two of them for a gradient from top "
+              "to bottom (#rrggbb,#rrggbb), or an image file",
+          .more = "It is shown as it is, lights nothing, and is in no mirror"},
+         {.name = "ground-shadow",
+          .help = "with --alpha or --backdrop: the model casts its shadow on a ground below it that is not "
+                  "seen itself",
+          .more = "The ground of the sky, else a level one below the lowest point of the model"},
          {.name = "width",
           .letter = 'w',
           .value = ValueKind::Text,

@@ -33,6 +33,7 @@ void PathIntegrator::begin(const PathFrame& frame) {
     limits_ = frame.settings.path;
     strategy_ = frame.strategy;
     white_ = frame.white;
+    sums_.keepTransmitted(frame.hidesBackground);
     statistics_ = {};
     clock_.start(false);
     fog_.begin(fogMedium(frame.scene, settings_));
@@ -257,6 +258,7 @@ void PathIntegrator::addFound() {
             if (!isBlack(met)) addTo(i, met);
         }
     }
+    if (sums_.keepsTransmitted()) addTransmitted();
     if (!seesWhite()) {
         addSurroundings();
         addDiscs();
@@ -300,6 +302,21 @@ bool PathIntegrator::leavesDiscsOut(std::size_t ray) const {
     return straight && (paths_->scattered().state[ray] & path_state::kGathers) != 0;
 }
 
+/// Whether the background is seen in a straight line there, where it is hidden.
+bool PathIntegrator::hidesBackground(std::size_t ray) const {
+    if (!sums_.keepsTransmitted() || wave_.paths.path(ray).depth > 0) return false;
+    return paths_ == nullptr || (paths_->scattered().state[ray] & path_state::kScatters) == 0;
+}
+
+void PathIntegrator::addTransmitted() {
+    const float* const transmittance = fog_.on() && !seesWhite() ? fog_.rays().transmittance : nullptr;
+    for (std::size_t i = 0; i < wave_.size(); ++i) {
+        if (wave_.surfaces.traits[i] != 0 || !hidesBackground(i)) continue;
+        const Path path = wave_.paths.path(i);
+        sums_.addTransmitted(path.sample, path.weight * (transmittance != nullptr ? transmittance[i] : 1.0F));
+    }
+}
+
 void PathIntegrator::addSurroundings() {
     const Colour seen = frame_.scene->background;
     const Environment* const environment = frame_.scene->environment();
@@ -312,7 +329,7 @@ void PathIntegrator::addSurroundings() {
         densitiesOfEscaped(lights_->surroundings().rows(), rows_.visible, *paths_, wave_, densities_.data());
     }
     for (std::size_t i = 0; i < wave_.size(); ++i) {
-        if (wave_.surfaces.traits[i] != 0) continue;
+        if (wave_.surfaces.traits[i] != 0 || hidesBackground(i)) continue;
         const Vec3 direction = wave_.direction(i);
         const bool scattered =
             paths_ != nullptr && (paths_->scattered().state[i] & path_state::kScatters) != 0;
@@ -333,7 +350,7 @@ void PathIntegrator::addDiscs() {
     for (const std::uint32_t k : lights_->discs()) {
         const Light& light = rows_.light[k];
         for (std::size_t i = 0; i < wave_.size(); ++i) {
-            if (wave_.surfaces.traits[i] != 0 || leavesDiscsOut(i)) continue;
+            if (wave_.surfaces.traits[i] != 0 || leavesDiscsOut(i) || hidesBackground(i)) continue;
             Colour radiance = discSeen(light, wave_.direction(i));
             if (isBlack(radiance)) continue;
             const bool shared = paths_ != nullptr && paths_->scattered().density[i] > 0;

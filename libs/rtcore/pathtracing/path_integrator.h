@@ -45,6 +45,9 @@ struct PathFrame {
     /// Rays of the camera see white matte paper on all surfaces, glass and mirrors too, and neither fog nor
     /// anything beyond: their radiance times pi is the illuminance there.
     bool white = false;
+    /// PathIntegrator::radiance() leaves out the background that rays of the camera see in a straight line,
+    /// past holes and panes; transmitted() tells how much of it there is.
+    bool hidesBackground = false;
 };
 
 /// One for each thread; reuses its memory. The result for a sample depends on nothing but the sample: not on
@@ -68,6 +71,7 @@ class PathIntegrator {
     /// Results of the last wave: radiance along each camera ray, and 1 where it hit something, else 0. Not
     /// finite where numbers of the scene are not.
     const ArraysOf3& radiance() const { return sums_.radiance(); }
+    const ArraysOf3& transmitted() const { return sums_.transmitted(); }
     const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
 
     /// Becomes true: trace() returns soon, with radiance undefined. May be null.
@@ -95,6 +99,8 @@ class PathIntegrator {
     PathNames names() const;
     void setWeights();
     void addFound();
+    void addTransmitted();
+    bool hidesBackground(std::size_t ray) const;
     void addSurroundings();
     void addDiscs();
     void addMirrored();

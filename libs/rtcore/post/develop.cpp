@@ -2,6 +2,8 @@
 
 #include "rtcore/platform/task_errors.h"
 #include "rtcore/platform/threads.h"
+#include "rtcore/post/background.h"
+#include "rtcore/post/straight_alpha.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -44,12 +46,20 @@ float adapted(float usual, const RenderSettings& settings) {
 
 } // namespace
 
+/// frame.radiance, and what effects put behind it.
+const HdrImage& PictureDeveloper::withBackground(const Frame& frame) {
+    if (!frame.behind) return frame.radiance;
+    withBackground_ = frame.radiance;
+    addBackground(frame.transmitted, *frame.behind, withBackground_);
+    return withBackground_;
+}
+
 std::optional<float> PictureDeveloper::average(const Frame& frame, bool background, int threads) {
     const int team = threadsFor(threads);
     if (histograms_.size() < static_cast<std::size_t>(team))
         histograms_.resize(static_cast<std::size_t>(team));
     for (LuminanceHistogram& histogram : histograms_) histogram.clear();
-    const HdrImage& radiance = frame.radiance;
+    const HdrImage& radiance = background ? withBackground(frame) : frame.radiance;
     const auto width = static_cast<std::size_t>(radiance.width);
 #pragma omp parallel for schedule(static) num_threads(team)
     for (int y = 0; y < radiance.height; ++y) {
@@ -117,7 +127,16 @@ const HdrImage& PictureDeveloper::onSurfaces(const Frame& frame, const HdrImage&
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
                                int threads, LdrImage& image) {
-    develop(finish(frame, settings, threads), settings, exposure, threads, image);
+    developFinished(finish(frame, settings, threads), frame, settings, exposure, threads, image);
+}
+
+void PictureDeveloper::developFinished(const HdrImage& finished, const Frame& frame,
+                                       const RenderSettings& settings, float exposure, int threads,
+                                       LdrImage& image) {
+    if (!frame.hidesBackground()) return develop(finished, settings, exposure, threads, image);
+    straighten(finished, frame.transmitted, straight_);
+    develop(straight_, settings, exposure, threads, image);
+    setAlpha(frame.transmitted, image);
 }
 
 void PictureDeveloper::develop(const HdrImage& radiance, const RenderSettings& settings, float exposure,

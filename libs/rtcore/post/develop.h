@@ -47,6 +47,10 @@ class PictureDeveloper {
     /// `image`, whose memory is reused when the size fits. Or false colours, in place of all that.
     void develop(const HdrImage& radiance, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
+    /// The same for what finish() made of the frame. Where that has its background hidden, the image has
+    /// straight alpha.
+    void developFinished(const HdrImage& finished, const Frame& frame, const RenderSettings& settings,
+                         float exposure, int threads, LdrImage& image);
     /// The same for finish() of the frame.
     void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
@@ -71,6 +75,7 @@ class PictureDeveloper {
                            LdrImage& image);
     const HdrImage& onSurfaces(const Frame& frame, const HdrImage& finished);
     std::optional<float> average(const Frame& frame, bool background, int threads);
+    const HdrImage& withBackground(const Frame& frame);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
     EffectChain effects_;
@@ -81,7 +86,7 @@ class PictureDeveloper {
     LuminanceUnit unit_;
     bool holdsScale_ = false;
     ScaleChoice scale_;
-    HdrImage onSurfaces_;
+    HdrImage onSurfaces_, withBackground_, straight_;
     std::optional<FalseColours> falseColours_;
     std::vector<FalseColourPainter> painters_; ///< by thread
 };

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct EffectRun {
     const SampleHalves* halves = nullptr;    ///< of the image that a net takes; null: none
     const HdrImage* steady = nullptr;        ///< Frame::steady, for a net's image; null: none
     const std::vector<std::uint8_t>* covered = nullptr; ///< Frame::covered; null: not known
+    const HdrImage* transmitted = nullptr;              ///< Frame::transmitted; null: none
+    std::optional<Colour> behind = {};                  ///< Frame::behind
     NetReport* netReport = nullptr;                     ///< gets the effect of a net; null: not told
     std::vector<float>* netErrors = nullptr;   ///< gets EstimatedError::pixels, or none; null: not told
     std::atomic<float>* netFraction = nullptr; ///< gets how far a net is, 0..1; null: not told

@@ -14,6 +14,8 @@ const HdrImage& EffectChain::apply(const Frame& frame, const EffectRun& run) {
     EffectRun own = run;
     own.guides = frame.guides.empty() ? nullptr : &frame.guides;
     own.covered = &frame.covered;
+    own.transmitted = frame.transmitted.empty() ? nullptr : &frame.transmitted;
+    own.behind = frame.behind;
     own.halves = frame.halves.empty() ? nullptr : &frame.halves;
     own.steady = frame.steady.empty() ? nullptr : &frame.steady;
     for (std::size_t i = 0; i < effects_.size(); ++i) {

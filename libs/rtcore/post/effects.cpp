@@ -1,5 +1,6 @@
 #include "rtcore/post/effects.h"
 
+#include "rtcore/post/background.h"
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/local_exposure.h"
@@ -18,8 +19,8 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::array<const EffectRow*, 4> kEffects{&kNetDenoiseEffect, &kDenoiseEffect, &kBloomEffect,
-                                                   &kLocalExposureEffect};
+constexpr std::array<const EffectRow*, 5> kEffects{&kNetDenoiseEffect, &kDenoiseEffect, &kBackgroundEffect,
+                                                   &kBloomEffect, &kLocalExposureEffect};
 
 /// Whether one that is wanted needs that.
 bool anyNeeds(bool EffectRow::*need, const RenderSettings& settings) {

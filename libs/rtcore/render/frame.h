@@ -9,6 +9,7 @@
 #include "rtcore/scene/image.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rtcore {
@@ -22,9 +23,12 @@ struct CheckedPixel {
 struct Frame {
     HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
     std::vector<std::uint8_t>
-        covered;   ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
-    Aovs aovs;     ///< empty unless they were asked for
-    Guides guides; ///< the same
+        covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
+    /// Per pixel, the part of the background that is seen, where radiance is without it; else empty.
+    HdrImage transmitted;
+    std::optional<Colour> behind;   ///< the background that effects are to put there; none: it stays hidden
+    Aovs aovs;                      ///< empty unless they were asked for
+    Guides guides;                  ///< the same
     std::vector<SeenPoint> seen;    ///< per pixel; empty unless they were asked for
     std::vector<SeenMatter> matter; ///< of the same points; empty also where there is no indirect light
     /// Per pixel, the luminance that decides the exposure; at most 0: none does. Empty: that of radiance.
@@ -36,6 +40,8 @@ struct Frame {
     /// but wrong here and there. Empty but for images by paths that are mixed with it.
     HdrImage steady;
     RayStatistics statistics;
+
+    bool hidesBackground() const { return !transmitted.empty() && !behind; }
 };
 
 } // namespace rtcore

@@ -56,11 +56,13 @@ bool FrameRenderer::renderGuides(const View& view, int block, GuideRays rays, Re
     frame.radiance = std::move(guides.albedo);
     frame.covered = std::move(guides.covered);
     const bool aovs = std::exchange(collectAovs_, false), points = std::exchange(collectSeen_, false);
+    const Background background = std::exchange(background_, Background::Shown);
     const IndirectLight* const indirect = std::exchange(indirect_, nullptr);
     const bool whole = renderAimed(seen, control, frame, &guides.normals);
     indirect_ = indirect;
     collectAovs_ = aovs;
     collectSeen_ = points;
+    background_ = background;
     for (Colour& pixel : frame.radiance.pixels)
         pixel = {std::min(pixel.r, 1.0F), std::min(pixel.g, 1.0F), std::min(pixel.b, 1.0F)};
     guides.albedo = std::move(frame.radiance);
@@ -85,6 +87,14 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     } else {
         frame.matter = {};
     }
+    if (isHidden(background_, view.scene)) {
+        frame.transmitted.width = settings.width;
+        frame.transmitted.height = settings.height;
+        frame.transmitted.pixels.resize(frame.radiance.pixels.size()); // the same
+    } else {
+        frame.transmitted = {};
+    }
+    frame.behind = colourBehind(background_, view.scene);
     frame.guides = {};
     frame.metered.clear();
     frame.checked.clear();
@@ -159,7 +169,7 @@ bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame&
     if (normals != nullptr) normals->assign(frame.radiance.pixels.size(), {});
     prepare(view);
     const TileGrid grid(settings, materials_.anySecondary());
-    const bool refined = samplesAdaptively(settings);
+    const bool refined = samplesAdaptively(settings) && frame.transmitted.empty();
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count()) * (refined ? 2 : 1);
     const Work work{view, threadsFor(control.threads), control, frame, normals};
@@ -211,6 +221,7 @@ void FrameRenderer::renderParts(const Work& work, int parts, Render&& render) {
                         .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs,
                         .seen = work.frame.seen.empty() ? nullptr : &work.frame.seen,
                         .matter = work.frame.matter.empty() ? nullptr : &work.frame.matter,
+                        .hidesBackground = !work.frame.transmitted.empty(),
                         .normals = work.normals});
         // In the order of the image: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait

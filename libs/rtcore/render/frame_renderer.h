@@ -3,6 +3,7 @@
 
 #include "rtcore/gathering/indirect_light.h"
 #include "rtcore/render/adaptive_sampler.h"
+#include "rtcore/render/background.h"
 #include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/lens.h"
@@ -71,6 +72,9 @@ class FrameRenderer {
 
     /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }
+    /// Of frames to come; shown unless told. Where it is hidden, they are not sampled adaptively. Not for
+    /// renderPixels().
+    void treatBackground(Background how) { background_ = how; }
     /// Whether frames to come tell what each pixel sees, in Frame::seen and Frame::matter.
     void collectSeen(bool on) { collectSeen_ = on; }
     /// Whether frames to come measure stageTimes().
@@ -116,6 +120,7 @@ class FrameRenderer {
     std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
     bool collectAovs_ = false;
     bool collectSeen_ = false;
+    Background background_ = Background::Shown;
     bool measureStages_ = false;
     const ShadowMaps* maps_ = nullptr;
     const IndirectLight* indirect_ = nullptr;

@@ -5,14 +5,33 @@
 
 namespace rtcore {
 
-GroundTracer::GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const SkyGround> ground)
+GroundTracer::GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const SkyGround> ground,
+                           GroundRole role)
     : surfaces_(std::move(surfaces)), ground_(std::move(ground)),
       first_(static_cast<std::uint32_t>(ground_->mesh.triangles.size()) -
-             2 * ground_->cells * ground_->cells) {}
+             2 * ground_->cells * ground_->cells),
+      role_(role) {}
+
+bool GroundTracer::meets(RayKind kind) const {
+    switch (role_) {
+    case GroundRole::Mirrored:
+        return kind == RayKind::Mirror;
+    case GroundRole::Catcher:
+        return kind == RayKind::Primary;
+    case GroundRole::Seen:
+        break;
+    }
+    return kind != RayKind::Shadow && kind != RayKind::Occlusion && kind != RayKind::Scattered;
+}
 
 void GroundTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
-    surfaces_->intersect(kind, rays, hits);
-    if (kind == RayKind::Shadow || kind == RayKind::Occlusion || kind == RayKind::Scattered) return;
+    if (role_ == GroundRole::Catcher && kind == RayKind::Primary) {
+        hits.resize(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) hits.set(i, {0, kNoTriangle, 0, 0});
+    } else {
+        surfaces_->intersect(kind, rays, hits);
+    }
+    if (!meets(kind)) return;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Ray ray = rays.ray(i);
         const auto t = distanceToGround(*ground_, ray.origin, ray.direction);
@@ -33,9 +52,10 @@ void GroundTracer::findObstacles(const RayWave& rays, std::span<const std::uint8
     surfaces_->findObstacles(rays, clear, found);
 }
 
-std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene) {
+std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
+                                            GroundRole role) {
     if (!scene.showsGround()) return surfaces;
-    return std::make_shared<const GroundTracer>(std::move(surfaces), scene.ground);
+    return std::make_shared<const GroundTracer>(std::move(surfaces), scene.ground, role);
 }
 
 } // namespace rtcore

@@ -3,6 +3,7 @@
 
 #include "rtcore/gathering/indirect_state.h"
 #include "rtcore/platform/sentence.h"
+#include "rtcore/render/background.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/pixel_area.h"
@@ -27,6 +28,7 @@ struct ImagePass {
 struct ImageRequest {
     bool aovs = false;
     bool guides = false; ///< in the frame; those by Whitted's rays, whose noise no net takes away, have none
+    Background background = Background::Shown;
     /// Gets what there is before the image itself, which it may read until it returns; empty: only the image
     /// is wanted.
     std::function<void(const ImagePass&)> show = {};

@@ -25,6 +25,7 @@ bool PathImages::render(const View& view, RenderControl& control, const ImageReq
     enter({0, 0}, control);
     frame.guides = {};
     frame.steady = {};
+    paths_.treatBackground(request.background);
     if (request.show && denoisesByNet(view.settings) && !showCoarse(view, control, request)) return false;
     enter({0, guides / all}, control);
     const GuideRays rays = request.show ? GuideRays::Few : GuideRays::All;

@@ -78,7 +78,8 @@ class PathRenderer::Worker {
         integrator_.stopWhen(stop);
     }
 
-    /// Calls use(id, radiance, hit) with each sample, pixel by pixel. False when it was stopped.
+    /// Calls use(id, radiance, index) with each sample, pixel by pixel, and its index for hit() and
+    /// transmitted(). False when it was stopped.
     template <typename Use>
     bool render(const Cut& cut, int task, const SampleRange& range, const std::atomic<bool>& stop,
                 Use&& use) {
@@ -88,10 +89,12 @@ class PathRenderer::Worker {
             integrator_.trace(rays_, samples_);
             if (stop.load(std::memory_order_relaxed)) return false;
             for (std::size_t i = 0; i < samples_.size(); ++i)
-                use(samples_[i], integrator_.radiance().colourAt(i), integrator_.hit()[i]);
+                use(samples_[i], integrator_.radiance().colourAt(i), i);
         }
         return true;
     }
+    bool hit(std::size_t index) const { return integrator_.hit()[index] != 0; }
+    Colour transmitted(std::size_t index) const { return integrator_.transmitted().colourAt(index); }
     const RayStatistics& statistics() const { return integrator_.statistics(); }
 
   private:
@@ -142,6 +145,7 @@ void PathRenderer::begin(const View& view, int surveyed, int threads, const std:
     lookAround(surveyed, threads, stop);
     measure();
     hits_.assign(view.settings.width * static_cast<std::size_t>(view.settings.height), 0);
+    transmitted_.start(isHidden(background_, view.scene) ? hits_.size() : 0);
 }
 
 PathFrame PathRenderer::frame() const {
@@ -150,7 +154,8 @@ PathFrame PathRenderer::frame() const {
             .settings = view_->settings,
             .materials = materials_,
             .lights = lights_,
-            .white = view_->settings.falseColours.seesWhite()};
+            .white = view_->settings.falseColours.seesWhite(),
+            .hidesBackground = isHidden(background_, view_->scene)};
 }
 
 void PathRenderer::aim(const View& view) {
@@ -199,7 +204,7 @@ void PathRenderer::measure() {
     std::vector<double> seen;
     const Cut cut = cutOf(small.width, small.height, 1, 0);
     for (int task = 0; task < cut.count(); ++task) {
-        worker.render(cut, task, {0, 1}, never, [&](const SampleId&, Colour radiance, int) {
+        worker.render(cut, task, {0, 1}, never, [&](const SampleId&, Colour radiance, std::size_t) {
             const double light = luminance(radiance);
             seen.push_back(std::isfinite(light) ? std::max(light, 0.0) : 0);
         });
@@ -257,11 +262,15 @@ bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
         for (int task = 0; task < tasks; ++task) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
             errors.guard([&] {
-                worker.render(
-                    cut, task, range, control.cancel, [&](const SampleId& id, Colour radiance, int hit) {
-                        sums_.add(id.x, id.y, radiance, id.sub);
-                        hits_[id.y * static_cast<std::size_t>(settings.width) + id.x] += hit != 0 ? 1U : 0U;
-                    });
+                worker.render(cut, task, range, control.cancel,
+                              [&](const SampleId& id, Colour radiance, std::size_t index) {
+                                  const std::size_t pixel =
+                                      id.y * static_cast<std::size_t>(settings.width) + id.x;
+                                  sums_.add(id.x, id.y, radiance, id.sub);
+                                  hits_[pixel] += worker.hit(index) ? 1U : 0U;
+                                  if (!transmitted_.empty())
+                                      transmitted_.add(pixel, worker.transmitted(index));
+                              });
             });
             const PixelArea area = cut.area(task);
             control.tilesDone.fetch_add(static_cast<std::uint64_t>(area.columns) *
@@ -287,12 +296,31 @@ void PathRenderer::develop(Frame& frame) const {
         frame.covered[i] = static_cast<std::uint8_t>(
             samples > 0 ? std::min<std::uint64_t>(255, (full + samples / 2) / samples) : 0);
     }
+    developTransmitted(frame);
     frame.aovs.clear();
     frame.seen = {};
     frame.matter = {};
     frame.metered.clear();
     frame.checked.clear();
     frame.statistics = statistics_;
+}
+
+void PathRenderer::developTransmitted(Frame& frame) const {
+    frame.behind = colourBehind(background_, view_->scene);
+    if (transmitted_.empty()) {
+        frame.transmitted = {};
+        return;
+    }
+    frame.transmitted.width = sums_.width();
+    frame.transmitted.height = sums_.height();
+    frame.transmitted.pixels.resize(hits_.size());
+    for (int y = 0; y < sums_.height(); ++y) {
+        for (int x = 0; x < sums_.width(); ++x) {
+            const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(sums_.width()) +
+                               static_cast<std::size_t>(x);
+            frame.transmitted.pixels[pixel] = transmitted_.mean(pixel, sums_.pixel(x, y).samples);
+        }
+    }
 }
 
 } // namespace rtcore

@@ -4,10 +4,12 @@
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/pathtracing/light_set.h"
 #include "rtcore/pathtracing/path_integrator.h"
+#include "rtcore/render/background.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/image_sums.h"
 #include "rtcore/render/sample_rays.h"
+#include "rtcore/render/transmitted_sums.h"
 #include "rtcore/render/view.h"
 #include "rtcore/shading/surface/material_table.h"
 
@@ -36,6 +38,9 @@ class PathRenderer {
     PathRenderer(const PathRenderer&) = delete;
     PathRenderer& operator=(const PathRenderer&) = delete;
 
+    /// Of images to come; shown unless told.
+    void treatBackground(Background how) { background_ = how; }
+
     /// Gets the image so far, of so many samples, and may read it until it returns.
     using Show = std::function<void(std::uint32_t samples, const Frame&)>;
 
@@ -59,7 +64,8 @@ class PathRenderer {
 
     const ImageSums& sums() const { return sums_; }
     const LightSet& lights() const { return lights_; }
-    /// The means so far: radiance, where a net is mixed with it its halves, and coverage; without AOVs.
+    /// The means so far: radiance, where a net is mixed with it its halves, coverage, and what is seen of a
+    /// background that is hidden; without AOVs.
     void develop(Frame& frame) const;
 
   private:
@@ -70,6 +76,7 @@ class PathRenderer {
     RenderSettings aimSmall(int width, SampleView& samples);
     void lookAround(int maxWidth, int threads, const std::atomic<bool>* stop);
     void measure();
+    void developTransmitted(Frame& frame) const;
     Worker& workerOfThread(int thread);
 
     std::unique_ptr<const View> view_;
@@ -80,6 +87,8 @@ class PathRenderer {
     LightSet lights_;
     ImageSums sums_;
     std::vector<std::uint32_t> hits_; ///< of each pixel: samples that hit something
+    Background background_ = Background::Shown;
+    TransmittedSums transmitted_; ///< where the background is hidden
     RayStatistics statistics_;
     std::vector<std::unique_ptr<Worker>> workers_; ///< by thread
 };

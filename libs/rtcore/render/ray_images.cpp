@@ -15,6 +15,7 @@ double learningPartOf(const RenderSettings& settings) {
 
 bool RayImages::render(const View& view, RenderControl& control, const ImageRequest& request, Frame& frame) {
     renderer_.collectAovs(request.aovs);
+    renderer_.treatBackground(request.background);
     refines_ = false;
     const bool done = learnAndRender(view, control, request, frame);
     learningPart_ = 0; // nothing is learned until the next image

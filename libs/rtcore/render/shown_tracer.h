@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/render/ground_tracer.h"
 #include "rtcore/render/section_tracer.h"
 #include "rtcore/scene/scene.h"
 
@@ -12,7 +13,7 @@ namespace rtcore {
 /// `surfaces` as the scene's sections leave them, and the scene's ground, which no section cuts: `surfaces`
 /// itself where there is neither. `known`: what is kept of scenes before.
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
-                                             SectionSurfaces& known);
+                                             SectionSurfaces& known, GroundRole role = GroundRole::Seen);
 /// The same of a scene that does not change.
 std::shared_ptr<const RayTracer> shownTracer(std::shared_ptr<const RayTracer> surfaces, const Scene& scene);
 

@@ -21,8 +21,11 @@ RenderSettings steadySettings(const RenderSettings& settings) {
 
 bool SteadyImage::render(const View& view, RenderControl& control, Frame& frame) {
     const RenderSettings settings = steadySettings(view.settings);
+    ImageRequest request;
+    if (!frame.transmitted.empty()) request.background = Background::Hidden;
     Frame image;
-    if (!rays_.render({view.scene, view.tracer, view.camera, settings}, control, {}, image)) return false;
+    if (!rays_.render({view.scene, view.tracer, view.camera, settings}, control, request, image))
+        return false;
     frame.steady = std::move(image.radiance);
     return !control.cancel;
 }

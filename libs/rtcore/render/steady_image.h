@@ -19,7 +19,8 @@ class SteadyImage {
   public:
     /// As ViewLight::beginWith(); the light is of steadySettings().
     void beginWith(const std::shared_ptr<const IndirectState>& kept) { rays_.beginWith(kept); }
-    /// Into frame.steady; the rest of `frame` stays. False when control.cancel was set.
+    /// Into frame.steady, without the background where frame.transmitted tells of it; the rest of `frame`
+    /// stays. False when control.cancel was set.
     bool render(const View& view, RenderControl& control, Frame& frame);
     /// Progress of render(), 0..1. Any thread.
     double fraction(const RenderControl& control) const { return rays_.fraction(control); }

@@ -121,6 +121,8 @@ void TileRenderer::begin(const FrameTask& task) {
     seen_ = task.seen;
     matter_ = task.matter;
     normals_ = task.normals;
+    hidesBackground_ = task.hidesBackground;
+    integrator_.hideBackground(hidesBackground_);
     integrator_.collectNormals(normals_ != nullptr);
     integrator_.collectPrimaryHits(aovs_ != nullptr   ? PrimaryHitParts::All
                                    : seen_ != nullptr ? PrimaryHitParts::Surface
@@ -130,7 +132,7 @@ void TileRenderer::begin(const FrameTask& task) {
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
     const auto all = [](const SampleId&) { return true; };
     forgetHits(area);
-    if (!view_->plain()) {
+    if (!view_->plain() || hidesBackground_) {
         nameSamples(area, all);
         traceSamples();
         clearSums(area);
@@ -240,6 +242,8 @@ void TileRenderer::storeMeans(const PixelArea& area, Frame& frame, Count&& count
         const int samples = count(x, y);
         frame.radiance.pixels[pixel] = sum->radiance / static_cast<float>(samples);
         frame.covered[pixel] = static_cast<std::uint8_t>(255 * sum->hits / samples);
+        if (hidesBackground_)
+            frame.transmitted.pixels[pixel] = sum->transmitted / static_cast<float>(samples);
         ++sum;
     });
     integrator_.clock().lap(Stage::Store);
@@ -354,6 +358,7 @@ void TileRenderer::addToSums(const PixelArea& area) {
                               static_cast<std::size_t>(x)];
         sum.radiance += radiance.colourAt(i);
         sum.hits += hit[i];
+        if (hidesBackground_) sum.transmitted += integrator_.transmitted().colourAt(i);
     }
 }
 

@@ -47,6 +47,7 @@ class TileRenderer {
         Aovs* aovs;                      ///< gets what samples see first; may be null
         std::vector<SeenPoint>* seen;    ///< the same of each pixel of the frame; may be null
         std::vector<SeenMatter>* matter; ///< of the same points, with `indirect`; may be null
+        bool hidesBackground;            ///< tiles get Frame::transmitted
         std::vector<Vec3>*
             normals; ///< gets means of WhittedIntegrator::normals(), begins with 0; may be null
     };
@@ -92,6 +93,7 @@ class TileRenderer {
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool needsSampleIds_ = false;
+    bool hidesBackground_ = false;
     const IndirectLight* indirect_ = nullptr; ///< null: there is none
     std::vector<Receiver> receivers_;         ///< of a wave's taps
     std::vector<ArrivingLight> arriving_;     ///< the same
@@ -108,6 +110,7 @@ class TileRenderer {
     struct PixelSum {
         Colour radiance;
         int hits = 0;
+        Colour transmitted = {};
     };
     std::vector<PixelSum> sums_;      ///< of the tile, row by row
     std::vector<std::uint32_t> slot_; ///< of each sample of the tile, by row * width + column: its ray

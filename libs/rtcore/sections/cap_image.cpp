@@ -66,12 +66,18 @@ Codes codesOf(Colour linear) {
     return {code(linear.r), code(linear.g), code(linear.b)};
 }
 
+/// Of straight alpha. (Porter and Duff 1984, over)
 void blend(Rgba8& pixel, const Codes& over, float part) {
+    if (!(part > 0)) return;
+    const float below = static_cast<float>(pixel.a) / 255;
+    const float alpha = pixel.a == 255 ? 1 : part + below * (1 - part);
+    const float weight = part / alpha;
     const auto mixed = [&](std::uint8_t code, float to) {
         return static_cast<std::uint8_t>(
-            std::lround(static_cast<float>(code) + (to - static_cast<float>(code)) * part));
+            std::lround(static_cast<float>(code) + (to - static_cast<float>(code)) * weight));
     };
-    pixel = {mixed(pixel.r, over[0]), mixed(pixel.g, over[1]), mixed(pixel.b, over[2]), pixel.a};
+    pixel = {mixed(pixel.r, over[0]), mixed(pixel.g, over[1]), mixed(pixel.b, over[2]),
+             static_cast<std::uint8_t>(std::lround(255 * alpha))};
 }
 
 /// Of a hatching at 45 degrees, how dark it is at a pixel, 0..1.

@@ -39,22 +39,34 @@ namespace rtcore {
 HWY_EXPORT(startAll);
 HWY_EXPORT(addAll);
 
+namespace {
+
+void clear(const ArraysOf3& sums, std::size_t count) {
+    for (float* const axis : {sums.x, sums.y, sums.z}) std::fill_n(axis, count, 0.0F);
+}
+
+} // namespace
+
 void SampleSums::resize(std::size_t count) {
-    memory_.resize(3, count);
+    memory_.resize(keepsTransmitted_ ? 6 : 3, count);
     radiance_ = memory_.arraysOf3(0);
+    if (keepsTransmitted_) transmitted_ = memory_.arraysOf3(3);
     hit_.resize(count + kWaveBlock);
 }
 
 void SampleSums::startEmpty(std::size_t count) {
     resize(count);
-    for (float* const sums : {radiance_.x, radiance_.y, radiance_.z}) std::fill_n(sums, count, 0.0F);
+    clear(radiance_, count);
+    if (keepsTransmitted_) clear(transmitted_, count);
     std::fill(hit_.begin(), hit_.end(), std::uint8_t{0});
 }
 
 void SampleSums::startPart(Colour background, Wave& wave) {
     if (wave.size() == 0) return;
     const std::size_t first = wave.paths.sample(0);
-    HWY_DYNAMIC_DISPATCH(startAll)(background, wave.surfaces, radiance_.from(first), hit_.data() + first);
+    if (keepsTransmitted_) clear(transmitted_.from(first), wave.size());
+    HWY_DYNAMIC_DISPATCH(startAll)
+    (keepsTransmitted_ ? Colour{} : background, wave.surfaces, radiance_.from(first), hit_.data() + first);
 }
 
 void SampleSums::add(const Wave& wave) {

@@ -90,7 +90,7 @@ void WhittedIntegrator::traceWave() {
         fog_.enter(*wave_.rays, wave_.hits, wave_.surfaces.traits, wave_.paths);
         fog_.dimWeights(wave_.surfaces);
     }
-    if (!seesWhite()) addBackground();
+    addBackground();
     if (frame_.discs && !seesWhite()) addDiscs();
     if (mirroredLights_ && !wave_.paths.primary()) addMirrored();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
@@ -152,14 +152,27 @@ void WhittedIntegrator::setWeights() {
     }
 }
 
+/// Whether the background is seen in a straight line there, where it is hidden.
+bool WhittedIntegrator::hidesBackground(std::size_t ray) const {
+    return sums_.keepsTransmitted() && wave_.paths.path(ray).depth == 0;
+}
+
 void WhittedIntegrator::addBackground() {
     const Environment* const environment = frame_.scene->environment();
     const Colour background = frame_.scene->background;
-    if (environment == nullptr && isBlack(background)) return;
-    if (environment == nullptr && wave_.paths.primary() && !fog_.on()) return; // the sums began with it
-    const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
+    if (!sums_.keepsTransmitted()) {
+        if (seesWhite() || (environment == nullptr && isBlack(background))) return;
+        if (environment == nullptr && wave_.paths.primary() && !fog_.on()) return; // the sums began with it
+    }
+    const float* const transmittance = fog_.on() && !seesWhite() ? fog_.rays().transmittance : nullptr;
     for (std::size_t i = 0; i < wave_.size(); ++i) {
         if (wave_.surfaces.traits[i] != 0 || (transmittance != nullptr && transmittance[i] == 0)) continue;
+        if (hidesBackground(i)) {
+            const Path straight = wave_.paths.path(i);
+            sums_.addTransmitted(straight.sample,
+                                 straight.weight * (transmittance != nullptr ? transmittance[i] : 1.0F));
+            continue;
+        }
         Colour seen = background;
         if (environment != nullptr)
             seen = environment->radiance(wave_.direction(i), frame_.settings->environmentFilter);
@@ -178,6 +191,7 @@ void WhittedIntegrator::addDiscs() {
         const Colour radiance = HWY_NAMESPACE::radianceOf<LightKind::Directional>(light);
         for (std::size_t i = 0; i < wave_.size(); ++i) {
             if (wave_.surfaces.traits[i] != 0 || (wave_.paths.bounces(i) & kLobeBit) != 0) continue;
+            if (hidesBackground(i)) continue;
             if (!HWY_NAMESPACE::meetsDisc<float>(light, wave_.direction(i))) continue;
             const float left = transmittance != nullptr ? transmittance[i] : 1.0F;
             const Path path = wave_.paths.path(i);

@@ -50,6 +50,12 @@ class WhittedIntegrator {
     const ArraysOf3& radiance() const { return sums_.radiance(); }
     const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
 
+    /// Whether the next waves leave the background out of radiance(), and tell in transmitted() how much of
+    /// it is seen: past holes and panes, in a straight line. Mirrors and what bends light show it all the
+    /// same.
+    void hideBackground(bool on) { sums_.keepTransmitted(on); }
+    const ArraysOf3& transmitted() const { return sums_.transmitted(); }
+
     /// Chooses which parts of primaryHits() the next waves record: those of the last wave, of sample i at i.
     void collectPrimaryHits(PrimaryHitParts parts) { hitParts_ = parts; }
     std::span<const PrimaryHit> primaryHits() const { return primaryHits_.hits(); }
@@ -97,6 +103,7 @@ class WhittedIntegrator {
 
   private:
     void traceWave();
+    bool hidesBackground(std::size_t ray) const;
     bool seesWhite() const { return white_ && wave_.paths.primary(); }
     void setWeights();
     void addTaps();

@@ -1,6 +1,7 @@
 // The list of effects, and that all who apply effects walk it.
 #include "rtcore/post/effects.h"
 
+#include "rtcore/post/background.h"
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
@@ -39,8 +40,8 @@ Frame twoShades() {
 TEST(Effects, StandInTheirOrder) {
     std::vector<std::string_view> names;
     for (const EffectRow* row : effects()) names.push_back(row->name);
-    EXPECT_EQ(names,
-              (std::vector<std::string_view>{"denoise by a net", "denoise", "bloom", "local exposure"}));
+    EXPECT_EQ(names, (std::vector<std::string_view>{"denoise by a net", "denoise", "background", "bloom",
+                                                    "local exposure"}));
     EXPECT_TRUE(std::ranges::is_sorted(effects(), {}, &EffectRow::stage));
 }
 
@@ -48,7 +49,8 @@ TEST(Effects, AreWantedByTheirSettings) {
     const RenderSettings all = everything(), byNet = everythingByNet();
     for (const EffectRow* row : effects()) {
         EXPECT_FALSE(row->wanted(RenderSettings{})) << row->name;
-        EXPECT_EQ(row->wanted(all), row != &kNetDenoiseEffect) << row->name;
+        const bool ofPaths = row == &kNetDenoiseEffect || row == &kBackgroundEffect;
+        EXPECT_EQ(row->wanted(all), !ofPaths) << row->name;
         EXPECT_EQ(row->wanted(byNet), row != &kDenoiseEffect) << row->name;
     }
     RenderSettings nothingSpread = all;
@@ -60,8 +62,9 @@ TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     EXPECT_EQ(effectBytesPerPixel({}), 0U);
     std::size_t sum = 0;
     for (const EffectRow* row : effects()) sum += row->bytesPerPixel;
-    EXPECT_EQ(effectBytesPerPixel(everything()),
-              Aovs::bytesPerPixel() + sum - kNetDenoiseEffect.bytesPerPixel);
+    EXPECT_EQ(effectBytesPerPixel(everything()), Aovs::bytesPerPixel() + sum -
+                                                     kNetDenoiseEffect.bytesPerPixel -
+                                                     kBackgroundEffect.bytesPerPixel);
     RenderSettings byNet = everythingByNet();
     byNet.denoise.mix = false;
     const std::size_t ofNet = Guides::bytesPerPixel() + sum - kDenoiseEffect.bytesPerPixel;

@@ -98,6 +98,11 @@ bool isHdrFormat(const std::filesystem::path& path) {
     return target != nullptr && target->codec.isLinear();
 }
 
+bool keepsAlpha(const std::filesystem::path& path) {
+    const FormatName* target = findFormat(extensionOf(path));
+    return target != nullptr && target->alpha;
+}
+
 bool isWritableFormat(const std::filesystem::path& path) {
     const FormatName* target = findFormat(extensionOf(path));
     return target != nullptr && target->isWritable();

@@ -53,6 +53,8 @@ void writeExrChannels(const std::filesystem::path& path, int width, int height,
 bool isExr(const std::filesystem::path& path);
 /// By extension, whatever its case: does the format keep linear colour; can this build write it?
 bool isHdrFormat(const std::filesystem::path& path);
+/// The same: does it keep alpha?
+bool keepsAlpha(const std::filesystem::path& path);
 bool isWritableFormat(const std::filesystem::path& path);
 /// The extensions that this build can write, for help texts: "png, jpg, bmp, ...".
 std::string writableFormats();

@@ -56,11 +56,24 @@ constexpr ImageCodec kRare{decodeRare, encodeRareAs, nullptr,
 
 // ImageMagick 6 writes AVIF and HEIC, too, but with pixels that it never set.
 constexpr FormatName kNames[] = {
-    {"png", kPng},         {"jpg", kJpeg},        {"jpeg", kJpeg},       {"bmp", kBmp},
-    {"ppm", kPnm},         {"tga", kTga},         {"tif", kTiff},        {"tiff", kTiff},
-    {"exr", kExr},         {"hdr", kRadiance},    {"pfm", kPfm},         {"webp", kRare, "WEBP"},
-    {"gif", kRare, "GIF"}, {"jp2", kRare, "JP2"}, {"psd", kRare, "PSD"}, {"dds", kRare, "DDS"},
-    {"pcx", kRare, "PCX"}, {"sgi", kRare, "SGI"},
+    {"png", kPng, "", true},
+    {"jpg", kJpeg},
+    {"jpeg", kJpeg},
+    {"bmp", kBmp},
+    {"ppm", kPnm},
+    {"tga", kTga, "", true},
+    {"tif", kTiff, "", true},
+    {"tiff", kTiff, "", true},
+    {"exr", kExr, "", true},
+    {"hdr", kRadiance},
+    {"pfm", kPfm},
+    {"webp", kRare, "WEBP", true},
+    {"gif", kRare, "GIF"},
+    {"jp2", kRare, "JP2"},
+    {"psd", kRare, "PSD"},
+    {"dds", kRare, "DDS"},
+    {"pcx", kRare, "PCX"},
+    {"sgi", kRare, "SGI"},
 };
 
 struct Signature {

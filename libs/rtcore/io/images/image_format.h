@@ -33,6 +33,7 @@ struct FormatName {
     const char* extension; ///< without dot, lower case
     const ImageCodec& codec;
     const char* magickName = ""; ///< of ImageMagick's coder, where that is what writes it
+    bool alpha = false;          ///< files that this build writes keep it, in all 256 steps or more
 
     bool isWritable() const { return codec.writable == nullptr || codec.writable(*this); }
 };
