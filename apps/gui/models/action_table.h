@@ -58,6 +58,7 @@ enum class ActionId {
     AddBookmark,
     Undo,
     Redo,
+    KeepVariant,
     Statistics,
     LookSky,
     LookStudio,
@@ -105,6 +106,7 @@ enum Trait : unsigned {
     SeparatorBefore = 4,
     RecentFilesAfter = 8, ///< the submenu of recent files follows
     SkiesAfter = 16,      ///< that of installed environment maps follows
+    VariantsAfter = 32,   ///< that of the scene's variants follows
 };
 
 struct ActionRow {
