@@ -223,7 +223,7 @@ TEST_F(VariantCommands, AreShownAsTheFileSays) {
 }
 
 /// Edits and switches, some taken back; all taken back, the image has the bits of the first. RT_EDITS sets
-/// how many (check-long.sh: 10,000, under sanitizers).
+/// how many (check-long.sh: 1,000, under sanitizers).
 TEST_F(VariantCommands, TakenBackGiveTheFirstImage) {
     const char* const wanted = std::getenv("RT_EDITS");
     const int edits = wanted != nullptr ? std::atoi(wanted) : 200;
