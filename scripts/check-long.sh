@@ -133,6 +133,9 @@ for check in "$@"; do
         sanitized test_rtserver test_gathering
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='RandomEdits.*'
+        # Edits and switches of variants, all taken back to the first bits.
+        RT_EDITS=${RT_EDITS_OF_VARIANTS:-1000} UBSAN_OPTIONS=print_stacktrace=1 \
+            build/asan-ubsan/bin/test_rtserver --gtest_filter='VariantCommands.TakenBack*'
         # The same of indirect light, which ends as one that is learned of the last state alone.
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_gathering --gtest_filter='Edits.*'

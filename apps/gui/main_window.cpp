@@ -30,6 +30,7 @@
 #include "gui/operations/share_operations.h"
 #include "gui/operations/surroundings_operations.h"
 #include "gui/operations/up_and_unit_operations.h"
+#include "gui/operations/variant_operations.h"
 #include "gui/view/button_keys.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/full_screen.h"
@@ -81,6 +82,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new SectionOperations(context, this);
     new MeasureOperations(context, this);
     new NoteOperations(context, this);
+    new VariantOperations(context, this);
     auto* flights = new FlightOperations(context, this);
     new RecordingOperations(context, this);
     auto* plans = new PlanOperations(context, this);

@@ -1,5 +1,7 @@
 #include "renderer/load_phases.h"
 
+#include "renderer/variant_choice.h"
+
 #include "common/settings/guess_text.h"
 #include "common/settings/settings_merge.h"
 
@@ -135,6 +137,7 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
             progress.print(options.scene.filename().string() + ": " +
                            rtcore::guessedText(loaded.guesses).english() +
                            "; a .scn of it has them as they are");
+        showVariant(options, loaded);
         app::selectParts(options.selection, loaded.scene);
         app::cutOpen(options.selection.sections, loaded.scene);
         app::selectLights(options.selection, loaded.scene);

@@ -1,6 +1,7 @@
 #include "renderer/output_patterns.h"
 
 #include "renderer/output_names.h"
+#include "renderer/variant_choice.h"
 
 #include "common/cli/command_line.h"
 
@@ -36,7 +37,11 @@ void checkInsideFolder(const RendererOptions& options, const fs::path& output) {
 } // namespace
 
 std::vector<fs::path> outputPatterns(const RendererOptions& options, const rtcore::SceneFile* scene) {
-    if (!options.outputs.empty()) return options.outputs;
+    if (!options.outputs.empty()) {
+        std::vector<fs::path> outputs = options.outputs;
+        for (fs::path& each : outputs) each = withWord(each, options.outputWord);
+        return outputs;
+    }
     if (options.video || options.preview) return {};
     fs::path output = options.scene.stem().string() + ".png";
     if (scene != nullptr && scene->output) {
@@ -48,7 +53,7 @@ std::vector<fs::path> outputPatterns(const RendererOptions& options, const rtcor
     } catch (const app::UsageError& error) {
         refuse(options, error.sentence());
     }
-    return {output};
+    return {withWord(output, options.outputWord)};
 }
 
 } // namespace renderer

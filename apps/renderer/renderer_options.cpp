@@ -225,6 +225,18 @@ void checkFlight(const RendererOptions& options, const app::Arguments& arguments
     }
 }
 
+void checkVariants(const RendererOptions& options, const app::Arguments& arguments) {
+    if (options.variant != "all") return;
+    for (const char* ofOne : {"preview", "follow", "verify", "video", "report", "make-list", "make-light",
+                              "light", "plan", "debug-scene"}) {
+        if (arguments.has(ofOne))
+            throw app::UsageError("--variant=all makes images of several scenes; leave out --" +
+                                  std::string(ofOne) + ", or name one variant");
+    }
+    if (std::ranges::any_of(options.outputs, isStandardOutput))
+        throw app::UsageError("--variant=all writes several files; --output=- is for one image");
+}
+
 void checkPanorama(const RendererOptions& options, const app::Arguments& arguments) {
     if (!options.panorama) return;
     if (*options.panorama % 2 != 0)
@@ -327,6 +339,7 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.debugScene && options.debugScene->extension() != ".obj") {
         throw app::UsageError("--debug-scene writes Wavefront OBJ; give a name that ends in .obj");
     }
+    checkVariants(options, arguments);
     checkLight(options, arguments);
     checkPlan(options, arguments);
     const bool toStandardOutput =
@@ -346,6 +359,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.camera = readPath(arguments, "camera");
     options.model = readPath(arguments, "model");
     options.list = readPath(arguments, "list");
+    options.variant = arguments.text("variant");
     options.flight = readFlight(arguments);
     if (const auto width = arguments.integer("panorama")) options.panorama = static_cast<int>(*width);
     options.makeList = readPath(arguments, "make-list");

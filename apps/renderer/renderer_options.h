@@ -41,6 +41,8 @@ struct RendererOptions {
     std::vector<std::filesystem::path> outputs; ///< patterns as given; empty = what the scene names
     std::string standardOutputFormat = "png";   ///< of the output "-": png or ppm
     std::optional<std::filesystem::path> camera, model, list, settingsFile;
+    std::optional<std::string> variant;            ///< of the scene; runsOf() knows which
+    std::string outputWord;                        ///< that its outputs have in their names; "": none
     std::optional<FlightOrder> flight;             ///< excludes a list
     std::optional<std::filesystem::path> makeList; ///< the list of a flight to write; nothing is rendered
     FrameRange frames;

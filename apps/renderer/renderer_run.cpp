@@ -12,6 +12,7 @@
 #include "renderer/renderer_options.h"
 #include "renderer/settings_list.h"
 #include "renderer/stand_by.h"
+#include "renderer/variant_choice.h"
 #include "renderer/verify.h"
 
 #include "common/cli/input_files.h"
@@ -119,6 +120,14 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     return app::ExitCode::Done;
 }
 
+app::ExitCode renderVariants(const RendererOptions& options, app::Progress& progress) {
+    for (const RendererOptions& run : runsOf(options)) {
+        const app::ExitCode code = renderAll(run, progress);
+        if (code != app::ExitCode::Done) return code;
+    }
+    return app::ExitCode::Done;
+}
+
 } // namespace
 
 app::ExitCode runRenderer(const app::Arguments& arguments) {
@@ -132,7 +141,7 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
     app::Progress progress(rendererSpec().name, options.progress);
     if (options.verify) return verifyFrames(options, progress);
     try {
-        return renderAll(options, progress);
+        return renderVariants(options, progress);
     } catch (const rtcore::FileError& error) {
         const bool terminated =
             error.kind == rtcore::FailureKind::Stopped && app::stopExitCode() == app::ExitCode::Terminated;

@@ -110,6 +110,14 @@ OptionGroup sequenceOptions() {
           .argument = "FILE",
           .help = "take this model or .bsp in place of the one that the .scn names",
           .files = app::sceneExtensions()},
+         {.name = "variant",
+          .value = ValueKind::Text,
+          .argument = "NAME",
+          .help = "show this variant of the .scn; all: each in turn, with its name in the names of the "
+                  "outputs; none: the scene without one",
+          .more = "A [[variant]] ([formats.md](formats.md)) is a set of edits; the commands `variant ...` "
+                  "keep them. With `-o room.png` the variant `oak floor` of all is `room_oak-floor.png`. "
+                  "The scene is loaded for each"},
          {.name = "list",
           .letter = 'l',
           .value = ValueKind::Text,

@@ -65,6 +65,7 @@ TEST_F(PageModules, PlansShowWhereOneLooks) { passes("plan_test.js"); }
 TEST_F(PageModules, ADoubleClickTurnsThere) { passes("directions_test.js"); }
 TEST_F(PageModules, TheScreenIsKeptOnOnce) { passes("wake_lock_test.js"); }
 TEST_F(PageModules, SectionsHaveASideAndATrack) { passes("sections_test.js"); }
+TEST_F(PageModules, VariantsAreChosenByTheirNumbers) { passes("variants_test.js"); }
 
 TEST_F(PageModules, UndoWaitsForTheLastOne) { passes("edits_test.js"); }
 TEST_F(PageModules, ARefusedEditIsToldOnceItIsOver) { passes("edits_test.js"); }

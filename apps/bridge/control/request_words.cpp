@@ -129,6 +129,8 @@ std::string wordOf(const CommandArgument& argument, const json& value, const Req
         return numberedName(value, context.bookmarks, "there is no such bookmark");
     case ArgumentType::Flight:
         return numberedName(value, context.flights, "there is no such flight");
+    case ArgumentType::Variant:
+        return numberedName(value, context.variants, "there is no such variant");
     case ArgumentType::Note:
         return noteWord(value);
     case ArgumentType::Author:

@@ -36,10 +36,10 @@ struct PlannedCommand {
 /// The limits and the scene that requests are checked against.
 struct RequestContext {
     const Limits& limits;
-    std::span<const std::string> bookmarks; ///< of the scene
-    std::size_t lights = 0;                 ///< that it has
-    bool sky = false;                       ///< that it has one
-    std::span<const std::string> flights{}; ///< of the scene
+    std::span<const std::string> bookmarks;             ///< of the scene
+    std::size_t lights = 0;                             ///< that it has
+    bool sky = false;                                   ///< that it has one
+    std::span<const std::string> flights{}, variants{}; ///< of the scene
 };
 
 /// Whether pages may ask for it.

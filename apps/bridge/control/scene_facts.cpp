@@ -233,6 +233,8 @@ json sceneJson(const app::StateReport& state) {
                {"sections", sectionsJson(state)},
                {"bookmarks", state.bookmarks},
                {"flights", flightNamesOf(state.flights)},
+               {"variants", state.variants},
+               {"variant", state.variant},
                {"measures", measuresJson(state)},
                {"notes", notesJson(state)},
                {"undo", stepJson(state.undo)},
@@ -252,6 +254,7 @@ bool SceneFacts::read(std::string_view report) {
         all_ = std::move(now);
         bookmarks_ = state.bookmarks;
         flights_ = flightNamesOf(state.flights);
+        variants_ = state.variants;
         notes_ = static_cast<std::size_t>(state.noteCount);
         lights_ = state.lights.size();
         hasSky_ = state.sky.has_value();

@@ -30,6 +30,7 @@ class SceneFacts {
 
     const std::vector<std::string>& bookmarks() const { return bookmarks_; }
     const std::vector<std::string>& flights() const { return flights_; }
+    const std::vector<std::string>& variants() const { return variants_; }
     std::size_t notes() const { return notes_; }   ///< how many
     std::size_t lights() const { return lights_; } ///< how many
     bool hasSky() const { return hasSky_; }
@@ -41,7 +42,7 @@ class SceneFacts {
   private:
     bool known_ = false;
     nlohmann::json all_ = nlohmann::json::object(), changes_ = nlohmann::json::object();
-    std::vector<std::string> bookmarks_, flights_;
+    std::vector<std::string> bookmarks_, flights_, variants_;
     std::size_t notes_ = 0;
     std::vector<rtcore::SettingAssignment> settings_;
     app::ReportedEdit undo_, redo_;

@@ -47,8 +47,8 @@ void RoomRequests::request(SessionId by, bool drives, const json& content, std::
     Asker& asker = askers_[by];
     const SceneFacts& facts = server_.facts;
     const double now = clock_.seconds();
-    const PlannedCommand planned =
-        planRequest(content, {limits_, facts.bookmarks(), facts.lights(), facts.hasSky(), facts.flights()});
+    const PlannedCommand planned = planRequest(content, {limits_, facts.bookmarks(), facts.lights(),
+                                                         facts.hasSky(), facts.flights(), facts.variants()});
     if (!planned.anyone && !drives) throw Refused("only the driver may do that; ask to drive first");
     if (asker.open >= kMaxRequests || (planned.anyone && !asker.asked.take(now)))
         throw Refused("too many requests at once");

@@ -319,6 +319,16 @@ std::string flightKeyRemove(const std::string& name, int number) {
 std::string flightGo(const std::string& name, double seconds) {
     return line(CommandId::FlightGo, name, seconds);
 }
+std::string variantAdd(const std::string& name) { return line(CommandId::VariantAdd, name); }
+std::string variantUpdate(const std::string& name) { return line(CommandId::VariantUpdate, name); }
+std::string variantRename(const std::string& name, const std::string& to) {
+    return line(CommandId::VariantRename, name, to);
+}
+std::string variantRemove(const std::string& name) { return line(CommandId::VariantRemove, name); }
+std::string variantRebase() { return line(CommandId::VariantRebase); }
+std::string variantGo(const std::string& name) { return line(CommandId::VariantGo, name); }
+std::string variantLeave() { return line(CommandId::VariantLeave); }
+
 std::string flightPlay(const std::string& name, double from) {
     return line(CommandId::FlightPlay, name, from);
 }

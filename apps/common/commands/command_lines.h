@@ -210,6 +210,15 @@ std::string flightKeyRemove(const std::string& name, int number);
 std::string flightGo(const std::string& name, double seconds);
 std::string flightPlay(const std::string& name, double from); ///< seconds
 
+// Variants, by their names.
+std::string variantAdd(const std::string& name);
+std::string variantUpdate(const std::string& name);
+std::string variantRename(const std::string& name, const std::string& to);
+std::string variantRemove(const std::string& name);
+std::string variantRebase();
+std::string variantGo(const std::string& name);
+std::string variantLeave();
+
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);

@@ -91,6 +91,7 @@ std::vector<CommandSpec> dimensionCommands();
 std::vector<CommandSpec> keptMeasureCommands();
 std::vector<CommandSpec> noteCommands();
 std::vector<CommandSpec> flightCommands();
+std::vector<CommandSpec> variantCommands();
 std::vector<CommandSpec> measureCommands();
 std::vector<CommandSpec> keyCommands();
 

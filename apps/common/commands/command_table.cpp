@@ -11,7 +11,7 @@ std::span<const CommandSpec> commandTable() {
              {shellCommands(), serverCommands(), settingCommands(), editCommands(), cameraCommands(),
               fileCommands(), lightCommands(), skyCommands(), bookmarkCommands(), modelCommands(),
               sectionCommands(), planCommands(), dimensionCommands(), keptMeasureCommands(), noteCommands(),
-              flightCommands(), measureCommands(), keyCommands()})
+              flightCommands(), variantCommands(), measureCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;
     }();

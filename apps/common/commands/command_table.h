@@ -206,6 +206,15 @@ enum class CommandId {
     FlightGo,
     FlightPlay,
     FlightExport,
+    VariantList,
+    VariantGet,
+    VariantAdd,
+    VariantUpdate,
+    VariantRename,
+    VariantRemove,
+    VariantRebase,
+    VariantGo,
+    VariantLeave,
     MeasureLight,
     MeasureLightAt,
     MeasureLightGrid,
@@ -236,6 +245,7 @@ enum class ArgumentType {
     MaterialValue, ///< of the key before it: a number, true or false
     Bookmark,      ///< the name of a bookmark
     Flight,        ///< the name of a flight
+    Variant,       ///< the name of a variant
     Note,          ///< the text of a note
     Author,        ///< the name of its author
     Key,           ///< the name of a key

@@ -148,6 +148,8 @@ std::string format(const StateReport& state, const Extent& extent) {
     if (extent.names) {
         writer.add("bookmarks", printableOf(state.bookmarks));
         writer.add("bookmarkViews", printableOf(state.bookmarkViews));
+        writer.add("variants", printableOf(state.variants));
+        if (!state.variant.empty()) writer.add("variant", rtcore::printable(state.variant));
     }
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
@@ -297,6 +299,8 @@ StateReport parseStateReport(std::string_view text) {
     state.indoors = root.require("indoors", root.boolean("indoors"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
     state.bookmarkViews = root.texts("bookmarkViews").value_or(std::vector<std::string>());
+    state.variants = root.texts("variants").value_or(std::vector<std::string>());
+    state.variant = root.text("variant").value_or("");
     for (rtcore::StrictTable& each : root.tables("flights")) state.flights.push_back(readFlight(each));
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));

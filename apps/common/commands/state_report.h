@@ -82,6 +82,8 @@ struct StateReport {
     std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
     std::vector<std::string> bookmarkViews = {};     ///< a word each: the same word, the same view
     std::vector<ReportedFlight> flights = {};        ///< none where there are very many lights
+    std::vector<std::string> variants = {};          ///< names; none where there are very many lights
+    std::string variant = {};                        ///< the one that is active; "": none
     bool modified = false;                           ///< there is something to save, other than the camera
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded
     bool indoors = false;                            ///< the scene's own view is from inside

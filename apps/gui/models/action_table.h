@@ -62,6 +62,7 @@ enum class ActionId {
     AddBookmark,
     Undo,
     Redo,
+    KeepVariant,
     Statistics,
     LookSky,
     LookStudio,
@@ -109,6 +110,7 @@ enum Trait : unsigned {
     SeparatorBefore = 4,
     RecentFilesAfter = 8, ///< the submenu of recent files follows
     SkiesAfter = 16,      ///< that of installed environment maps follows
+    VariantsAfter = 32,   ///< that of the scene's variants follows
 };
 
 struct ActionRow {

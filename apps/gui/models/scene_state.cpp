@@ -83,6 +83,9 @@ std::optional<StateAnswer> readState(const QString& answer) {
             result.state.bookmarks.append(QString::fromStdString(name));
         for (const std::string& view : report.bookmarkViews)
             result.state.bookmarkViews.append(QString::fromStdString(view));
+        for (const std::string& name : report.variants)
+            result.state.variants.append(QString::fromStdString(name));
+        result.state.variant = QString::fromStdString(report.variant);
         result.state.flights = flightsOf(report.flights);
         result.state.modified = report.modified;
         result.state.edits = report.edits;

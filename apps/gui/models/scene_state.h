@@ -71,6 +71,8 @@ struct SceneState {
     QStringList bookmarks;         ///< names of the scene's own
     QStringList bookmarkViews;     ///< a word each: the same word, the same view
     std::vector<ShownFlight> flights;
+    QStringList variants;  ///< names
+    QString variant;       ///< the one that is active; empty: none
     bool modified = false; ///< there is something to save, other than the camera
     int edits = 0;         ///< made and not taken back
     bool indoors = false;  ///< the scene's own view is from inside

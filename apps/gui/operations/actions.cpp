@@ -56,6 +56,7 @@ void Actions::fill(QMenuBar& bar) {
         if (row.has(SeparatorBefore)) menu->addSeparator();
         menu->addAction((*this)[row.id]);
         if (row.has(SkiesAfter)) addSkies(*menu);
+        if (row.has(VariantsAfter)) variants_ = menu->addMenu(tr("&Variants"));
         if (!row.has(RecentFilesAfter)) continue;
         recent_ = menu->addMenu(tr("Open &recent"));
         connect(&preferences_, &Preferences::changed, this, &Actions::fillRecent);

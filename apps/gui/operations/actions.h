@@ -34,6 +34,8 @@ class Actions : public QObject {
     void setServerThere(bool there);
     /// The menu of the installed environment maps, once fill() was called; null where there are none.
     QMenu* skies() const { return skies_; }
+    /// The menu of the scene's variants, once fill() was called.
+    QMenu* variants() const { return variants_; }
 
   signals:
     void recentChosen(const QString& path); ///< or an example
@@ -47,7 +49,7 @@ class Actions : public QObject {
 
     Preferences& preferences_;
     QHash<int, QAction*> actions_;
-    QMenu* recent_ = nullptr;
+    QMenu *recent_ = nullptr, *variants_ = nullptr;
     bool there_ = false;     ///< a server
     QMenu* skies_ = nullptr; ///< where some are installed
 };

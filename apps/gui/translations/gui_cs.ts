@@ -1283,6 +1283,14 @@
         <source>How much the image differs from the kept one, brightened, with figures</source>
         <translation>Jak moc se obraz liší od uchovaného, zesvětleně a s čísly</translation>
     </message>
+    <message>
+        <source>&amp;Keep as a variant…</source>
+        <translation>U&amp;ložit jako variantu…</translation>
+    </message>
+    <message>
+        <source>Keep the materials, parts, lights and the sky as they are now under a name</source>
+        <translation>Uložit pod jménem materiály, součásti, světla a oblohu, jak jsou teď</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1318,6 +1326,10 @@ Qt %1</translation>
     <message>
         <source>&amp;Built-in environments</source>
         <translation>Dodaná &amp;prostředí</translation>
+    </message>
+    <message>
+        <source>&amp;Variants</source>
+        <translation>&amp;Varianty</translation>
     </message>
 </context>
 <context>
@@ -5119,6 +5131,60 @@ Dvojklik natočí pohled. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>By the format, the program that wrote it, and the shape of the model</source>
         <translation>Podle formátu, programu, který jej zapsal, a tvaru modelu</translation>
+    </message>
+</context>
+<context>
+    <name>gui::VariantNameDialog</name>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Jméno:</translation>
+    </message>
+</context>
+<context>
+    <name>gui::VariantOperations</name>
+    <message>
+        <source>Variant %1</source>
+        <translation>Varianta %1</translation>
+    </message>
+    <message>
+        <source>Keep as a variant</source>
+        <translation>Uložit jako variantu</translation>
+    </message>
+    <message>
+        <source>Kept as the variant “%1”.</source>
+        <translation>Uloženo jako varianta „%1“.</translation>
+    </message>
+    <message>
+        <source>&amp;Without a variant</source>
+        <translation>&amp;Bez varianty</translation>
+    </message>
+    <message>
+        <source>Without a variant</source>
+        <translation>Bez varianty</translation>
+    </message>
+    <message>
+        <source>&amp;Update “%1”</source>
+        <translation>&amp;Aktualizovat „%1“</translation>
+    </message>
+    <message>
+        <source>“%1” is what is shown now.</source>
+        <translation>„%1“ je to, co je teď zobrazeno.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename “%1”…</source>
+        <translation>&amp;Přejmenovat „%1“…</translation>
+    </message>
+    <message>
+        <source>Rename a variant</source>
+        <translation>Přejmenovat variantu</translation>
+    </message>
+    <message>
+        <source>R&amp;emove “%1”</source>
+        <translation>&amp;Odstranit „%1“</translation>
+    </message>
+    <message>
+        <source>“%1” is removed. What is shown stays.</source>
+        <translation>„%1“ je odstraněna. Co je zobrazeno, zůstává.</translation>
     </message>
 </context>
 <context>

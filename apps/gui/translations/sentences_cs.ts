@@ -632,6 +632,14 @@
         <translation>tady chybí hodnota</translation>
     </message>
     <message>
+        <source>a variant hides and shows parts; give this to a [[part]] of the scene</source>
+        <translation>varianta součásti skrývá a zobrazuje; toto dejte do [[part]] scény</translation>
+    </message>
+    <message>
+        <source>a variant takes no textures from files; give it to a [[material]] of the scene</source>
+        <translation>varianta nepřijímá textury ze souborů; dejte ji do [[material]] scény</translation>
+    </message>
+    <message>
         <source>a vertical angle</source>
         <translation>svislý úhel</translation>
     </message>
@@ -806,6 +814,14 @@
     <message>
         <source>another scene was shown</source>
         <translation>ukázala se jiná scéna</translation>
+    </message>
+    <message>
+        <source>another variant is called {0}</source>
+        <translation>jiná varianta se jmenuje {0}</translation>
+    </message>
+    <message>
+        <source>another variant is called {0}, too</source>
+        <translation>jiná varianta se také jmenuje {0}</translation>
     </message>
     <message>
         <source>as you say</source>
@@ -1314,6 +1330,14 @@
     <message>
         <source>it has no nodes</source>
         <translation>nemá žádné uzly</translation>
+    </message>
+    <message>
+        <source>it has no variant {0}, but {1}</source>
+        <translation>nemá variantu {0}, ale {1}</translation>
+    </message>
+    <message>
+        <source>it has no variant {0}, nor any other; a .scn has them</source>
+        <translation>nemá variantu {0} ani žádnou jinou; varianty má soubor .scn</translation>
     </message>
     <message>
         <source>it has one vertical angle; two or more are needed</source>
@@ -1836,6 +1860,10 @@
         <translation>světlo, které prochází listím a papírem</translation>
     </message>
     <message>
+        <source>light {0} is given twice, or is a [[light]] as well</source>
+        <translation>světlo {0} je uvedeno dvakrát nebo je zároveň v [[light]]</translation>
+    </message>
+    <message>
         <source>light {0} is left out: it is not a point, directional, spot or area light, or gives no light</source>
         <translation>světlo {0} je vynecháno: není bodové, směrové, kuželové ani plošné, nebo nesvítí</translation>
     </message>
@@ -1948,6 +1976,10 @@
         <translation>name je prázdné; let se pozná podle jména</translation>
     </message>
     <message>
+        <source>name is empty; a variant is known by its name</source>
+        <translation>name je prázdné; variantu určuje její jméno</translation>
+    </message>
+    <message>
         <source>name is empty; give {0}'s name or a pattern, "*"</source>
         <translation>name je prázdné; zadejte jméno ({0}) nebo vzor, "*"</translation>
     </message>
@@ -2034,6 +2066,10 @@
     <message>
         <source>no temporary file: {0}</source>
         <translation>nelze vytvořit dočasný soubor: {0}</translation>
+    </message>
+    <message>
+        <source>no variant is active; name the one to be updated</source>
+        <translation>žádná varianta není zobrazena; pojmenujte tu, která se má aktualizovat</translation>
     </message>
     <message>
         <source>node {0} has children behind the last node</source>
@@ -2126,6 +2162,10 @@
     <message>
         <source>not written: {0}</source>
         <translation>nezapsáno: {0}</translation>
+    </message>
+    <message>
+        <source>nothing differs from the base; change materials, parts, lights or the sky first</source>
+        <translation>od základu se nic neliší; nejprve změňte materiály, součásti, světla nebo oblohu</translation>
     </message>
     <message>
         <source>nothing is being recorded</source>
@@ -2928,6 +2968,10 @@
         <translation>název míry je UTF-8 o nejvýše {0} bajtech</translation>
     </message>
     <message>
+        <source>the name of a variant is UTF-8 of at most {0} bytes, without control characters</source>
+        <translation>jméno varianty je text v UTF-8 dlouhý nejvýše {0} bajtů, bez řídicích znaků</translation>
+    </message>
+    <message>
         <source>the name of an author is UTF-8 of at most {0} characters, without control characters</source>
         <translation>jméno autora je UTF-8 o nejvýše {0} znacích, bez řídicích znaků</translation>
     </message>
@@ -3048,6 +3092,10 @@
         <translation>scéna nemá let {0}; vypíše je 'flight list'</translation>
     </message>
     <message>
+        <source>the scene has no variant {0}; 'variant list' lists them</source>
+        <translation>scéna nemá variantu {0}; vypíše je &apos;variant list&apos;</translation>
+    </message>
+    <message>
         <source>the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along</source>
         <translation>scéna odkazuje na soubory mimo svou složku: {0}; 'pack FOLDER outside' je přibalí</translation>
     </message>
@@ -3152,6 +3200,10 @@
         <translation>jednotka {0} není známa, takže by výkres neměl měřítko; určete ji: --units nebo příkaz 'units' s m, cm, mm, in nebo ft (odhad je {1} m)</translation>
     </message>
     <message>
+        <source>the variant is too long for an answer; 'export scene' writes it</source>
+        <translation>varianta je na odpověď příliš dlouhá; zapíše ji &apos;export scene&apos;</translation>
+    </message>
+    <message>
         <source>the version is missing; begin the file with: version = {0}</source>
         <translation>chybí verze; začněte soubor řádkem: version = {0}</translation>
     </message>
@@ -3190,6 +3242,10 @@
     <message>
         <source>there are more than {0} sections; leave some out</source>
         <translation>řezů je více než {0}; některé vynechte</translation>
+    </message>
+    <message>
+        <source>there are more than {0} variants; leave some out</source>
+        <translation>variant je víc než {0}; některé vynechte</translation>
     </message>
     <message>
         <source>there are more warnings than these</source>
@@ -3232,12 +3288,20 @@
         <translation>poznámek je už {0}, víc jich návštěvníci mít nesmějí</translation>
     </message>
     <message>
+        <source>there are {0} variants already; remove one first</source>
+        <translation>variant je už {0}; nejprve některou odstraňte</translation>
+    </message>
+    <message>
         <source>there is a file of this name that is no .bsp file; remove it, or name another</source>
         <translation>soubor tohoto jména už existuje a není to .bsp; odstraňte ho, nebo uveďte jiné jméno</translation>
     </message>
     <message>
         <source>there is no 3MF model inside; unpack it and give the model inside</source>
         <translation>uvnitř není žádný model 3MF; rozbalte jej a zadejte model, který je uvnitř</translation>
+    </message>
+    <message>
+        <source>there is no [[variant]] {0} in this file</source>
+        <translation>v tomto souboru není [[variant]] {0}</translation>
     </message>
     <message>
         <source>there is no driver now</source>

@@ -814,6 +814,10 @@
         <source>flight</source>
         <translation>let</translation>
     </message>
+    <message>
+        <source>variant</source>
+        <translation>varianta</translation>
+    </message>
 </context>
 <context>
     <name>LightKinds</name>
@@ -943,6 +947,14 @@
     <message>
         <source>take this model or .bsp in place of the one that the .scn names</source>
         <translation>použít tento model nebo .bsp místo toho, který uvádí .scn</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Varianta</translation>
+    </message>
+    <message>
+        <source>show this variant of the .scn; all: each in turn, with its name in the names of the outputs; none: the scene without one</source>
+        <translation>zobrazit tuto variantu souboru .scn; all: jednu po druhé, se jménem ve jménech výstupů; none: scénu bez varianty</translation>
     </message>
     <message>
         <source>List</source>

@@ -48,6 +48,7 @@ std::span<const CommandFunction> keptMeasureFunctions();
 std::span<const CommandFunction> noteFunctions();
 std::span<const CommandFunction> flightFunctions();
 std::span<const CommandFunction> flightKeyFunctions();
+std::span<const CommandFunction> variantFunctions();
 std::span<const CommandFunction> measureFunctions();
 std::span<const CommandFunction> keyFunctions();
 std::span<const CommandFunction> saveFunctions();

@@ -25,8 +25,8 @@ const Functions& functions() {
         for (const auto group :
              {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(), modelFunctions(),
               sectionFunctions(), planFunctions(), dimensionFunctions(), keptMeasureFunctions(),
-              noteFunctions(), flightFunctions(), flightKeyFunctions(), measureFunctions(), cameraFunctions(),
-              fileFunctions(), saveFunctions(), keyFunctions()}) {
+              noteFunctions(), flightFunctions(), flightKeyFunctions(), variantFunctions(),
+              measureFunctions(), cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
             for (const CommandFunction& each : group) table[static_cast<std::size_t>(each.id)] = each.run;
         }
         return table;

@@ -145,6 +145,9 @@ app::StateReport stateReportOf(const Document& document, std::uint64_t client) {
         report.bookmarkViews.push_back(wordOf(bookmark.camera));
     }
     report.flights = flightsOf(document);
+    for (const rtcore::SceneVariant& variant : document.variants().all)
+        report.variants.push_back(variant.name);
+    report.variant = document.variants().active;
     report.edits = static_cast<int>(history.position());
     return report;
 }

@@ -63,6 +63,7 @@ void Document::show(std::unique_ptr<World> world) {
     measures_ = std::make_shared<const rtcore::KeptMeasures>(file ? file->measures : rtcore::KeptMeasures());
     notes_ = std::make_shared<const rtcore::SceneNotes>(file ? file->notes : rtcore::SceneNotes());
     flights_ = std::make_shared<const rtcore::Flights>(file ? file->flights : rtcore::Flights());
+    variants_ = std::make_shared<const VariantBook>(std::move(opening.variants));
     history_.clear();
     savedState_ = history_.state();
     if (follower_ != nullptr) follower_->sceneOpened();
@@ -146,6 +147,7 @@ void Document::useModelUnits(const rtcore::ModelUnits& units) {
     rtcore::Changes changes{rtcore::Change::View, rtcore::Change::Sky, rtcore::Change::Setting};
     changes.set(rtcore::Change::Light, !rtcore::shineAlike(edited.lights, scene_->lights));
     putScene(std::move(edited));
+    variants_ = std::make_shared<const VariantBook>(inUnits(*variants_, units));
     camera_ = camera;
     revisions_.note(changes);
     if (follower_ != nullptr) follower_->unitsChanged();
@@ -205,6 +207,11 @@ void Document::setNotes(rtcore::SceneNotes notes) {
 void Document::setFlights(rtcore::Flights flights) {
     if (flights == *flights_) return;
     flights_ = std::make_shared<const rtcore::Flights>(std::move(flights));
+}
+
+void Document::setVariants(VariantBook variants) {
+    if (variants == *variants_) return;
+    variants_ = std::make_shared<const VariantBook>(std::move(variants));
 }
 
 void Document::addToAllNotes(const rtcore::SceneNote& note) {
@@ -306,6 +313,7 @@ void Document::makeOf(const EditStep& step, const Snapshot& from, const Snapshot
     if (changesMeasures(step)) measures_ = to.measures;
     if (changesNotes(step)) notes_ = to.notes;
     if (changesFlights(step)) flights_ = to.flights;
+    if (changesVariants(step)) variants_ = to.variants;
     if (changesCamera(step) || changesModelUnits(step)) setCamera(to.camera);
 }
 

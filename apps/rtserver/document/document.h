@@ -4,6 +4,7 @@
 
 #include "rtserver/document/document_follower.h"
 #include "rtserver/document/edit_history.h"
+#include "rtserver/document/variant_book.h"
 #include "rtserver/document/visible_model.h"
 #include "rtserver/document/world.h"
 #include "rtserver/messages.h"
@@ -111,6 +112,9 @@ class Document {
     void addToAllNotes(const rtcore::SceneNote& note);
     const rtcore::Flights& flights() const { return *flights_; }
     void setFlights(rtcore::Flights flights);
+    /// With the base that they are variants of; none of them is active where that is shown.
+    const VariantBook& variants() const { return *variants_; }
+    void setVariants(VariantBook variants);
     const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }
     void setBookmarks(rtcore::SceneBookmarks bookmarks);
 
@@ -133,7 +137,7 @@ class Document {
 
     /// The state that edits change, as it is now.
     Snapshot snapshot() const {
-        return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_, notes_, flights_};
+        return {scene_, settings_, camera_, modelUnits(), bookmarks_, measures_, notes_, flights_, variants_};
     }
     /// The changes since snapshot() was `before` become one step that can be taken back. `label` and
     /// `goesOn`: as in EditHistory.
@@ -174,6 +178,7 @@ class Document {
     std::shared_ptr<const rtcore::KeptMeasures> measures_;
     std::shared_ptr<const rtcore::SceneNotes> notes_;
     std::shared_ptr<const rtcore::Flights> flights_;
+    std::shared_ptr<const VariantBook> variants_;
     EditHistory history_;
     std::uint64_t savedState_ = 0;
 };

@@ -49,6 +49,15 @@ std::size_t bytesOf(const rtcore::Flights& flights) {
     return bytes;
 }
 
+std::size_t bytesOf(const VariantBook& book) {
+    std::size_t bytes = sizeof(book);
+    for (const rtcore::SceneVariant& each : book.all)
+        bytes += sizeof(each) + each.materials.size() * sizeof(rtcore::MaterialOverride) +
+                 each.parts.size() * sizeof(rtcore::PartDescription) +
+                 each.lights.size() * sizeof(rtcore::LightDescription);
+    return bytes;
+}
+
 std::size_t bytesOf(const EditStep& step) {
     const std::size_t measures =
         changesMeasures(step) ? bytesOf(*step.before.measures) + bytesOf(*step.after.measures) : 0;
@@ -56,13 +65,16 @@ std::size_t bytesOf(const EditStep& step) {
         changesNotes(step) ? bytesOf(*step.before.notes) + bytesOf(*step.after.notes) : 0;
     const std::size_t flights =
         changesFlights(step) ? bytesOf(*step.before.flights) + bytesOf(*step.after.flights) : 0;
-    return sizeof(step) + measures + notes + flights +
+    const std::size_t variants =
+        changesVariants(step) ? bytesOf(*step.before.variants) + bytesOf(*step.after.variants) : 0;
+    return sizeof(step) + measures + notes + flights + variants +
            (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
 }
 
 bool changesAnything(const EditStep& step) {
     return changesScene(step) || changesSettings(step) || changesCamera(step) || changesModelUnits(step) ||
-           changesBookmarks(step) || changesMeasures(step) || changesNotes(step) || changesFlights(step);
+           changesBookmarks(step) || changesMeasures(step) || changesNotes(step) || changesFlights(step) ||
+           changesVariants(step);
 }
 
 } // namespace
@@ -85,9 +97,12 @@ bool changesNotes(const EditStep& step) { return step.before.notes != step.after
 
 bool changesFlights(const EditStep& step) { return step.before.flights != step.after.flights; }
 
+bool changesVariants(const EditStep& step) { return step.before.variants != step.after.variants; }
+
 bool placesOnlyTheCamera(const EditStep& step) {
     return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesModelUnits(step) &&
-           !changesBookmarks(step) && !changesMeasures(step) && !changesNotes(step) && !changesFlights(step);
+           !changesBookmarks(step) && !changesMeasures(step) && !changesNotes(step) &&
+           !changesFlights(step) && !changesVariants(step);
 }
 
 void EditHistory::add(EditStep step, bool goesOn) {

@@ -1,6 +1,8 @@
 /// The edits of what is shown, step by step, to be taken back and made again.
 #pragma once
 
+#include "rtserver/document/variant_book.h"
+
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
@@ -26,6 +28,7 @@ struct Snapshot {
     std::shared_ptr<const rtcore::KeptMeasures> measures;
     std::shared_ptr<const rtcore::SceneNotes> notes;
     std::shared_ptr<const rtcore::Flights> flights;
+    std::shared_ptr<const VariantBook> variants;
 };
 
 /// Who made an edit.
@@ -55,6 +58,7 @@ bool changesBookmarks(const EditStep& step);
 bool changesMeasures(const EditStep& step);
 bool changesNotes(const EditStep& step);
 bool changesFlights(const EditStep& step);
+bool changesVariants(const EditStep& step);
 /// It changed nothing but the camera.
 bool placesOnlyTheCamera(const EditStep& step);
 

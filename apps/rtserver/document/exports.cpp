@@ -3,6 +3,7 @@
 #include "rtserver/document/material_tables.h"
 
 #include "rtcore/io/text/pattern.h"
+#include "rtcore/io/variants/variant_switch.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/sky/scene_sky.h"
@@ -71,11 +72,32 @@ void addLights(const rtcore::Scene& scene, rtcore::SceneFile& file) {
                     !scene.sky || scene.sky->studio}; // removed, it comes back off
 }
 
+/// The scene that the file says, of which its variants are: what is shown, where there are none.
+rtcore::VariantScene baseOf(const Document& document) {
+    rtcore::VariantScene base{*document.scene(), document.settings().skyLight.on};
+    const VariantBook& book = document.variants();
+    if (!book.all.empty())
+        switchVariant(base, *book.base, differences(*book.base, base), rtcore::SceneVariant());
+    return base;
+}
+
+void addVariants(const Document& document, const rtcore::VariantScene& base, rtcore::SceneFile& file) {
+    const VariantBook& book = document.variants();
+    file.variants = book.all;
+    file.activeVariant = book.active;
+    file.shown.reset();
+    const rtcore::VariantScene shown{*document.scene(), document.settings().skyLight.on};
+    rtcore::VariantScene active = base;
+    switchVariant(active, base, rtcore::SceneVariant(), shownVariant(file));
+    if (!book.all.empty() && !differences(active, shown).empty()) file.shown = differences(base, shown);
+}
+
 // All but the settings. Materials are those of the description and what was edited since; the rest is taken
 // from the scene.
 rtcore::SceneFile describe(const Document& document) {
     const World& world = document.world();
-    const rtcore::Scene& scene = *document.scene();
+    const rtcore::VariantScene base = baseOf(document);
+    const rtcore::Scene& scene = base.scene;
     rtcore::SceneFile file = descriptionOf(world);
     file.model = world.loaded.modelPath;
     static_cast<rtcore::SceneLook&>(file) = scene;
@@ -98,7 +120,15 @@ rtcore::SceneFile describe(const Document& document) {
     file.measures = document.measures();
     file.notes = document.notes();
     file.flights = document.flights();
+    addVariants(document, base, file);
     return file;
+}
+
+/// Those of the base.
+rtcore::RenderSettings settingsOf(const Document& document) {
+    rtcore::RenderSettings settings = document.settings();
+    settings.skyLight.on = baseOf(document).skyLight;
+    return settings;
 }
 
 rtcore::RenderSettings settingsWith(const std::vector<rtcore::SettingAssignment>& assignments) {
@@ -140,7 +170,7 @@ rtcore::CameraFile cameraFileOf(const Document& document, float exposure) {
 rtcore::SceneFile sceneFileOf(const Document& document) {
     rtcore::SceneFile file = describe(document);
     file.output.reset(); // a copy of a scene does not overwrite the image of the first
-    file.live = rtcore::settingAssignments(document.settings(), true);
+    file.live = rtcore::settingAssignments(settingsOf(document), true);
     file.still = file.live;
     return file;
 }
@@ -148,7 +178,7 @@ rtcore::SceneFile sceneFileOf(const Document& document) {
 rtcore::SceneFile savedSceneOf(const Document& document) {
     const rtcore::LoadedScene& loaded = document.world().loaded;
     const rtcore::RenderSettings before = settingsWith(loaded.live);
-    rtcore::RenderSettings live = document.settings();
+    rtcore::RenderSettings live = settingsOf(document);
     live.width = before.width;
     live.height = before.height;
     rtcore::RenderSettings still = settingsWith(loaded.still);

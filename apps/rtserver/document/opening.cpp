@@ -42,8 +42,11 @@ Opening openingOf(World& world, const Options& options, const rtcore::RenderSett
     rtcore::Scene scene = loaded.scene;
     rtcore::useGuesses(scene, loaded.guesses);
     std::optional<rtcore::CameraFile> camera;
-    if (const std::filesystem::path path = cameraPathOf(world, options, first); !path.empty()) {
-        camera = rtcore::readCameraFile(path, scene.origin);
+    const std::filesystem::path path = cameraPathOf(world, options, first);
+    if (!path.empty()) camera = rtcore::readCameraFile(path, scene.origin);
+    rtcore::RenderSettings settings = settingsOf(world, options, camera ? &*camera : nullptr);
+    VariantBook variants = takeVariants(loaded.sceneFile, scene, settings);
+    if (camera) {
         const rtcore::Sentence warning = app::applyCameraToScene(*camera, path, scene);
         if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;
@@ -56,12 +59,12 @@ Opening openingOf(World& world, const Options& options, const rtcore::RenderSett
     // A .bsp may have one that Document::setCamera() refuses.
     if (rtcore::areParallel(loaded.camera.forward, loaded.camera.up))
         loaded.camera.up = rtcore::upwardsOf(loaded.camera.forward, scene.up);
-    rtcore::RenderSettings settings = settingsOf(world, options, camera ? &*camera : nullptr);
     if (last != nullptr) {
         settings.width = last->width;
         settings.height = last->height;
     }
-    return {std::move(scene), settings};
+    if (variants.all.empty()) variants.base = variantScene(scene, settings);
+    return {std::move(scene), settings, std::move(variants)};
 }
 
 } // namespace rtserver

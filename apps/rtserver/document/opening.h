@@ -1,6 +1,7 @@
 /// How a scene is shown at first.
 #pragma once
 
+#include "rtserver/document/variant_book.h"
 #include "rtserver/document/world.h"
 #include "rtserver/server_options.h"
 
@@ -13,6 +14,7 @@ namespace rtserver {
 struct Opening {
     rtcore::Scene scene;
     rtcore::RenderSettings settings;
+    VariantBook variants;
 };
 
 /// With the camera and the settings that `world` and `options` say; world.loaded.camera is the first view

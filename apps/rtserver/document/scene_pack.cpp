@@ -39,16 +39,25 @@ void refuseFull(const fs::path& folder) {
         failPacking(folder, rtcore::say("it is there already, and not empty; name another folder"));
 }
 
+/// Of the scene and of its variants.
+void forEachLight(rtcore::SceneFile& scene, const std::function<void(rtcore::LightDescription&)>& visit) {
+    std::vector<std::vector<rtcore::LightDescription>*> lists{&scene.lights};
+    for (rtcore::SceneVariant& variant : scene.variants) lists.push_back(&variant.lights);
+    if (scene.shown) lists.push_back(&scene.shown->lights);
+    for (auto* const list : lists)
+        for (rtcore::LightDescription& light : *list) visit(light);
+}
+
 /// All that the scene names; what the pack may hold.
-Paths filesOf(const ScenePack& pack) {
+Paths filesOf(ScenePack& pack) {
     Paths all = pack.modelFiles;
     all.push_back(pack.scene.model);
     for (const rtcore::MaterialOverride& material : pack.scene.materials) {
         if (material.diffuseTexture) all.push_back(*material.diffuseTexture);
     }
-    for (const rtcore::LightDescription& light : pack.scene.lights) {
+    forEachLight(pack.scene, [&](const rtcore::LightDescription& light) {
         if (!light.file.empty()) all.push_back(light.file);
-    }
+    });
     for (const rtcore::EnvironmentFile& environment : pack.scene.environments)
         all.insert(all.end(), environment.files.begin(), environment.files.end());
     return all;
@@ -61,7 +70,7 @@ bool isBelow(const fs::path& folder, const fs::path& file) {
     return !seen.empty() && *seen.begin() != "..";
 }
 
-void refuseOutside(const ScenePack& pack) {
+void refuseOutside(ScenePack& pack) {
     const fs::path folder = fs::canonical(rtcore::plainPath(pack.source).parent_path());
     Paths all = filesOf(pack), outside;
     all.insert(all.end(), pack.contents.begin(), pack.contents.end());
@@ -75,7 +84,7 @@ void refuseOutside(const ScenePack& pack) {
         throw rtcore::FileError(rtcore::FailureKind::BadData, folder.string(), app::packRefusal(outside));
 }
 
-void countBytes(const ScenePack& pack, PackProgress& progress) {
+void countBytes(ScenePack& pack, PackProgress& progress) {
     std::error_code none;
     std::set<fs::path> files;
     for (const fs::path& file : filesOf(pack)) files.insert(rtcore::plainPath(file));
@@ -135,7 +144,7 @@ void fill(PackedFiles& files, ScenePack& pack, const std::string& name) {
                 takeChecked(*material.diffuseTexture, "textures", files,
                             [](const fs::path& image) { (void)rtcore::readLdrImage(image); });
     }
-    for (rtcore::LightDescription& light : scene.lights) takeLuminaire(light, files);
+    forEachLight(scene, [&](rtcore::LightDescription& light) { takeLuminaire(light, files); });
     for (rtcore::EnvironmentFile& environment : scene.environments) takeEnvironment(environment, files);
     const fs::path written = files.root() / name;
     rtcore::writeSceneFile(written, scene);

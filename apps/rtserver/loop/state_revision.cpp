@@ -15,6 +15,7 @@ std::uint64_t StateRevision::of(const Workspace& state, bool idle) {
             .measures = shown.measures,
             .notes = shown.notes,
             .flights = shown.flights,
+            .variants = shown.variants,
             .source = state.document.world().source,
             .settings = shown.settings,
             .bindings = {bindings.begin(), bindings.end()},

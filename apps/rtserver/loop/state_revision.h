@@ -26,6 +26,7 @@ class StateRevision {
         std::shared_ptr<const rtcore::KeptMeasures> measures;
         std::shared_ptr<const rtcore::SceneNotes> notes;
         std::shared_ptr<const rtcore::Flights> flights;
+        std::shared_ptr<const VariantBook> variants;
         std::filesystem::path source;
         rtcore::RenderSettings settings;
         std::vector<rtcore::KeyBinding> bindings;

@@ -47,6 +47,8 @@ app::StateReport fullState() {
                                         .turntable = true,
                                         .keyCount = 2,
                                         .keyTimes = {0, 12500}}},
+                           .variants = {"oak", "by night"},
+                           .variant = "oak",
                            .modified = true,
                            .edits = 3};
     state.lights[0].description->id = 1;

@@ -27,6 +27,8 @@ app::StateReport sampleReport() {
                                         .keyTimes = {0, 12500}},
                                        {.name = "c", .seconds = 1, .turntable = true, .keyCount = 1},
                                        {.name = "d", .seconds = 1.0 / 3, .closed = true}},
+                           .variants = {"oak \"floor\"", "by night"},
+                           .variant = "by night",
                            .modified = true,
                            .edits = 3};
     state.camera.eye = {0.1F, 2, 1.0F / 3};

@@ -21,10 +21,15 @@ using nlohmann::json;
 
 const std::vector<std::string> kBookmarks{"altar", "a \"name\" \\ with; words"};
 const std::vector<std::string> kFlights{"around", "to the altar"};
+const std::vector<std::string> kVariants{"oak", "by night"};
 
 bridge::PlannedCommand plannedIn(const json& request, const Limits& limits = {}) {
-    return bridge::planRequest(
-        request, {.limits = limits, .bookmarks = kBookmarks, .lights = 0, .sky = false, .flights = kFlights});
+    return bridge::planRequest(request, {.limits = limits,
+                                         .bookmarks = kBookmarks,
+                                         .lights = 0,
+                                         .sky = false,
+                                         .flights = kFlights,
+                                         .variants = kVariants});
 }
 
 std::string lineOf(const json& request, const Limits& limits = {}) { return plannedIn(request, limits).line; }
@@ -60,7 +65,7 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
               (Names{"flight list", "material get", "materials", "measure angle", "measure distance",
                      "measure face", "measure hidden", "measure list", "measure point", "measure seen",
                      "measure volume", "note get", "note list", "parts", "plan outline", "sections", "seen",
-                     "storeys"}));
+                     "storeys", "variant list"}));
     EXPECT_EQ(commandsFor(app::BrowserUse::Move), (Names{"bookmark go",
                                                          "camera angle",
                                                          "camera approach",
@@ -156,7 +161,9 @@ TEST(BrowserUse, IsPermittedToTheseAlone) {
                                                          "sky place",
                                                          "sky strength",
                                                          "sky turbidity",
-                                                         "undo"}));
+                                                         "undo",
+                                                         "variant go",
+                                                         "variant leave"}));
     for (const app::CommandSpec& command : app::commandTable())
         EXPECT_TRUE(command.runner != app::Runner::Shell || command.browser == app::BrowserUse::Forbidden)
             << command.name;
@@ -206,6 +213,10 @@ TEST(Requests, NameBookmarksByNumber) {
     EXPECT_EQ(lineOf(request("flight go", {1, 2.5})), "flight go around 2.5");
     EXPECT_REFUSED(request("flight play", {3}));
     EXPECT_REFUSED(request("flight play", {"around"}));
+    EXPECT_EQ(lineOf(request("variant go", {2})), "variant go \"by night\"");
+    EXPECT_EQ(lineOf({{"do", "variant leave"}}), "variant leave");
+    EXPECT_REFUSED(request("variant go", {3}));
+    EXPECT_REFUSED(request("variant add", {"a"}));
     EXPECT_REFUSED(request("flight export", {1, "/tmp/x.lst"}));
 }
 

@@ -89,6 +89,33 @@ TEST(Mutation, FlightsAreReadOrRefused) {
     }));
 }
 
+TEST(Mutation, VariantsAreReadOrRefused) {
+    const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\nactiveVariant = \"b\"\n";
+    const std::vector<std::string> examples{
+        head + "[[variant]]\nname = \"b\"\nremovedLights = [3, 1000]\n"
+               "[[variant.material]]\nname = \"oak \xC5\xBD*\"\ndiffuse = [0.1, 0.2, 0.3]\nroughness = 0.5\n"
+               "[[variant.material]]\nnumber = 7\ntextures = false\nopacity = 0.25\n"
+               "[[variant.part]]\nname = \"chair\"\nhidden = true\n[[variant.part]]\nnumber = 3\nhidden = "
+               "false\n"
+               "[[variant]]\nname = \"c\"\n[[variant.light]]\nid = 2\nkind = \"point\"\n"
+               "position = [0, 1e11, -8.5]\nintensity = [1, 2, 3]\nradius = 0.5\n"
+               "[[variant.light]]\nid = 4\nkind = \"directional\"\ndirection = [0, -1, 0]\nangle = 0.5\n",
+        head + "[[variant]]\nname = \"b\"\n[variant.surroundings]\nbackground = [0, 0, 0.5]\nambient = [1, "
+               "1, 1]\n"
+               "skyLight = true\n[variant.surroundings.sky]\ndate = \"2026-06-21\"\nhour = 9.5\nsunId = 4\n"
+               "[[variant]]\nname = \"c\"\n[variant.surroundings]\nenvironment = -1\nskyLight = false\n"
+               "[shown]\nremovedLights = [1]\n[[shown.material]]\nnumber = 2\nfresnel = true\n"
+               "[shown.surroundings]\n[shown.surroundings.sky]\ndirection = [0, 1, 0]\n"};
+    expectSome(survivorsOf(examples, 59, [](const std::string& text) {
+        const rtcore::SceneFile scene = rtcore::parseSceneFile(text, "/s/x.scn");
+        const rtcore::SceneFile again =
+            rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "/s/x.scn"), "/s/x.scn");
+        EXPECT_EQ(again.variants, scene.variants) << text;
+        EXPECT_EQ(again.activeVariant, scene.activeVariant) << text;
+        EXPECT_EQ(again.shown, scene.shown) << text;
+    }));
+}
+
 TEST(Mutation, SectionsAndMeasuresAreReadOrRefused) {
     const std::string head = "version = 2\nmodel = \"a\"\norigin = [5e5, 0, -3]\n";
     const std::vector<std::string> examples{

@@ -195,6 +195,37 @@ rtcore::Sky randomSky(Random& random) {
     return sky;
 }
 
+rtcore::SceneVariant randomVariant(Random& random) {
+    rtcore::SceneVariant variant;
+    for (std::size_t n = random.below(3); n > 0; --n) {
+        variant.materials.push_back(randomMaterial(random));
+        variant.materials.back().diffuseTexture.reset();
+        variant.parts.push_back(randomPart(random));
+        variant.parts.back().hidden = random.flag();
+        variant.parts.back().uncut.reset();
+        variant.lights.push_back(randomLight(random));
+        variant.lights.back().id = static_cast<int>(n);
+        variant.removedLights.push_back(static_cast<int>(10 + n));
+    }
+    if (random.flag()) return variant;
+    rtcore::VariantSurroundings all{positive(random), positive(random), random.flag()};
+    if (random.flag()) all.environment = static_cast<int>(random.below(3)) - 1;
+    if (random.flag()) all.sky = randomSky(random);
+    if (all.sky && random.flag()) all.sunId = 7;
+    variant.surroundings = all;
+    return variant;
+}
+
+void addVariants(Random& random, SceneFile& scene) {
+    for (std::size_t n = random.below(4); n > 0; --n) {
+        scene.variants.push_back(randomVariant(random));
+        scene.variants.back().name = std::to_string(n) + "\"\xC5\xBD\\";
+    }
+    if (scene.variants.empty()) return;
+    if (random.flag()) scene.activeVariant = scene.variants.front().name;
+    if (random.flag()) scene.shown = randomVariant(random);
+}
+
 rtcore::Camera randomSceneCamera(Random& random) {
     return {point(random),
             {1, 0.1F * random.fraction(), 0},
@@ -239,6 +270,7 @@ SceneFile randomScene(Random& random) {
     for (std::size_t n = random.below(4); n > 0; --n)
         s.flights.push_back(randomFlight(random, std::to_string(n) + "\"\xC5\xBD\\",
                                          [&] { return randomSceneCamera(random); }));
+    addVariants(random, s);
     if (random.flag()) s.measures.unit = rtcore::LengthUnit::Inch;
     s.measures.decimals = static_cast<int>(random.below(7));
     for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
@@ -279,6 +311,9 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.measures, b.measures);
     EXPECT_EQ(a.notes, b.notes);
     EXPECT_EQ(a.flights, b.flights);
+    EXPECT_EQ(a.variants, b.variants);
+    EXPECT_EQ(a.activeVariant, b.activeVariant);
+    EXPECT_EQ(a.shown, b.shown);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.pose, b.pose);
     EXPECT_EQ(a.deflection, b.deflection);

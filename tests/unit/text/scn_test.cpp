@@ -194,6 +194,57 @@ TEST(Scn, ReadsNotes) {
     EXPECT_FALSE(notes[1].view);
 }
 
+TEST(Scn, ReadsVariants) {
+    const SceneFile scene =
+        rtcore::parseSceneFile("version = 2\nmodel = \"m.obj\"\nactiveVariant = \"night\"\n"
+                               "[[variant]]\nname = \"oak\"\n"
+                               "[[variant.material]]\nname = \"floor\"\ndiffuse = [0.5, 0.3, 0.1]\n"
+                               "[[variant.part]]\nnumber = 2\nhidden = true\n"
+                               "[[variant]]\nname = \"night\"\nremovedLights = [4]\n"
+                               "[[variant.light]]\nid = 3\nkind = \"point\"\nposition = [1, 2, 3]\n"
+                               "[variant.surroundings]\nenvironment = -1\n",
+                               "x.scn");
+    ASSERT_EQ(scene.variants.size(), 2U);
+    EXPECT_EQ(scene.activeVariant, "night");
+    EXPECT_EQ(scene.variants[0].materials.at(0).pattern, "floor");
+    EXPECT_EQ(scene.variants[0].parts.at(0).number, 2);
+    EXPECT_FALSE(scene.variants[0].surroundings);
+    EXPECT_EQ(scene.variants[1].lights.at(0).id, 3);
+    EXPECT_EQ(scene.variants[1].removedLights, std::vector<int>{4});
+    ASSERT_TRUE(scene.variants[1].surroundings);
+    EXPECT_FALSE(scene.variants[1].surroundings->skyLight);
+    EXPECT_FALSE(scene.variants[1].surroundings->sky);
+    EXPECT_FALSE(scene.shown);
+}
+
+TEST(Scn, RefusesVariantsWithTheirLine) {
+    const auto refusal = [](const std::string& text) {
+        return test::badData(
+            [&] { rtcore::parseSceneFile("version = 2\nmodel = \"m.obj\"\n" + text, "x.scn"); });
+    };
+    const auto refused = [&](const std::string& text, const std::string& part) {
+        const std::string why = refusal(text);
+        EXPECT_NE(why.find(part), std::string::npos) << why;
+    };
+    const std::string light = "[[variant.light]]\nid = 3\nkind = \"point\"\nposition = [1, 2, 3]\n";
+    refused("activeVariant = \"a\"\n", "x.scn:3:17: there is no [[variant]] 'a' in this file");
+    refused("[[variant]]\n", "name");
+    refused("[[variant]]\nname = \"\"\n", "x.scn:4:8: name is empty; a variant is known by its name");
+    refused("[[variant]]\nname = \"a\\u0007\"\n", "without control characters");
+    refused("[[variant]]\nname = \"a\"\n[[variant]]\nname = \"a\"\n", "another variant is called 'a', too");
+    refused("[[variant]]\nname = \"a\"\n[[variant.material]]\nname = \"b\"\ndiffuseTexture = \"c.png\"\n",
+            "x.scn:7:18: a variant takes no textures");
+    refused("[[variant]]\nname = \"a\"\n[[variant.part]]\nname = \"b\"\nuncut = true\n",
+            "hides and shows parts");
+    refused("[[variant]]\nname = \"a\"\n[[variant.light]]\nkind = \"point\"\nposition = [1, 2, 3]\n", "id");
+    refused("[[variant]]\nname = \"a\"\n" + light + light, "two lights have the id 3");
+    refused("[[variant]]\nname = \"a\"\nremovedLights = [3]\n" + light, "light 3 is given twice");
+    std::string many;
+    for (int i = 0; i < 101; ++i) many += "[[variant]]\nname = \"" + std::to_string(i) + "\"\n";
+    refused(many, "more than 100 variants");
+    EXPECT_NE(sceneProblem("[[variant]]\nname = \"a\"\n").find("version = 2"), std::string::npos);
+}
+
 TEST(Scn, ReadsFlights) {
     const rtcore::Flights flights =
         parseSceneFile("version = 2\nmodel = \"a\"\nup = \"+z\"\n"

@@ -1,6 +1,9 @@
-/** Parts and materials of the model. Lists are long and seldom needed: they are asked for when the panel is opened. */
+/**
+ * Variants, parts and materials of the model. Lists are long and seldom needed: they are asked for when the panel is
+ * opened.
+ */
 import { button, make, refill } from "./dom.js";
-import { colour, group, numeric, toggle } from "./fields.js";
+import { choice, colour, group, numeric, toggle } from "./fields.js";
 import { number, of, t } from "./texts.js";
 
 const MAX_SHOWN = 300; // rows of a list; the field above it finds the others
@@ -24,6 +27,7 @@ const fieldsOf = () => [
 export function modelPanel(app) {
     const lists = { parts: [], materials: [] };
     // `picked`: what is looked for is the name of a part that was picked in the image, no material's.
+    const variants = { names: "", place: null, made: null };
     let chosen = 0, material = null, places, fields, find, picked = false, showAll, scene = null;
 
     /** All rows, asked for piece by piece; null where one was refused. */
@@ -108,6 +112,21 @@ export function modelPanel(app) {
         }
     }
 
+    /** By their numbers; 0: without one. */
+    function showVariants() {
+        const all = app.state.variants ?? [], names = JSON.stringify(all);
+        if (variants.names !== names) {
+            variants.names = names;
+            variants.made = choice(t("variant"), [t("variantNone"), ...all].map((name, at) => [String(at), name]),
+                async (at) => {
+                    await (at === "0" ? app.ask("variant leave") : app.ask("variant go", Number(at)));
+                    showVariants();
+                });
+            refill(variants.place, all.length > 0 ? [variants.made.element] : []);
+        }
+        variants.made.show(String(all.indexOf(app.state.variant) + 1), app.mayEdit());
+    }
+
     /** The part and the material in the middle of the image. */
     async function pick() {
         const answer = await app.ask("seen", 0.5, 0.5);
@@ -131,6 +150,7 @@ export function modelPanel(app) {
         id: "model",
         fill(place) {
             scene = null;
+            Object.assign(variants, { names: "", place: make("div") });
             find = make("input", { type: "search", placeholder: t("findPart"), "aria-label": t("findPart"),
                 oninput: () => {
                 picked = false;
@@ -143,11 +163,12 @@ export function modelPanel(app) {
             const materials = group(of("ModelPanel", "Materials"), places.materials);
             parts.open = true;
             materials.open = true;
-            place.append(find, make("div", { className: "actions" }, button(t("seen"), pick)));
+            place.append(variants.place, find, make("div", { className: "actions" }, button(t("seen"), pick)));
             addFields(place);
             place.append(materials, parts);
         },
         show() {
+            showVariants();
             showAll.disabled = !app.mayEdit();
             const now = [app.state.scene, app.state.edits, JSON.stringify(app.state.redo), app.mayEdit(),
                 app.welcome?.you].join("|");

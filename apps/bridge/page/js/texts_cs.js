@@ -117,6 +117,8 @@ export default {
     copyByHand: "Prohlížeč zde kopírovat nedovolí. Odkaz:",
     viewAsked: "Odkaz ukazuje jiný pohled",
     resetView: "Výchozí pohled",
+    variant: "Varianta",
+    variantNone: "Bez varianty",
     bookmarkAdd: "Přidat záložku",
     bookmarkName: "Jméno",
     bookmarkNew: "Místo {0}",

@@ -117,6 +117,8 @@ export default {
     copyByHand: "The browser allows no copying here. The link:",
     viewAsked: "The link shows another view",
     resetView: "Reset view",
+    variant: "Variant",
+    variantNone: "Without a variant",
     bookmarkAdd: "Add bookmark",
     bookmarkName: "Name",
     bookmarkNew: "Place {0}",

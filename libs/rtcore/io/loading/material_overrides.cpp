@@ -76,10 +76,7 @@ void overrideMaterials(Loading& loading, const std::filesystem::path& path, cons
             }
             changeMaterial(scene.model, change, texture, pictures, scene.materials[i]);
         }
-        if (!used)
-            loading.out.warnings.push_back(
-                unusedSection(path, form("no material of the model has the number {0}"),
-                              form("no material of the model is named like \"{0}\""), change));
+        if (!used) loading.out.warnings.push_back(unusedMaterial(path, change));
     }
     if (!pictures.empty()) addTextures(scene.model, pictures);
 }

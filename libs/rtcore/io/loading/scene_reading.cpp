@@ -7,6 +7,8 @@
 #include "rtcore/io/photometry/luminaire.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/set.h"
+#include "rtcore/io/variants/material_words.h"
+#include "rtcore/io/variants/variant_switch.h"
 #include "rtcore/look/shell_picture.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/sky/scene_sky.h"
@@ -54,6 +56,7 @@ class SceneReading {
         loading_.begin(LoadPhase::LoadingImages);
         overrideMaterials(loading_, path, file);
         markParts(path, file);
+        warnOfUnused(path, file);
         for (const EnvironmentFile& environment : file.environments) {
             if (environment.kind == EnvironmentKind::Parts)
                 addShell(path, environment);
@@ -79,15 +82,48 @@ class SceneReading {
         file.model = model;
     }
 
-    void readLights(const SceneFile& file) {
+    void readLights(SceneFile& file) {
         Scene& scene = out_.scene;
         const auto unit =
             static_cast<float>(loading_.options.import.metresPerUnit.value_or(double{file.metresPerUnit}));
-        for (LightDescription light : file.lights) {
-            readLuminaire(light, unit, out_.warnings);
-            takeLuminaire(scene.model.lights, light, unit, out_.warnings);
-            if (!light.file.empty()) out_.files.push_back(light.file);
-            putLight(scene, scene.lights.size(), light);
+        for (const LightDescription& light : file.lights)
+            putLight(scene, scene.lights.size(), withLuminaire(light, unit));
+        for (SceneVariant& variant : file.variants) completeLights(variant, unit);
+        if (file.shown) completeLights(*file.shown, unit);
+    }
+
+    LightDescription withLuminaire(LightDescription light, float unit) {
+        readLuminaire(light, unit, out_.warnings);
+        takeLuminaire(out_.scene.model.lights, light, unit, out_.warnings);
+        if (!light.file.empty()) out_.files.push_back(light.file);
+        return light;
+    }
+
+    /// As the scene describes such lights; no light that is added has the number of one of them.
+    void completeLights(SceneVariant& variant, float unit) {
+        Scene& scene = out_.scene;
+        for (LightDescription& light : variant.lights) {
+            putLight(scene, scene.lights.size(), withLuminaire(light, unit));
+            light = describeLight(scene, scene.lights.size() - 1);
+            scene.lights.pop_back();
+            scene.removedLightId = std::max(scene.removedLightId, light.id);
+        }
+    }
+
+    void warnOfUnused(const std::filesystem::path& path, const SceneFile& file) {
+        const Scene& scene = out_.scene;
+        const std::vector<NamedPart> parts = namedParts(scene.model);
+        for (const SceneVariant& variant : file.variants) {
+            for (const MaterialOverride& each : variant.materials) {
+                std::size_t i = 0;
+                while (i < scene.materials.size() && !isFor(each, scene, i)) ++i;
+                if (i == scene.materials.size()) out_.warnings.push_back(unusedMaterial(path, each));
+            }
+            for (const PartDescription& each : variant.parts) {
+                std::size_t i = 0;
+                while (i < parts.size() && !isFor(each, parts[i], i)) ++i;
+                if (i == parts.size()) out_.warnings.push_back(unusedPart(path, each));
+            }
         }
     }
 
@@ -100,9 +136,7 @@ class SceneReading {
             for (std::size_t i = 0; i < parts.size(); ++i)
                 chosen[i] = isNamed(each.pattern, each.number, i, parts[i].name) ? 1 : 0;
             if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end())
-                out_.warnings.push_back(unusedSection(path, form("no part of the model has the number {0}"),
-                                                      form("no part of the model is named like \"{0}\""),
-                                                      each));
+                out_.warnings.push_back(unusedPart(path, each));
             if (each.hidden)
                 scene.hiddenParts = withParts(scene.model, parts, chosen, *each.hidden, scene.hiddenParts);
             if (each.uncut)

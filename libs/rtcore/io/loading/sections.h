@@ -1,6 +1,7 @@
 /// Sections of a .scn that are for something of the model: by a pattern of its name or by its number.
 #pragma once
 
+#include "rtcore/io/text/scn.h"
 #include "rtcore/platform/sentence.h"
 
 #include <cstddef>
@@ -21,5 +22,8 @@ Sentence unusedSection(const std::filesystem::path& path, const char* ofNumber, 
     return say("{0}: {1}", path.string(),
                section.number ? say(ofNumber, *section.number) : say(ofPattern, section.pattern));
 }
+
+Sentence unusedMaterial(const std::filesystem::path& path, const MaterialOverride& section);
+Sentence unusedPart(const std::filesystem::path& path, const PartDescription& section);
 
 } // namespace rtcore

@@ -113,6 +113,18 @@ class SceneReader {
         scene_.measures = readMeasures(root_);
         scene_.notes = readNotes(root_, scene_.up);
         scene_.flights = readFlights(root_, scene_.up);
+        readAllVariants();
+    }
+
+    void readAllVariants() {
+        scene_.variants = readVariants(root_, folder_);
+        scene_.shown = readShown(root_, folder_);
+        scene_.activeVariant = root_.text("activeVariant").value_or("");
+        if (scene_.activeVariant.empty()) return;
+        root_.needVersion(2, "activeVariant");
+        if (findVariant(scene_.variants, scene_.activeVariant) == scene_.variants.end())
+            root_.fail("activeVariant",
+                       say("there is no [[variant]] {0} in this file", inQuotes(scene_.activeVariant)));
     }
 
     void readScenePose() {
@@ -207,6 +219,8 @@ class SceneWriter {
         for (const KeptMeasure& measure : scene_.measures.all) writeMeasure(writer_, measure);
         for (const SceneNote& note : scene_.notes) writeNote(writer_, note);
         for (const Flight& flight : scene_.flights) writeFlight(writer_, flight);
+        for (const SceneVariant& variant : scene_.variants) writeVariant(writer_, variant, folder_);
+        if (scene_.shown) writeVariant(writer_, *scene_.shown, folder_);
         writeFog();
         writeWalk();
         writeSettingsSection(writer_, "live", scene_.live);
@@ -232,6 +246,7 @@ class SceneWriter {
         if (!scene_.defaultLight) writer_.add("defaultLight", false);
         if (!scene_.environments.empty() || scene_.sky)
             writer_.add("activeEnvironment", scene_.activeEnvironment);
+        if (!scene_.activeVariant.empty()) writer_.add("activeVariant", scene_.activeVariant);
         writer_.add("creaseAngle", scene_.creaseAngle);
         writer_.add("flipTextures", scene_.flipTextures);
         if (scene_.pose != PoseChoice{}) writer_.add("pose", poseText(scene_.pose));

@@ -4,6 +4,7 @@
 #include "rtcore/io/text/pattern.h"
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/platform/sentence.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/environment_source.h"
 #include "rtcore/scene/flight.h"
@@ -68,6 +69,43 @@ struct PartDescription {
     friend bool operator==(const PartDescription&, const PartDescription&) = default;
 };
 
+inline constexpr std::size_t kMaxVariants = 100;
+inline constexpr std::size_t kMaxVariantName = 200; ///< bytes
+
+/// What surrounds the surfaces, all of it.
+struct VariantSurroundings {
+    Colour background, ambient;
+    bool skyLight = false; ///< the setting skyLight.on
+    /// The one that is shown: of files, counted from 0, or kNoEnvironment. Nothing: the sky, if there is one.
+    std::optional<int> environment = {};
+    std::optional<Sky> sky = {};
+    int sunId = 0; ///< of the light of that sky; 0: any
+    friend bool operator==(const VariantSurroundings&, const VariantSurroundings&) = default;
+};
+
+/// One [[variant]]: what it makes of the scene's base (io/variants/variant_switch.h). What it does not name
+/// is as in the base.
+struct SceneVariant {
+    std::string name = {};                        ///< not ""; no other of the scene has it
+    std::vector<MaterialOverride> materials = {}; ///< changes of the base's; without textures from files
+    std::vector<PartDescription> parts = {};      ///< hidden or shown; never `uncut`
+    std::vector<LightDescription> lights = {};    ///< by their ids, which are above 0; whole
+    std::vector<int> removedLights = {};          ///< ids of lights that are not there
+    std::optional<VariantSurroundings> surroundings = {};
+
+    /// Nothing but a name.
+    bool empty() const {
+        return materials.empty() && parts.empty() && lights.empty() && removedLights.empty() && !surroundings;
+    }
+    friend bool operator==(const SceneVariant&, const SceneVariant&) = default;
+};
+using SceneVariants = std::vector<SceneVariant>; ///< kMaxVariants at most
+
+/// The end where none has that name.
+SceneVariants::const_iterator findVariant(const SceneVariants& variants, std::string_view name);
+/// Why no variant can be called so: it is empty, too long, no UTF-8, or holds control characters.
+std::optional<Sentence> problemOfVariantName(const std::string& name);
+
 /// One [[bookmark]]: a view that is kept under a name.
 struct SceneBookmark {
     std::string name; ///< not ""; no other of the scene has it
@@ -101,6 +139,10 @@ struct SceneFile : SceneLook {
     KeptMeasures measures;
     SceneNotes notes;
     Flights flights;
+    SceneVariants variants;    ///< of the base, which is what all above says
+    std::string activeVariant; ///< is shown; "": none
+    /// What is shown of the base, where that is not just what the active variant says; without a name.
+    std::optional<SceneVariant> shown;
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 
@@ -119,6 +161,9 @@ std::span<const std::string_view> materialKeys();
 MaterialOverride parseMaterialKey(const std::string& key, std::span<const std::string> words);
 /// The text of a [[material]].
 std::string formatMaterial(const MaterialOverride& material);
+
+/// The text of a [[variant]], in the coordinates in which that of the scene's zero is `zero`.
+std::string formatVariant(const SceneVariant& variant, const LocalOrigin& zero);
 
 /// The text of a [[flight]], in the coordinates in which that of the scene's zero is `zero`.
 std::string formatFlight(const Flight& flight, const LocalOrigin& zero);

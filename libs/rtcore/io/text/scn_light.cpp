@@ -171,10 +171,10 @@ LightDescription readLight(StrictTable& table, const std::filesystem::path& fold
 }
 
 void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder,
-                const LocalOrigin& zero) {
+                const LocalOrigin& zero, std::string_view header) {
     const Light& light = description.light;
     const LightTraits& traits = traitsOf(light);
-    writer.section("[[light]]");
+    writer.section(header);
     if (description.id > 0) writer.add("id", description.id);
     if (!description.name.empty()) writer.add("name", description.name);
     writer.add("kind", traits.name);

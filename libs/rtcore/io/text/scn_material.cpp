@@ -180,9 +180,9 @@ MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& f
     return material;
 }
 
-void writeMaterial(TomlWriter& writer, const MaterialOverride& material,
-                   const std::filesystem::path& folder) {
-    writer.section("[[material]]");
+void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder,
+                   std::string_view header) {
+    writer.section(header);
     material.number ? writer.add("number", *material.number) : writer.add("name", material.pattern);
     for (const MaterialKey& key : keys()) std::visit(Writer{writer, key, material}, key.member);
     if (material.diffuseTexture)

@@ -11,8 +11,8 @@ PartDescription readPart(StrictTable& table) {
     return {which.name.value_or(""), which.number, hidden, uncut};
 }
 
-void writePart(TomlWriter& writer, const PartDescription& part) {
-    writer.section("[[part]]");
+void writePart(TomlWriter& writer, const PartDescription& part, std::string_view header) {
+    writer.section(header);
     part.number ? writer.add("number", *part.number) : writer.add("name", part.pattern);
     if (part.hidden) writer.add("hidden", *part.hidden);
     if (part.uncut) writer.add("uncut", *part.uncut);

@@ -36,12 +36,18 @@ SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
 /// All [[flight]] of the root; the same.
 Flights readFlights(StrictTable& root, Vec3 up);
 
+/// All [[variant]] of the root.
+SceneVariants readVariants(StrictTable& root, const std::filesystem::path& folder);
+/// [shown] of the root.
+std::optional<SceneVariant> readShown(StrictTable& root, const std::filesystem::path& folder);
+
 /// The writers check nothing. Positions of a light and of a flight are written in the coordinates in which
 /// that of the scene's zero is `zero`.
 void writeLight(TomlWriter& writer, const LightDescription& description, const std::filesystem::path& folder,
-                const LocalOrigin& zero = {});
-void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder);
-void writePart(TomlWriter& writer, const PartDescription& part);
+                const LocalOrigin& zero = {}, std::string_view header = "[[light]]");
+void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder,
+                   std::string_view header = "[[material]]");
+void writePart(TomlWriter& writer, const PartDescription& part, std::string_view header = "[[part]]");
 void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
                       const std::filesystem::path& folder);
 void writeSectionStyle(TomlWriter& writer, const SectionPlanes& sections);
@@ -49,8 +55,11 @@ void writeSectionPlane(TomlWriter& writer, const SectionPlane& plane);
 void writeMeasureStyle(TomlWriter& writer, const KeptMeasures& measures);
 void writeMeasure(TomlWriter& writer, const KeptMeasure& measure);
 void writeNote(TomlWriter& writer, const SceneNote& note);
-void writeSky(TomlWriter& writer, const Sky& sky);
+void writeSky(TomlWriter& writer, const Sky& sky, std::string_view header = "[sky]");
 void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);
 void writeFlight(TomlWriter& writer, const Flight& flight, const LocalOrigin& zero = {});
+/// As a [[variant]]; without a name, as [shown].
+void writeVariant(TomlWriter& writer, const SceneVariant& variant, const std::filesystem::path& folder,
+                  const LocalOrigin& zero = {});
 
 } // namespace rtcore

@@ -64,8 +64,8 @@ Sky readSky(StrictTable& table, const Sky& usual) {
     return sky;
 }
 
-void writeSky(TomlWriter& writer, const Sky& sky) {
-    writer.section("[sky]");
+void writeSky(TomlWriter& writer, const Sky& sky, std::string_view header) {
+    writer.section(header);
     if (sky.date) {
         writer.add("date", calendarDateText(*sky.date));
         writer.add("hour", sky.date->second / 3600.0);
