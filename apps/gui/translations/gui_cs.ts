@@ -1610,8 +1610,12 @@ Alt+%2</translation>
         <translation>nyní</translation>
     </message>
     <message>
-        <source>Difference: mean %1, largest %2 of 255; shown %3 times as bright</source>
-        <translation>Rozdíl: průměrný %1, největší %2 z 255; zobrazen %3× jasněji</translation>
+        <source>Difference: mean %1, largest %2 of 255</source>
+        <translation>Rozdíl: průměrný %1, největší %2 z 255</translation>
+    </message>
+    <message>
+        <source>%1; shown %2 times as bright</source>
+        <translation>%1; zobrazen %2× jasněji</translation>
     </message>
 </context>
 <context>

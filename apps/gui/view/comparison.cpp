@@ -183,10 +183,11 @@ void Comparison::drawDifference(QPainter& painter, const QRectF& area) {
     }
     painter.drawImage(area, difference_.image);
     const QLocale locale;
-    drawLabel(painter, area, area.center().x(), Side::Middle,
-              tr("Difference: mean %1, largest %2 of 255; shown %3 times as bright")
-                  .arg(locale.toString(difference_.mean, 'f', 2), locale.toString(difference_.largest),
-                       locale.toString(difference_.times)));
+    QString text = tr("Difference: mean %1, largest %2 of 255")
+                       .arg(locale.toString(difference_.mean, 'f', 2), locale.toString(difference_.largest));
+    if (difference_.times > 1)
+        text = tr("%1; shown %2 times as bright").arg(text, locale.toString(difference_.times));
+    drawLabel(painter, area, area.center().x(), Side::Middle, text);
 }
 
 } // namespace gui
