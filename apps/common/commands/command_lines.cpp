@@ -156,7 +156,7 @@ std::string materialSwitch(int number, const std::string& key, bool on) {
 }
 
 std::string materialPresets() { return line(CommandId::MaterialPresets); }
-std::string materialCopy(int from, int to) { return line(CommandId::MaterialCopy, from, to); }
+std::string materialCopy(int from, const Words& to) { return line(CommandId::MaterialCopy, from, to); }
 std::string materialPreset(int number, const std::string& name) {
     return line(CommandId::MaterialPreset, number, name);
 }

@@ -251,7 +251,7 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::FlightGo, command::flightGo("a", 2.5)},
         {CommandId::FlightPlay, command::flightPlay("a", 0)},
         {CommandId::MaterialPresets, command::materialPresets()},
-        {CommandId::MaterialCopy, command::materialCopy(3, 7)},
+        {CommandId::MaterialCopy, command::materialCopy(3, {"7", "a b"})},
         {CommandId::MaterialPreset, command::materialPreset(3, "clear-glass")},
         {CommandId::VariantAdd, command::variantAdd("oak \"floor\"")},
         {CommandId::VariantUpdate, command::variantUpdate("a b")},
