@@ -6,6 +6,7 @@
 #include "gui/operations/actions.h"
 #include "gui/panels/material_fields.h"
 #include "gui/panels/model_panel.h"
+#include "gui/panels/model_search.h"
 #include "gui/panels/value_box.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
@@ -17,6 +18,8 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
+#include <QTranslator>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -54,6 +57,21 @@ TEST(ModelLists, AMarkOutlinesItsMask) {
     EXPECT_GT(mark.pixelColor(2, 2).alpha(), 0);
     for (const char* wrong : {"", "5 5", "5 5 6 3", "5 5 25", "5 5 30", "-1 5 6", "99999 99999 1"})
         EXPECT_TRUE(readMark(QString::fromLatin1(wrong), colour).isNull()) << wrong;
+}
+
+TEST(ModelSearch, TextIsAPartOfANameAndAPatternAllOfIt) {
+    const auto meant = [](const char* text, const char* name) {
+        return isMeant(QString::fromUtf8(text), QString::fromUtf8(name));
+    };
+    for (const char* all :
+         {"", "  ", "*", "DOOR", " front d", "house/f", "*door", "house/*", "f?ont*", "front door"})
+        EXPECT_TRUE(meant(all, "house/Front Door")) << all;
+    for (const char* none : {"window", "door*", "?", "[f]*", "house/"})
+        EXPECT_FALSE(meant(none, "Front Door")) << none;
+    EXPECT_TRUE(meant("dve\xC5\x98", "Dve\xC5\x99"
+                                     "e"))
+        << "of other letters, too";
+    EXPECT_TRUE(meant("[f]*", "[F] 2")) << "brackets are letters";
 }
 
 class ModelPanelTest : public GuiTest {
@@ -189,6 +207,83 @@ TEST_F(ModelPanelTest, FieldsChangeTheChosenMaterial) {
     EXPECT_TRUE(becomes("materials", "1 - red\n2 edited blue"));
     panel().fields().reset()->click();
     EXPECT_TRUE(becomes("materials", "1 - red\n2 - blue"));
+}
+
+TEST_F(ModelPanelTest, ACopiedMaterialIsPastedOverOthers) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("material set blue roughness 0.25")).done);
+    QTreeWidget& materials = panel().materials();
+    EXPECT_FALSE(panel().copyAction().isEnabled()) << "none is chosen";
+    materials.setCurrentItem(materials.topLevelItem(1));
+    EXPECT_FALSE(panel().pasteAction().isEnabled()) << "none is copied";
+    panel().copyAction().trigger();
+    EXPECT_FALSE(panel().pasteAction().isEnabled()) << "over itself";
+    materials.setCurrentItem(materials.topLevelItem(0));
+    ASSERT_TRUE(panel().pasteAction().isEnabled());
+    EXPECT_TRUE(panel().pasteAction().toolTip().contains(QStringLiteral("blue")));
+    panel().pasteAction().trigger();
+    ASSERT_TRUE(becomes("materials", "1 edited red\n2 edited blue"));
+    EXPECT_EQ(told("material get 1").replace(QStringLiteral("red"), QStringLiteral("blue")),
+              told("material get 2"));
+    undo();
+    EXPECT_TRUE(becomes("materials", "1 - red\n2 edited blue"));
+    EXPECT_TRUE(panel().pasteAction().isEnabled());
+    ask(window->session(), QStringLiteral("load scene ") + file("m.obj"));
+    EXPECT_TRUE(comes([&] { return !panel().pasteAction().isEnabled(); })) << "of another scene";
+}
+
+TEST_F(ModelPanelTest, APresetIsForAllThatAreChosen) {
+    ASSERT_TRUE(comes([&] { return panel().presets().actions().size() == 24; }));
+    EXPECT_FALSE(panel().presets().menuAction()->isEnabled());
+    panel().materials().selectAll();
+    EXPECT_FALSE(panel().fields().isEnabled()) << "they are of one";
+    ASSERT_TRUE(panel().presets().menuAction()->isEnabled());
+    for (QAction* action : panel().presets().actions())
+        if (action->text() == QLatin1String("Frosted glass")) action->trigger();
+    ASSERT_TRUE(becomes("materials", "1 edited red\n2 edited blue"));
+    EXPECT_TRUE(comes([&] { return told("material get 2").contains(QStringLiteral("opacity = 0.0\n")); }));
+    undo();
+    EXPECT_TRUE(becomes("materials", "1 - red\n2 - blue")) << "one step";
+}
+
+#ifdef RT_TRANSLATED
+TEST_F(ModelPanelTest, PresetsHaveNamesInTheUsersLanguage) {
+    QTranslator sentences;
+    ASSERT_TRUE(sentences.load(QStringLiteral(":/translations/sentences_cs.qm")));
+    QCoreApplication::installTranslator(&sentences);
+    panel().showPresets({QStringLiteral("clear-glass"), QStringLiteral("of-a-newer-server")});
+    QCoreApplication::removeTranslator(&sentences);
+    EXPECT_EQ(panel().presets().actions()[0]->text(), QString::fromUtf8("\xC4\x8Cir\xC3\xA9 sklo"));
+    EXPECT_EQ(panel().presets().actions()[1]->text(), QStringLiteral("Of a newer server"));
+}
+#endif
+
+TEST_F(ModelPanelTest, ASearchShowsAndSelectsWhatItFinds) {
+    ModelSearch& search = panel().search();
+    search.setFocus();
+    QTest::keyClicks(&search, QStringLiteral("SI"));
+    EXPECT_TRUE(part(0).isHidden());
+    EXPECT_FALSE(part(1).isHidden());
+    EXPECT_TRUE(panel().materials().topLevelItem(0)->isHidden()) << "red";
+    QTest::keyClick(&search, Qt::Key_Return);
+    EXPECT_EQ(panel().chosenParts(), QStringList{QStringLiteral("2")});
+    EXPECT_EQ(panel().chosenMaterials(), QList<int>());
+    EXPECT_TRUE(comes([&] { return !window->view().mark().isNull(); })) << "as by a click on its row";
+    QTest::keyClick(&search, Qt::Key_Escape);
+    EXPECT_EQ(search.text(), QString());
+    EXPECT_FALSE(part(0).isHidden() || panel().materials().topLevelItem(0)->isHidden());
+    EXPECT_FALSE(panel().selectFound().isEnabled());
+    QTest::keyClicks(&search, QStringLiteral("*"));
+    panel().selectFound().click();
+    EXPECT_EQ(panel().chosenParts().size(), 2);
+    EXPECT_EQ(panel().chosenMaterials().size(), 2);
+    search.setText(QStringLiteral("attic"));
+    EXPECT_TRUE(part(0).isHidden() && part(1).isHidden());
+    EXPECT_FALSE(panel().selectFound().isEnabled());
+    panel().selectPart(2);
+    EXPECT_EQ(search.text(), QString()) << "what a click on the image chose is to be seen";
+    search.setFocus();
+    QTest::keyClick(&search, Qt::Key_Escape);
+    EXPECT_TRUE(comes([&] { return window->view().hasFocus(); })) << "with nothing to clear";
 }
 
 } // namespace

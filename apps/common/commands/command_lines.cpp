@@ -155,6 +155,11 @@ std::string materialSwitch(int number, const std::string& key, bool on) {
     return line(CommandId::MaterialSet, number, key, on ? "true" : "false");
 }
 
+std::string materialPresets() { return line(CommandId::MaterialPresets); }
+std::string materialCopy(int from, const Words& to) { return line(CommandId::MaterialCopy, from, to); }
+std::string materialPreset(int number, const std::string& name) {
+    return line(CommandId::MaterialPreset, number, name);
+}
 std::string materialReset(int number) { return line(CommandId::MaterialReset, number); }
 std::string materialReset(const std::string& pattern) { return line(CommandId::MaterialReset, pattern); }
 std::string seen(double right, double down) { return line(CommandId::Seen, right, down); }

@@ -104,6 +104,9 @@ std::string partShowAll();
 std::string materialGet(int number);
 std::string materialSet(int number, const std::string& key, const std::vector<double>& values);
 std::string materialSwitch(int number, const std::string& key, bool on);
+std::string materialPresets();
+std::string materialCopy(int from, const std::vector<std::string>& to); ///< numbers or patterns
+std::string materialPreset(int number, const std::string& name);
 std::string materialReset(int number);
 std::string materialReset(const std::string& pattern);
 std::string seen(double right, double down);   ///< 0..1

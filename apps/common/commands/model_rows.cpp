@@ -65,6 +65,11 @@ std::vector<CommandSpec> modelCommands() {
          .browser = BrowserUse::Look,
          .help = "print a material as it is shown, as a [[material]] of a .scn file says it",
          .more = "MATERIAL is a number, or a name or pattern as in a `[[material]]`; the first that fits"},
+        {.id = CommandId::MaterialPresets,
+         .name = "material presets",
+         .effect = Tells,
+         .needsScene = false,
+         .help = "print the names of ready-made materials, a line each"},
         {.id = CommandId::MaterialSet,
          .name = "material set",
          .arguments = {material, text("KEY", MaterialKey), text("VALUE", MaterialValue),
@@ -74,6 +79,21 @@ std::vector<CommandSpec> modelCommands() {
          .help = "change a material, by the keys of a [[material]]",
          .more = "`material set floor diffuse 0.5 0.4 0.3`, `material set 3 roughness 0.2`, `material set "
                  "glass* opacity 0.1`, `material set wall textures false`. All materials that fit"},
+        {.id = CommandId::MaterialCopy,
+         .name = "material copy",
+         .arguments = {text("FROM", Material), text("TO", Material), manyOf(text("TO", Material))},
+         .step = "material",
+         .help = "give materials the look of another one, with its edits, in place of their own",
+         .more = "`material copy oak 'door*' 7`. Textures stay where the files give TO the same ones; other "
+                 "images are copied by their mean colour, holes and normal maps not. The priority is copied, "
+                 "too"},
+        {.id = CommandId::MaterialPreset,
+         .name = "material preset",
+         .arguments = {material, text("NAME")},
+         .step = "material",
+         .help = "make a material a ready-made one, in place of its textures and edits",
+         .more = "`material preset 'frame*' brass`; `material presets` lists them. All materials that fit; "
+                 "their priority stays"},
         {.id = CommandId::MaterialReset,
          .name = "material reset",
          .arguments = {material},

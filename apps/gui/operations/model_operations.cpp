@@ -53,6 +53,7 @@ ModelOperations::ModelOperations(const GuiContext& context, QObject* parent)
         select(false, 0);
         panel_->selectPart(0);
         panel_->fields().show(std::nullopt);
+        panel_->forgetCopy();
     });
     connect(&context_.session, &Session::frameChanged, this, &ModelOperations::onFrame);
     connect(&context_.view.input(), &InputCapture::picked, this, &ModelOperations::pick);
@@ -80,6 +81,22 @@ void ModelOperations::connectPanel() {
         select(true, number);
         askFields();
     });
+    connect(panel_, &ModelPanel::pasteWanted, this, [this](int from, const QList<int>& to) {
+        std::vector<std::string> words;
+        for (const int number : to) words.push_back(std::to_string(number));
+        select(false, 0); // its mark would hide the change
+        context_.editor.edit(command::materialCopy(from, words));
+    });
+    connect(panel_, &ModelPanel::presetWanted, this, &ModelOperations::setPreset);
+}
+
+// For all of them one step of undo.
+void ModelOperations::setPreset(const QList<int>& materials, const QString& name) {
+    select(false, 0);
+    for (qsizetype i = 0; i < materials.size(); ++i) {
+        const std::string line = command::materialPreset(materials[i], name.toStdString());
+        context_.editor.edit(i == 0 ? line : command::also(line));
+    }
 }
 
 void ModelOperations::connectFields() {
@@ -124,6 +141,13 @@ void ModelOperations::refresh() {
     }
     askParts(1, {});
     askMaterials(1, {});
+    if (panel_->presets().isEmpty()) askPresets();
+}
+
+void ModelOperations::askPresets() {
+    context_.session.send(command::materialPresets(), this, [this](const Answer& answer) {
+        if (answer.done) panel_->showPresets(answer.text.split(QLatin1Char('\n'), Qt::SkipEmptyParts));
+    });
 }
 
 void ModelOperations::askParts(int from, const QList<PartRow>& before) {

@@ -32,6 +32,8 @@ class ModelOperations : public QObject {
     void askParts(int from, const QList<PartRow>& before);
     void askMaterials(int from, const QList<MaterialRow>& before);
     void askFields();
+    void askPresets();
+    void setPreset(const QList<int>& materials, const QString& name);
     void pick(const QPointF& position);
     void openMenu(const QPoint& place);
     void select(bool material, int number);

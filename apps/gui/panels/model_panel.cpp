@@ -3,13 +3,20 @@
 #include "gui/models/plain_text.h"
 #include "gui/panels/column_area.h"
 #include "gui/panels/material_fields.h"
+#include "gui/panels/model_search.h"
+#include "gui/session/server_sentence.h"
 
+#include "rtcore/platform/sentence.h"
+
+#include <QAction>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -21,6 +28,7 @@ namespace {
 
 constexpr int kNumber = Qt::UserRole; ///< of the part or material; 0: a group
 constexpr int kPath = Qt::UserRole + 1;
+constexpr int kName = Qt::UserRole + 2; ///< of the part or material; none of a group
 
 QGroupBox* boxOf(const QString& title, QWidget* content) {
     auto* box = new QGroupBox(title);
@@ -39,6 +47,23 @@ QTreeWidget* makeTree(const QString& name) {
 
 QString shownName(const QString& name, int number) {
     return name.isEmpty() ? ModelPanel::tr("Without a name (%1)").arg(number) : name;
+}
+
+/// The name of a preset in the user's language: "Frosted glass".
+QString presetTitle(const QString& name) {
+    QString title = translated(rtcore::Sentence(name.toUtf8().constData()));
+    title.replace(QLatin1Char('-'), QLatin1Char(' '));
+    return plainEntry(title.left(1).toUpper() + title.mid(1));
+}
+
+void selectItems(QTreeWidget& tree, const QList<QTreeWidgetItem*>& items) {
+    {
+        const QSignalBlocker quiet(tree);
+        tree.clearSelection();
+        if (!items.isEmpty()) tree.setCurrentItem(items.first());
+        for (QTreeWidgetItem* item : items) item->setSelected(true);
+    }
+    emit tree.itemSelectionChanged();
 }
 
 /// As its children are; of leaves as it is.
@@ -61,14 +86,18 @@ void checkGroups(QTreeWidgetItem& item) {
 
 ModelPanel::ModelPanel(QWidget* parent)
     : QWidget(parent), parts_(makeTree(tr("Parts"))), materials_(makeTree(tr("Materials"))),
+      search_(new ModelSearch), selectFound_(new QToolButton), copy_(new QAction(tr("Copy material"), this)),
+      paste_(new QAction(tr("Paste material"), this)), presets_(new QMenu(tr("Preset"), this)),
       fields_(new MaterialFields) {
-    parts_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    for (QTreeWidget* tree : {parts_, materials_})
+        tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     parts_->setContextMenuPolicy(Qt::CustomContextMenu);
     materials_->setRootIsDecorated(false);
     auto* below = new QWidget;
     auto* column = new QVBoxLayout(below);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(materials_, 2);
+    column->addWidget(makeLooks());
     column->addWidget(new ColumnArea(fields_), 3);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(boxOf(tr("Parts"), parts_));
@@ -76,6 +105,7 @@ ModelPanel::ModelPanel(QWidget* parent)
     splitter->setSizes({400, 500}); // in their proportion
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(makeSearch());
     layout->addWidget(splitter);
     connect(parts_, &QTreeWidget::itemChanged, this, &ModelPanel::onChecked);
     connect(parts_, &QTreeWidget::itemSelectionChanged, this, [this] {
@@ -87,8 +117,88 @@ ModelPanel::ModelPanel(QWidget* parent)
         fillMenu(menu);
         menu.exec(parts_->viewport()->mapToGlobal(position));
     });
-    connect(materials_, &QTreeWidget::itemSelectionChanged, this,
-            [this] { emit materialChosen(chosenMaterial()); });
+    connect(materials_, &QTreeWidget::itemSelectionChanged, this, [this] {
+        enableLooks();
+        emit materialChosen(chosenMaterial());
+    });
+    enableLooks();
+}
+
+QWidget* ModelPanel::makeSearch() {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(6, 4, 6, 0);
+    layout->addWidget(search_, 1);
+    layout->addWidget(selectFound_);
+    selectFound_->setText(tr("Select all"));
+    selectFound_->setToolTip(tr("Select all parts and materials that are found (Return)"));
+    selectFound_->setEnabled(false);
+    connect(search_, &QLineEdit::textChanged, this, &ModelPanel::showFound);
+    connect(search_, &QLineEdit::returnPressed, this, &ModelPanel::selectAllFound);
+    connect(selectFound_, &QToolButton::clicked, this, &ModelPanel::selectAllFound);
+    return row;
+}
+
+QWidget* ModelPanel::makeLooks() {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    presets_->menuAction()->setToolTip(tr("Make it a ready-made material"));
+    for (QAction* action : {copy_, paste_, presets_->menuAction()}) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setPopupMode(QToolButton::InstantPopup);
+        layout->addWidget(button);
+        materials_->addAction(action);
+    }
+    layout->addStretch();
+    materials_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(copy_, &QAction::triggered, this, [this] {
+        copied_ = chosenMaterial();
+        enableLooks();
+    });
+    connect(paste_, &QAction::triggered, this, [this] { emit pasteWanted(copied_, chosenMaterials()); });
+    return row;
+}
+
+// What is copied is as it is when it is pasted.
+void ModelPanel::enableLooks() {
+    const QList<int> chosen = chosenMaterials();
+    copy_->setEnabled(chosen.size() == 1);
+    copy_->setToolTip(tr("Keep which material is to be pasted"));
+    paste_->setEnabled(copied_ != 0 && !chosen.isEmpty() && chosen != QList<int>{copied_});
+    const QTreeWidgetItem* from = materials_->topLevelItem(copied_ - 1);
+    const QString tip =
+        from != nullptr ? tr("Make it look like %1").arg(from->text(0)) : tr("No material is copied");
+    paste_->setToolTip(plainTip(tip));
+    presets_->menuAction()->setEnabled(!chosen.isEmpty() && !presets_->isEmpty());
+}
+
+void ModelPanel::showPresets(const QStringList& names) {
+    presets_->clear();
+    for (const QString& name : names)
+        presets_->addAction(presetTitle(name), this,
+                            [this, name] { emit presetWanted(chosenMaterials(), name); });
+    enableLooks();
+}
+
+void ModelPanel::forgetCopy() {
+    copied_ = 0;
+    enableLooks();
+}
+
+void ModelPanel::showFound() {
+    const QSignalBlocker quietParts(parts_), quietMaterials(materials_);
+    foundParts_ = showMeant(*parts_, search_->text(), kName);
+    foundMaterials_ = showMeant(*materials_, search_->text(), kName);
+    const bool asked = !search_->text().trimmed().isEmpty();
+    selectFound_->setEnabled(asked && !(foundParts_.isEmpty() && foundMaterials_.isEmpty()));
+}
+
+void ModelPanel::selectAllFound() {
+    if (!selectFound_->isEnabled()) return;
+    selectItems(*materials_, foundMaterials_);
+    selectItems(*parts_, foundParts_);
 }
 
 QTreeWidgetItem* ModelPanel::itemOf(const QString& path) {
@@ -118,6 +228,7 @@ void ModelPanel::showParts(const QList<PartRow>& parts) {
         if (item == nullptr) {
             item = itemOf(row.name);
             item->setData(0, kNumber, row.number);
+            item->setData(0, kName, row.name);
             if (row.name.isEmpty()) item->setText(0, shownName(row.name, row.number));
             item->setToolTip(
                 0, plainTip(tr("%1: %2 triangles")
@@ -126,6 +237,7 @@ void ModelPanel::showParts(const QList<PartRow>& parts) {
         item->setCheckState(0, row.hidden ? Qt::Unchecked : Qt::Checked);
     }
     for (int i = 0; i < parts_->topLevelItemCount(); ++i) checkGroups(*parts_->topLevelItem(i));
+    showFound();
     if (wantedPart_ != 0) selectPart(wantedPart_);
 }
 
@@ -141,12 +253,15 @@ void ModelPanel::showMaterials(const QList<MaterialRow>& materials) {
         if (item == nullptr) item = new QTreeWidgetItem(materials_);
         item->setText(0, shownName(row.name, row.number));
         item->setData(0, kNumber, row.number);
+        item->setData(0, kName, row.name);
         QFont font = materials_->font();
         font.setItalic(row.edited);
         item->setFont(0, font);
         item->setToolTip(0, row.edited ? tr("Changed") : QString());
     }
+    showFound();
     if (wantedMaterial_ != 0) selectMaterial(wantedMaterial_);
+    enableLooks();
 }
 
 void ModelPanel::selectPart(int number) {
@@ -155,6 +270,7 @@ void ModelPanel::selectPart(int number) {
     QTreeWidgetItem* item = byNumber_.value(number);
     wantedPart_ = item == nullptr ? number : 0;
     if (item == nullptr) return;
+    if (item->isHidden()) search_->clear();
     parts_->setCurrentItem(item);
     parts_->scrollToItem(item);
 }
@@ -163,8 +279,11 @@ void ModelPanel::selectMaterial(int number) {
     const QSignalBlocker quiet(materials_);
     QTreeWidgetItem* item = materials_->topLevelItem(number - 1);
     wantedMaterial_ = item == nullptr ? number : 0;
+    if (item != nullptr && item->isHidden()) search_->clear();
+    materials_->clearSelection();
     materials_->setCurrentItem(item);
     if (item != nullptr) materials_->scrollToItem(item);
+    enableLooks();
 }
 
 QStringList ModelPanel::chosenParts() const {
@@ -177,9 +296,16 @@ QStringList ModelPanel::chosenParts() const {
     return chosen;
 }
 
+QList<int> ModelPanel::chosenMaterials() const {
+    QList<int> chosen;
+    for (const QTreeWidgetItem* item : materials_->selectedItems())
+        chosen.append(item->data(0, kNumber).toInt());
+    return chosen;
+}
+
 int ModelPanel::chosenMaterial() const {
-    const QList<QTreeWidgetItem*> chosen = materials_->selectedItems();
-    return chosen.isEmpty() ? 0 : chosen.first()->data(0, kNumber).toInt();
+    const QList<int> chosen = chosenMaterials();
+    return chosen.size() == 1 ? chosen.first() : 0;
 }
 
 void ModelPanel::onChecked(QTreeWidgetItem* item) {

@@ -3217,6 +3217,53 @@ Alt+%2</translation>
         <source>&amp;Cut</source>
         <translation>Ř&amp;ezat</translation>
     </message>
+    <message>
+        <source>Copy material</source>
+        <translation>Kopírovat materiál</translation>
+    </message>
+    <message>
+        <source>Paste material</source>
+        <translation>Vložit materiál</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Předvolba</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Vybrat vše</translation>
+    </message>
+    <message>
+        <source>Select all parts and materials that are found (Return)</source>
+        <translation>Vybrat všechny nalezené části a materiály (Enter)</translation>
+    </message>
+    <message>
+        <source>Make it a ready-made material</source>
+        <translation>Udělat z něj předvolený materiál</translation>
+    </message>
+    <message>
+        <source>Keep which material is to be pasted</source>
+        <translation>Zapamatovat, který materiál se má vložit</translation>
+    </message>
+    <message>
+        <source>Make it look like %1</source>
+        <translation>Dát mu vzhled materiálu %1</translation>
+    </message>
+    <message>
+        <source>No material is copied</source>
+        <translation>Žádný materiál není zkopírován</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ModelSearch</name>
+    <message>
+        <source>Find by name, with * and ?</source>
+        <translation>Hledat podle jména, i s * a ?</translation>
+    </message>
+    <message>
+        <source>Find parts and materials</source>
+        <translation>Hledat části a materiály</translation>
+    </message>
 </context>
 <context>
     <name>gui::MotionOperations</name>

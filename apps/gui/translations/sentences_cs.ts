@@ -720,6 +720,10 @@
         <translation>alphas: nesmí být žádné, nebo musí být jedna na každou normálu</translation>
     </message>
     <message>
+        <source>aluminium</source>
+        <translation>hliník</translation>
+    </message>
+    <message>
         <source>ambient light</source>
         <translation>okolní světlo</translation>
     </message>
@@ -840,12 +844,24 @@
         <translation>světlo nemůže být černé; raději ho zhasněte</translation>
     </message>
     <message>
+        <source>black-paint</source>
+        <translation>černý nátěr</translation>
+    </message>
+    <message>
         <source>bloom off</source>
         <translation>záře vypnuta</translation>
     </message>
     <message>
         <source>bloom on</source>
         <translation>záře zapnuta</translation>
+    </message>
+    <message>
+        <source>brass</source>
+        <translation>mosaz</translation>
+    </message>
+    <message>
+        <source>bronze</source>
+        <translation>bronz</translation>
     </message>
     <message>
         <source>by its floors and walls</source>
@@ -904,6 +920,10 @@
         <translation>buňka {0} nedává smysl</translation>
     </message>
     <message>
+        <source>ceramic</source>
+        <translation>keramika</translation>
+    </message>
+    <message>
         <source>channels of its animation that are damaged and passed over: {0}</source>
         <translation>poškozené a vynechané kanály jeho animace: {0}</translation>
     </message>
@@ -914,6 +934,10 @@
     <message>
         <source>chrome</source>
         <translation>chrom</translation>
+    </message>
+    <message>
+        <source>clear-glass</source>
+        <translation>čiré sklo</translation>
     </message>
     <message>
         <source>colours below images vary over triangles; each image is laid on one colour</source>
@@ -930,6 +954,14 @@
     <message>
         <source>command queue {0}: {1}</source>
         <translation>fronta příkazů {0}: {1}</translation>
+    </message>
+    <message>
+        <source>concrete</source>
+        <translation>beton</translation>
+    </message>
+    <message>
+        <source>copper</source>
+        <translation>měď</translation>
     </message>
     <message>
         <source>damaged EXR: {0}</source>
@@ -1152,6 +1184,10 @@
         <translation>uvolněte místo, nebo nastavte TMPDIR na jinou složku</translation>
     </message>
     <message>
+        <source>frosted-glass</source>
+        <translation>matné sklo</translation>
+    </message>
+    <message>
         <source>give a model</source>
         <translation>zadejte model</translation>
     </message>
@@ -1162,6 +1198,18 @@
     <message>
         <source>glass</source>
         <translation>sklo</translation>
+    </message>
+    <message>
+        <source>gold</source>
+        <translation>zlato</translation>
+    </message>
+    <message>
+        <source>granite</source>
+        <translation>žula</translation>
+    </message>
+    <message>
+        <source>grey-paint</source>
+        <translation>šedý nátěr</translation>
     </message>
     <message>
         <source>guessed</source>
@@ -1832,6 +1880,10 @@
         <translation>lak</translation>
     </message>
     <message>
+        <source>leather</source>
+        <translation>kůže</translation>
+    </message>
+    <message>
         <source>left out, since nothing of it is used: {0}</source>
         <translation>vynecháno, protože se z toho nic nepoužívá: {0}</translation>
     </message>
@@ -1904,6 +1956,10 @@
         <translation>lineární barvy lze uložit jen do .exr, .hdr nebo .pfm</translation>
     </message>
     <message>
+        <source>linen</source>
+        <translation>len</translation>
+    </message>
+    <message>
         <source>lookAt is where eye is; the camera needs a direction</source>
         <translation>lookAt je tam, kde eye; kamera potřebuje směr</translation>
     </message>
@@ -1922,6 +1978,10 @@
     <message>
         <source>make a mesh of it (CloudCompare, MeshLab) and save that as PLY</source>
         <translation>udělejte z něj síť (CloudCompare, MeshLab) a tu uložte jako PLY</translation>
+    </message>
+    <message>
+        <source>marble</source>
+        <translation>mramor</translation>
     </message>
     <message>
         <source>material library {0} are missing; what it describes is plain grey</source>
@@ -2192,6 +2252,10 @@
         <translation>čísla {0} až {1}</translation>
     </message>
     <message>
+        <source>oak</source>
+        <translation>dub</translation>
+    </message>
+    <message>
         <source>of an unknown name</source>
         <translation>neznámého jména</translation>
     </message>
@@ -2280,6 +2344,10 @@
         <translation>pohledy s perspektivou a bez ní nemohou být v jednom letu</translation>
     </message>
     <message>
+        <source>plastic</source>
+        <translation>plast</translation>
+    </message>
+    <message>
         <source>playing ended: {0}</source>
         <translation>přehrávání skončilo: {0}</translation>
     </message>
@@ -2298,6 +2366,10 @@
     <message>
         <source>positions in brackets</source>
         <translation>polohy v závorkách</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>předvolba</translation>
     </message>
     <message>
         <source>reading it takes more than the {0} MB of memory that the importer may use; raise that (--memory-limit) if the model and its images are that large, else simplify it or export it again</source>
@@ -2330,6 +2402,10 @@
     <message>
         <source>rooms: {0}, {1} m2 together</source>
         <translation>místnosti: {0}, dohromady {1} m2</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>guma</translation>
     </message>
     <message>
         <source>section lights: one names a luminaire that is not there</source>
@@ -2470,6 +2546,10 @@
     <message>
         <source>spot</source>
         <translation>kuželové</translation>
+    </message>
+    <message>
+        <source>steel</source>
+        <translation>ocel</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -3093,7 +3173,7 @@
     </message>
     <message>
         <source>the scene has no variant {0}; 'variant list' lists them</source>
-        <translation>scéna nemá variantu {0}; vypíše je &apos;variant list&apos;</translation>
+        <translation>scéna nemá variantu {0}; vypíše je 'variant list'</translation>
     </message>
     <message>
         <source>the scene names files outside of its folder: {0}; 'pack FOLDER outside' takes them along</source>
@@ -3201,7 +3281,7 @@
     </message>
     <message>
         <source>the variant is too long for an answer; 'export scene' writes it</source>
-        <translation>varianta je na odpověď příliš dlouhá; zapíše ji &apos;export scene&apos;</translation>
+        <translation>varianta je na odpověď příliš dlouhá; zapíše ji 'export scene'</translation>
     </message>
     <message>
         <source>the version is missing; begin the file with: version = {0}</source>
@@ -3500,6 +3580,10 @@
         <translation>tři čísla v hranatých závorkách</translation>
     </message>
     <message>
+        <source>tinted-glass</source>
+        <translation>tónované sklo</translation>
+    </message>
+    <message>
         <source>too many brackets within brackets</source>
         <translation>příliš mnoho závorek v závorkách</translation>
     </message>
@@ -3632,6 +3716,10 @@
         <translation>chůze</translation>
     </message>
     <message>
+        <source>walnut</source>
+        <translation>ořech</translation>
+    </message>
+    <message>
         <source>warning: {0}</source>
         <translation>varování: {0}</translation>
     </message>
@@ -3658,6 +3746,10 @@
     <message>
         <source>what these X3D nodes show is left out, as they are not read: {0}</source>
         <translation>co zobrazují tyto uzly X3D, je vynecháno, protože se nečtou: {0}</translation>
+    </message>
+    <message>
+        <source>white-paint</source>
+        <translation>bílý nátěr</translation>
     </message>
     <message>
         <source>whole numbers in brackets</source>

@@ -6,6 +6,7 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/io/text/scn.h"
+#include "rtcore/look/material_presets.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/sentence.h"
 #include "rtcore/render/camera_rays.h"
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace rtserver {
@@ -45,6 +48,31 @@ Result materialSet(const Call& call) {
         throw app::UsageError(rtcore::sentenceOf(error));
     }
     return {};
+}
+
+// All of TO are looked up before anything changes.
+Result materialCopy(const Call& call) {
+    const std::size_t from = materialsNamed(sceneOf(call), call[0]).front();
+    std::vector<std::size_t> to;
+    for (const std::string& text : call.arguments.subspan(1)) {
+        const std::vector<std::size_t> more = materialsNamed(sceneOf(call), text);
+        to.insert(to.end(), more.begin(), more.end());
+    }
+    copyMaterial(call.document(), from, to);
+    return {};
+}
+
+Result materialPreset(const Call& call) {
+    const std::vector<std::size_t> all = materialsNamed(sceneOf(call), call[0]);
+    giveMaterials(call.document(), all, rtcore::materialPresetNamed(call[1]).look);
+    return {};
+}
+
+Result presets(const Call&) {
+    std::string text;
+    for (const rtcore::MaterialPreset& each : rtcore::materialPresets())
+        text.append(text.empty() ? "" : "\n").append(each.name);
+    return {.answer = std::move(text)};
 }
 
 Result materialReset(const Call& call) {
@@ -129,7 +157,10 @@ Result mask(const Call& call) {
 constexpr std::array kModelFunctions{
     CommandFunction{app::CommandId::Materials, materials},
     CommandFunction{app::CommandId::MaterialGet, materialGet},
+    CommandFunction{app::CommandId::MaterialPresets, presets},
     CommandFunction{app::CommandId::MaterialSet, materialSet},
+    CommandFunction{app::CommandId::MaterialCopy, materialCopy},
+    CommandFunction{app::CommandId::MaterialPreset, materialPreset},
     CommandFunction{app::CommandId::MaterialReset, materialReset},
     CommandFunction{app::CommandId::Parts, parts},
     CommandFunction{app::CommandId::PartHide, partHide},

@@ -14,6 +14,11 @@ namespace rtserver {
 
 void editMaterials(Document& document, std::span<const std::size_t> materials,
                    const rtcore::MaterialOverride& change);
+/// In place of all their edits but a priority that the look does not say.
+void giveMaterials(Document& document, std::span<const std::size_t> materials,
+                   const rtcore::MaterialOverride& look);
+/// How `from` is shown becomes the look of the others; that of itself stays.
+void copyMaterial(Document& document, std::size_t from, std::span<const std::size_t> materials);
 void resetMaterials(Document& document, std::span<const std::size_t> materials); ///< as the files have them
 
 /// Parts of this model. Rays and bodies pass through what is hidden.

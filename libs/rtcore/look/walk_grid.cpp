@@ -10,7 +10,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kSides = 4;
+constexpr int kDirections = 4;
 
 Camera viewTo(Vec3 eye, Vec3 forward, Vec3 up) {
     Camera camera;
@@ -81,8 +81,8 @@ std::vector<Camera> walkGrid(const KdTree& tree, const Mesh& mesh, const Survey&
     const std::size_t taken = std::min(eyes.size(), max);
     for (std::size_t i = 0; i < taken; ++i) {
         const Vec3 eye = eyes[i * eyes.size() / taken];
-        for (int side = 0; side < kSides; ++side) {
-            const Vec3 forward = survey.axes.horizontal(2 * kPi * static_cast<float>(side) / kSides);
+        for (int side = 0; side < kDirections; ++side) {
+            const Vec3 forward = survey.axes.horizontal(2 * kPi * static_cast<float>(side) / kDirections);
             views.push_back(viewTo(eye, forward, survey.axes.up));
         }
     }

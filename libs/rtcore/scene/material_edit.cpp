@@ -3,6 +3,7 @@
 #include "rtcore/scene/image_summary.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rtcore {
 
@@ -53,6 +54,15 @@ void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t in
                   const MaterialOverride& change) {
     MaterialOverride& edit = editOf(scene, index);
     edit.add(change);
+    scene.materials[index] = changedMaterial(scene.model, loaded[index], edit);
+}
+
+void giveLook(Scene& scene, std::span<const Material> loaded, std::size_t index, MaterialOverride look) {
+    MaterialOverride& edit = editOf(scene, index);
+    look.pattern.clear();
+    look.number = edit.number;
+    if (!look.priority) look.priority = edit.priority;
+    edit = std::move(look);
     scene.materials[index] = changedMaterial(scene.model, loaded[index], edit);
 }
 

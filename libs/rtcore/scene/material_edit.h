@@ -22,6 +22,8 @@ Material changedMaterial(const Model& model, Material material, const MaterialOv
 /// closeSurfaces().
 void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
                   const MaterialOverride& change);
+/// Makes `look` all that is edited of a material, but for a priority that it does not say, which stays.
+void giveLook(Scene& scene, std::span<const Material> loaded, std::size_t index, MaterialOverride look);
 /// The material as the files have it.
 void resetMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index);
 

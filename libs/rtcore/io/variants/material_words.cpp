@@ -4,7 +4,9 @@
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/scene/material_textures.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +21,27 @@ std::string_view nameAt(const Scene& scene, std::size_t index) {
 template <typename T>
 void sayOther(std::optional<T>& word, const T& from, const T& to) {
     if (from != to) word = to;
+}
+
+Colour meanOr1(const Model& model, std::uint32_t texture) {
+    return texture == kNoTexture ? kWhite : textureMean(model, texture);
+}
+
+/// What textures make of a material on the average, without holes and the normal map.
+void tellMeans(const Model& model, Material& m) {
+    const TextureMeans means = roughnessMeans(model, m);
+    const Colour specular = meanOr1(model, m.specularTexture);
+    m.diffuse = m.diffuse * meanOr1(model, m.diffuseTexture);
+    m.emission = m.emission * meanOr1(model, m.emissionTexture);
+    if (!hasRoughness(m)) {
+        m.specular = m.specular * specular;
+        m.mirror = m.mirror * specular;
+    } else {
+        m.roughness *= means.roughness;
+        m.metallic *= means.metallic;
+    }
+    if (m.transmissionTexture != kNoTexture)
+        m.opacity = 1 - (1 - m.opacity) * textureMean(model, m.transmissionTexture).r;
 }
 
 /// All that differs but the words of a kind.
@@ -81,6 +104,26 @@ MaterialOverride speltOut(MaterialOverride table, const Material& shown) {
     table.fresnel = shown.fresnel != 0;
     if (shown.mirrorScale == 1) table.reflectivity = shown.mirror;
     return table;
+}
+
+MaterialOverride lookOf(const Model& model, const Material& shown, const Material& to) {
+    const bool same = hasTextures(shown) && std::ranges::all_of(kMaterialTextures, [&](auto texture) {
+                          return shown.*texture == to.*texture;
+                      });
+    Material m = shown;
+    if (!same) tellMeans(model, m);
+    MaterialOverride look;
+    for (const MaterialNumber& each : kMaterialNumbers) look.*each.change = m.*each.field;
+    look = speltOut(look, m);
+    if (!hasRoughness(m)) {
+        look.reflectivity = m.mirror * m.mirrorScale;
+        look.coat = 0.0F; // it lies over roughness alone
+    }
+    look.transmission = m.transmission;
+    look.emission = m.emission;
+    look.textures = same;
+    if (same) look.flipTextures = m.flipTextures != 0;
+    return look;
 }
 
 MaterialOverride changeBetween(const Model& model, const Material& from, const Material& to,

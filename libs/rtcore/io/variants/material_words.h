@@ -23,6 +23,11 @@ bool looksAs(Material a, Material b);
 /// depends on the material before each.
 MaterialOverride speltOut(MaterialOverride table, const Material& shown);
 
+/// All that a [[material]] can say of how `shown` looks, without a name, in words of its own kind, so that
+/// giveLook() makes a material `to` of the model look the same. Where the files give `to` the same textures,
+/// these stay; otherwise their means are told in their stead, and `to` has none.
+MaterialOverride lookOf(const Model& model, const Material& shown, const Material& to);
+
 /// The words that make the material `from` the material `to` of the scene. `edit`, where it is not null, is
 /// what made `to` of something else, whose words are preferred. The name or number is not set. What no words
 /// can say - textures that `from` lacks - stays out.
