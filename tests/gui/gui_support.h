@@ -26,6 +26,12 @@ bool comes(Condition condition, int milliseconds = kPatience) {
     return QTest::qWaitFor(condition, milliseconds);
 }
 
+/// With the release that QTest::mouseDClick() leaves out: its button would stay down for all tests after it.
+inline void doubleClick(QWidget* widget, Qt::KeyboardModifiers keys = {}, const QPoint& at = {}) {
+    QTest::mouseDClick(widget, Qt::LeftButton, keys, at);
+    QTest::mouseRelease(widget, Qt::LeftButton, keys, at);
+}
+
 /// Fixture: a folder with room.obj, an instance name, and at most one server that is nobody's child.
 class GuiTest : public testing::Test {
   protected:

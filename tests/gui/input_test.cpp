@@ -1,4 +1,6 @@
 /// Keys and mouse of the image, without a server.
+#include "gui/gui_support.h"
+
 #include "gui/view/input_capture.h"
 
 #include "rtcore/motion/key_codes.h"
@@ -109,7 +111,7 @@ TEST_F(OrbitInputTest, TheWheelGoesThereAndADoubleClickCentres) {
     EXPECT_EQ(reached.front().front().toPointF(), QPointF(50, 60));
     EXPECT_EQ(reached.front().back().toDouble(), 2);
     EXPECT_EQ(wheel.count(), 0);
-    QTest::mouseDClick(view, Qt::LeftButton, {}, {30, 40});
+    test::doubleClick(view, {}, {30, 40});
     ASSERT_EQ(centred.count(), 1);
     EXPECT_EQ(centred.front().front().toPointF(), QPointF(30, 40));
     EXPECT_FALSE(input.captured());

@@ -550,7 +550,7 @@ TEST_F(PanelsTest, ADoubleClickLooksThere) {
     const QVector3D wanted =
         directionThrough(view, *point, static_cast<double>(size.width()) / size.height());
     QTest::mouseClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
-    QTest::mouseDClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
+    doubleClick(&shown, {}, place);
     EXPECT_FALSE(shown.input().captured());
     EXPECT_TRUE(comes([&] { return (window->session().status().view.forward - wanted).length() < 1e-5F; }));
     EXPECT_EQ(window->session().status().view.eye, view.eye);
@@ -575,7 +575,7 @@ TEST_F(PanelsTest, ADoubleClickInAParallelViewMovesThePointToTheMiddle) {
     const std::optional<QPointF> point = shown.inPicture(place);
     ASSERT_TRUE(point.has_value());
     QTest::mouseClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
-    QTest::mouseDClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
+    doubleClick(&shown, {}, place);
     EXPECT_FALSE(shown.input().captured());
     const float wanted = view.eye.x() + static_cast<float>(point->x()) * 4;
     EXPECT_TRUE(comes([&] { return std::fabs(window->session().status().view.eye.x() - wanted) < 0.05F; }))
@@ -589,7 +589,7 @@ TEST_F(PanelsTest, ADoubleClickWithCtrlFocusesThere) {
     FrameView& shown = window->view();
     const QPoint place(shown.width() / 2, shown.height() / 2);
     QTest::mouseClick(&shown, Qt::LeftButton, Qt::ControlModifier, place);
-    QTest::mouseDClick(&shown, Qt::LeftButton, Qt::ControlModifier, place);
+    doubleClick(&shown, Qt::ControlModifier, place);
     EXPECT_FALSE(shown.input().captured());
     EXPECT_TRUE(becomes("depthOfField.on", "true"));
     EXPECT_GT(served("depthOfField.focus").toDouble(), 0);

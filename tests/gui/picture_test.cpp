@@ -1,4 +1,6 @@
 /// The window of a result: all of the image, its own pixels, copies of it.
+#include "gui/gui_support.h"
+
 #include "gui/dialogs/picture_dialog.h"
 #include "gui/view/picture_view.h"
 
@@ -72,9 +74,9 @@ TEST_F(PictureTest, KeysZoomAndMove) {
     EXPECT_GT(view.zoom(), 1);
     QTest::keyClick(&view, Qt::Key_0);
     EXPECT_EQ(view.zoom(), fitted);
-    QTest::mouseDClick(view.viewport(), Qt::LeftButton);
+    test::doubleClick(view.viewport());
     EXPECT_EQ(view.zoom(), 1);
-    QTest::mouseDClick(view.viewport(), Qt::LeftButton);
+    test::doubleClick(view.viewport());
     EXPECT_EQ(view.zoom(), fitted);
     for (int i = 0; i < 100; ++i) QTest::keyClick(&view, Qt::Key_Plus);
     EXPECT_LE(view.zoom(), 32);

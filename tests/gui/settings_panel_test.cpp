@@ -123,7 +123,7 @@ TEST_F(SettingsPanelTest, ADoubleClickOnALabelLeadsBackToTheDefault) {
     ASSERT_TRUE(comes([&] { return served("exposure.key") == QStringLiteral("0.5"); }));
     ASSERT_TRUE(comes([&] { return panel().resetButton(QStringLiteral("exposure.key"))->isVisible(); }));
     for (QLabel* label : panel().findChildren<QLabel*>())
-        if (label->buddy() == key) QTest::mouseDClick(label, Qt::LeftButton);
+        if (label->buddy() == key) test::doubleClick(label);
     EXPECT_TRUE(comes([&] { return served("exposure.key") == QStringLiteral("0.18"); }));
 }
 
