@@ -17,8 +17,7 @@ class NoSurfaces final : public rtcore::RayTracer {
 
     void intersect(rtcore::RayKind /*kind*/, const rtcore::RayWave& rays,
                    rtcore::HitWave& hits) const override {
-        hits.resize(rays.size());
-        for (std::size_t i = 0; i < rays.size(); ++i) hits.set(i, {0, rtcore::kNoTriangle, 0, 0});
+        rtcore::missAll(rays.size(), hits);
     }
     void occluded(rtcore::RayKind /*kind*/, const rtcore::RayWave& rays,
                   std::vector<std::uint8_t>& occluded) const override {
@@ -34,12 +33,14 @@ class NoSurfaces final : public rtcore::RayTracer {
     rtcore::Box3 bounds_;
 };
 
-rtcore::Scene withGroundOf(const rtcore::Scene& scene) {
+rtcore::Scene withGroundOf(const ShadowWork& work) {
     constexpr float kAlbedo = 0.5F; // it only scales both images
-    rtcore::Scene grounded = scene;
-    if (!grounded.ground)
-        grounded.ground =
-            rtcore::makeGround(scene.model, scene.up, rtcore::kWhite * kAlbedo, rtcore::GroundEdge::Fades);
+    rtcore::Scene grounded = work.scene;
+    if (grounded.ground) return grounded;
+    if (!work.ground)
+        work.ground = rtcore::makeGround(work.scene.model, work.scene.up, rtcore::kWhite * kAlbedo,
+                                         rtcore::GroundEdge::Fades);
+    grounded.ground = work.ground;
     return grounded;
 }
 
@@ -65,7 +66,7 @@ bool renderGround(const ShadowWork& work, const rtcore::View& view, rtcore::Fram
     return work.images.of(view.settings.integrator).render(view, work.control, request, frame);
 }
 
-/// The part of the light that arrives, where `ground` of a pixel is ground.
+/// The part of the light that is left at a pixel, of which a part, `beside`, lies beside the ground.
 float leftOf(float with, float without, float beside) {
     const float ratio = without > 0 ? std::clamp(with / without, 0.0F, 1.0F) : 1.0F;
     return beside + (1 - beside) * ratio;
@@ -74,7 +75,7 @@ float leftOf(float with, float without, float beside) {
 } // namespace
 
 rtcore::HdrImage groundShadow(const ShadowWork& work) {
-    const rtcore::Scene scene = withGroundOf(work.scene);
+    const rtcore::Scene scene = withGroundOf(work);
     const rtcore::RenderSettings settings = shadowSettings(work.settings, scene);
     const auto catching = [&](std::shared_ptr<const rtcore::RayTracer> surfaces) {
         return rtcore::GroundTracer(std::move(surfaces), scene.ground, rtcore::GroundRole::Catcher);

@@ -17,6 +17,8 @@ namespace renderer {
 struct ShadowWork {
     const rtcore::Scene& scene;
     std::shared_ptr<const rtcore::RayTracer> surfaces; ///< as sections leave them, without any ground
+    /// Of a model whose scene has none: made when it is null, and to be kept for its next image.
+    std::shared_ptr<const rtcore::SkyGround>& ground;
     const rtcore::Camera& camera;
     const rtcore::RenderSettings& settings; ///< of the image
     rtcore::ImageRenderers& images;

@@ -481,8 +481,8 @@ void PictureMaker::addGroundShadow(const rtcore::Camera& camera, const rtcore::R
     const app::ProgressScope scope(progress_, {"rendering the shadow", fraction, &control.cancel}, index,
                                    count);
     const auto surfaces = rtcore::withSections(surfaces_, loaded_.scene, sections_);
-    const rtcore::HdrImage left =
-        groundShadow({loaded_.scene, surfaces, camera, settings, images_, developer_, control});
+    const rtcore::HdrImage left = groundShadow(
+        {loaded_.scene, surfaces, shadowGround_, camera, settings, images_, developer_, control});
     if (left.empty()) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     for (std::size_t i = 0; i < left.pixels.size(); ++i) {
         rtcore::Colour& seen = frame_.transmitted.pixels[i];

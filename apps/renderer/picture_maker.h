@@ -164,6 +164,7 @@ class PictureMaker {
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;
     std::optional<rtcore::Backdrop> backdrop_;
+    std::shared_ptr<const rtcore::SkyGround> shadowGround_; ///< null: none was needed yet
     rtcore::CapPainter caps_;
 };
 

@@ -26,8 +26,7 @@ bool GroundTracer::meets(RayKind kind) const {
 
 void GroundTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
     if (role_ == GroundRole::Catcher && kind == RayKind::Primary) {
-        hits.resize(rays.size());
-        for (std::size_t i = 0; i < rays.size(); ++i) hits.set(i, {0, kNoTriangle, 0, 0});
+        missAll(rays.size(), hits);
     } else {
         surfaces_->intersect(kind, rays, hits);
     }
@@ -50,6 +49,11 @@ void GroundTracer::occluded(RayKind kind, const RayWave& rays, std::vector<std::
 void GroundTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
                                  std::vector<Obstacle>& found) const {
     surfaces_->findObstacles(rays, clear, found);
+}
+
+void missAll(std::size_t count, HitWave& hits) {
+    hits.resize(count);
+    for (std::size_t i = 0; i < count; ++i) hits.set(i, {0, kNoTriangle, 0, 0});
 }
 
 std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,

@@ -4,6 +4,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -42,6 +43,9 @@ class GroundTracer final : public RayTracer {
     std::uint32_t first_; ///< triangle of the ground
     GroundRole role_;
 };
+
+/// Hits of a wave of so many rays that meet nothing.
+void missAll(std::size_t count, HitWave& hits);
 
 /// The tracer of the scene as it is shown: `surfaces` itself where it shows no ground.
 std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene,
