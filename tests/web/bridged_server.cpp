@@ -44,7 +44,10 @@ void BridgedServer::startBridge(const std::vector<std::string>& options) {
     }
     links_ = folder() / ("links" + std::to_string(++bridges_) + ".txt");
     bridge_ = std::make_unique<RunningProgram>(
-        programPath("RTBridge"), words, ProgramSettings{.folder = folder().path(), .outputFile = links_});
+        programPath("RTBridge"), words,
+        ProgramSettings{.folder = folder().path(),
+                        .environment = {{"RT_KEEP_PRIORITY", "1"}}, // tests wait for its Renderer
+                        .outputFile = links_});
     const bool told = eventually(
         [&] {
             viewerLink_ = linkIn(readBytes(links_), "Viewer: ");

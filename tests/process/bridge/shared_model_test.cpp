@@ -21,7 +21,8 @@ class SharedModel : public LiveServer {
                                        "--rest=" + rest};
         words.insert(words.end(), options.begin(), options.end());
         bridge_ = ChildProcess(programPath("RTBridge").string(), words,
-                               {.outputFile = (folder() / "links").string()});
+                               {.environment = {{"RT_KEEP_PRIORITY", "1"}}, // tests wait for its Renderer
+                                .outputFile = (folder() / "links").string()});
         EXPECT_TRUE(eventually([&] { return bytes("links").find("Viewer: ") != std::string::npos; }, 20s));
         const std::string text = bytes("links");
         const std::size_t link = text.find("127.0.0.1:"), token = text.find("#t=") + 3;
